@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEFAULT_SURFACE_INSERTION_VISITOR_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEFAULT_SURFACE_INSERTION_VISITOR_3_H
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Ref
+
+names what the insertion of a surface is doing. `PLAN` and `SUBGRAPH` come once; `LOCATION` and
+`UPDATE` alternate, point by point; `TRACE` comes at the end of a round; `FINISH` once; `DONE` when
+nothing follows.
+*/
+enum class Surface_insertion_phase {
+  PLAN,     ///< the order of the points and the rounds are made.
+  SUBGRAPH, ///< the spanning subgraph T is made.
+  LOCATION, ///< a point is located (Choi 2002, Fig. 1, line 2b).
+  UPDATE,   ///< a point is inserted (line 2c).
+  TRACE,    ///< T is traced through the triangulation (line 2a).
+  FINISH,   ///< the triangulation is handed over.
+  DONE      ///< nothing more is done.
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Ref
+
+watches nothing and never stops the work; to be derived from. All calls are inlined away.
+
+\cgalModels{SurfaceInsertionVisitor_3}
+*/
+struct Default_surface_insertion_visitor_3
+{
+  /// is called before the first phase if the surface is no triangulated manifold.
+  void surface_is_irregular(const std::string& /* reason */) {}
+
+  /// is called whenever another phase begins.
+  void phase_begins(Surface_insertion_phase) {}
+
+  /// is called before the first point of each round.
+  void round_begins(std::size_t /* round */, std::size_t /* number_of_points */) {}
+
+  /// is called after the trace that ends a round.
+  void trace_ends(std::size_t /* number_of_located_points */) {}
+
+  /// is called before each insertion; `false` stops the work.
+  bool go_further() { return true; }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEFAULT_SURFACE_INSERTION_VISITOR_3_H

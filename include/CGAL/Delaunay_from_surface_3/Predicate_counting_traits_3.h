@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PREDICATE_COUNTING_TRAITS_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PREDICATE_COUNTING_TRAITS_3_H
+
+#include <CGAL/enum.h>
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Statistics
+
+holds how often a triangulation called its predicates.
+*/
+struct Predicate_counts
+{
+  std::size_t orientation = 0;          ///< calls of `Orientation_3`.
+  std::size_t negative_orientation = 0; ///< those that returned `NEGATIVE`.
+  std::size_t in_sphere = 0;            ///< calls of `Side_of_oriented_sphere_3`.
+  std::size_t other = 0; ///< calls of the planar predicates and of comparisons of points.
+
+  /// returns all calls.
+  std::size_t all() const { return orientation + in_sphere + other; }
+
+  /*!
+  returns how many cells the walks that these counts belong to have entered, the starting cells not
+  counted. In dimension 3 a walk goes through a facet exactly when the orientation test with that
+  facet is negative, and into an infinite cell in the same way.
+  */
+  std::size_t cells_entered() const { return negative_orientation; }
+
+  /// adds.
+  Predicate_counts& operator+=(const Predicate_counts& other_counts)
+  {
+    orientation += other_counts.orientation;
+    negative_orientation += other_counts.negative_orientation;
+    in_sphere += other_counts.in_sphere;
+    other += other_counts.other;
+    return *this;
+  }
+
+  /// subtracts.
+  friend Predicate_counts operator-(Predicate_counts a, const Predicate_counts& b)
+  {
+    a.orientation -= b.orientation;
+    a.negative_orientation -= b.negative_orientation;
+    a.in_sphere -= b.in_sphere;
+    a.other -= b.other;
+    return a;
+  }
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Statistics
+
+is a geometric traits class for `Delaunay_triangulation_3` that counts the calls of its predicates.
+It is a type of its own, for which `CGAL` does not take its inexact walk, whose steps cannot be
+observed: all steps are counted, and times taken with it mean nothing. All copies share one
+`Predicate_counts`; they are not to be used by several threads.
+
+\tparam Kernel a model of `DelaunayTriangulationTraits_3`, such as
+`Exact_predicates_inexact_constructions_kernel`
+
+\cgalModels{DelaunayTriangulationTraits_3}
+*/
+template <class Kernel>
+class Predicate_counting_traits_3 : public Kernel
+{
+  // Calls Predicate and then hands its result to Count.
+  template <class Predicate, class Count>
+  class Counting
+  {
+  public:
+    Counting(Predicate predicate, Predicate_counts* counts)
+      : m_predicate(std::move(predicate))
+      , m_counts(counts)
+    {
+    }
+
+    template <class... Arguments>
+    auto operator()(const Arguments&... arguments) const
+    {
+      const auto result = m_predicate(arguments...);
+      Count()(*m_counts, result);
+      return result;
+    }
+
+  private:
+    Predicate m_predicate;
+    Predicate_counts* m_counts;
+  };
+
+  struct Count_orientation
+  {
+    void operator()(Predicate_counts& counts, Orientation o) const
+    {
+      ++counts.orientation;
+      counts.negative_orientation += o == NEGATIVE;
+    }
+  };
+
+  struct Count_in_sphere
+  {
+    void operator()(Predicate_counts& counts, Oriented_side) const { ++counts.in_sphere; }
+  };
+
+  struct Count_other
+  {
+    template <class Result>
+    void operator()(Predicate_counts& counts, Result) const
+    {
+      ++counts.other;
+    }
+  };
+
+public:
+  using Orientation_3 = Counting<typename Kernel::Orientation_3, Count_orientation>;
+  using Side_of_oriented_sphere_3 =
+      Counting<typename Kernel::Side_of_oriented_sphere_3, Count_in_sphere>;
+  using Coplanar_orientation_3 = Counting<typename Kernel::Coplanar_orientation_3, Count_other>;
+  using Coplanar_side_of_bounded_circle_3 =
+      Counting<typename Kernel::Coplanar_side_of_bounded_circle_3, Count_other>;
+  using Compare_xyz_3 = Counting<typename Kernel::Compare_xyz_3, Count_other>;
+  using Compare_distance_3 = Counting<typename Kernel::Compare_distance_3, Count_other>;
+
+  /// starts at zero.
+  explicit Predicate_counting_traits_3(const Kernel& kernel = Kernel())
+    : Kernel(kernel)
+    , m_counts(std::make_shared<Predicate_counts>())
+  {
+  }
+
+  /// returns the counts of this object and all its copies.
+  const Predicate_counts& counts() const { return *m_counts; }
+
+  Orientation_3 orientation_3_object() const
+  {
+    return {Kernel::orientation_3_object(), m_counts.get()};
+  }
+  Side_of_oriented_sphere_3 side_of_oriented_sphere_3_object() const
+  {
+    return {Kernel::side_of_oriented_sphere_3_object(), m_counts.get()};
+  }
+  Coplanar_orientation_3 coplanar_orientation_3_object() const
+  {
+    return {Kernel::coplanar_orientation_3_object(), m_counts.get()};
+  }
+  Coplanar_side_of_bounded_circle_3 coplanar_side_of_bounded_circle_3_object() const
+  {
+    return {Kernel::coplanar_side_of_bounded_circle_3_object(), m_counts.get()};
+  }
+  Compare_xyz_3 compare_xyz_3_object() const
+  {
+    return {Kernel::compare_xyz_3_object(), m_counts.get()};
+  }
+  Compare_distance_3 compare_distance_3_object() const
+  {
+    return {Kernel::compare_distance_3_object(), m_counts.get()};
+  }
+
+private:
+  std::shared_ptr<Predicate_counts> m_counts;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PREDICATE_COUNTING_TRAITS_3_H

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_INPUT_ERROR_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_INPUT_ERROR_H
+
+#include <stdexcept>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Ref
+
+is thrown when a surface cannot serve as input: a coordinate that is not a finite number, an index
+out of range, a graph whose number of vertices differs from the number of points. The message names
+what is wrong and where. Input is checked before the first change of the triangulation.
+*/
+class Surface_input_error : public std::invalid_argument
+{
+public:
+  using std::invalid_argument::invalid_argument;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_INPUT_ERROR_H

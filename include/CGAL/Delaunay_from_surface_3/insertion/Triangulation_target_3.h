@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_TRIANGULATION_TARGET_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_TRIANGULATION_TARGET_3_H
+
+// Choi 2002, Fig. 1, line 2c: "Insert s_i and update D(S_i)", through CGAL's own insertion; and the
+// walk that stands for Q in lines 2a and 2b.
+
+#include <CGAL/Triangulation_hierarchy_3.h>
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Insertion
+
+inserts points into a `CGAL::Delaunay_triangulation_3` by its own member functions: `locate()` with
+a starting cell, then `insert()` at the place found. The triangulation may be of any dimension, may
+hold points already, and may have any vertex and cell base.
+
+If the observer wants to see conflict zones, an insertion in dimension 3 goes through
+`find_conflicts()` and `insert_in_hole()` instead. It does not for `Fast_location`, whose `insert()`
+must also fill the upper levels: no conflict zone is reported there, nor where the dimension is
+below 3.
+
+\tparam Triangulation a `CGAL::Delaunay_triangulation_3`
+
+\cgalModels{InsertionTarget_3}
+*/
+template <class Triangulation>
+class Triangulation_target_3
+{
+public:
+  using Point = typename Triangulation::Point;          ///< the points inserted.
+  using Vertex = typename Triangulation::Vertex_handle; ///< `Vertex()` stands for none.
+  using Cell = typename Triangulation::Cell_handle;     ///< where a walk starts.
+
+  /// the place of a point in the triangulation, as `Triangulation_3::locate()` gives it.
+  struct Location
+  {
+    Cell cell;
+    typename Triangulation::Locate_type type;
+    int li, lj;
+  };
+
+  /// is to insert `points` into `tr`; keeps references to both.
+  Triangulation_target_3(Triangulation& tr, const std::vector<Point>& points)
+    : m_tr(tr)
+    , m_points(points)
+    , m_vertices(points.size())
+  {
+  }
+
+  /// returns the number of points.
+  std::size_t size() const { return m_points.size(); }
+
+  /// returns the vertex at point `i`; none if the point is not inserted yet.
+  Vertex vertex(std::size_t i) const { return m_vertices[i]; }
+
+  /// returns a cell of `v`, or any cell if `v` is none.
+  Cell cell(Vertex v) const { return v == Vertex() ? m_tr.infinite_cell() : v->cell(); }
+
+  /// locates point `i` by a walk from `start`.
+  Location locate(std::size_t i, Cell start) const
+  {
+    Location location = {start, Triangulation::OUTSIDE_AFFINE_HULL, 0, 0};
+    const Cell found = m_tr.locate(m_points[i], location.type, location.li, location.lj, start);
+    if (found != Cell()) // none outside the affine hull: the next walk may start where this one did
+      location.cell = found;
+    return location;
+  }
+
+  /// returns the vertex of the located cell that is nearest to point `i`; finite.
+  /// \pre the triangulation has a finite vertex.
+  Vertex nearest_vertex(std::size_t i, const Location& location) const
+  {
+    // In dimension 0 a cell is a single vertex, perhaps the infinite one.
+    return m_tr.dimension() < 1 ? Vertex(m_tr.finite_vertices_begin())
+                                : m_tr.nearest_vertex_in_cell(m_points[i], location.cell);
+  }
+
+  /// returns whether `v` is closer to point `i` than `w`.
+  bool is_closer(std::size_t i, Vertex v, Vertex w) const
+  {
+    return m_tr.geom_traits().compare_distance_3_object()(m_points[i], v->point(), w->point()) ==
+           SMALLER;
+  }
+
+  /// inserts point `i` where it was just located, and tells `observer` (a model of
+  /// `UpdateObserver_3`). A point that is there already gets the vertex that is there.
+  template <class Observer>
+  void insert(std::size_t i, const Location& location, Observer& observer)
+  {
+    m_vertices[i] = insert_at(i, location, observer);
+    observer.after_update(i, m_vertices[i]);
+  }
+
+  /// does nothing: the triangulation is complete at any time.
+  void finish() {}
+
+  /// gives the vertices of the points away, none for points not inserted; to be called last.
+  std::vector<Vertex> take_vertices() { return std::move(m_vertices); }
+
+private:
+  template <class Tr>
+  static std::true_type has_hierarchy(const Triangulation_hierarchy_3<Tr>*);
+  static std::false_type has_hierarchy(...);
+
+  template <class Observer>
+  Vertex insert_at(std::size_t i, const Location& location, Observer& observer)
+  {
+    using Has_hierarchy = decltype(has_hierarchy(static_cast<Triangulation*>(nullptr)));
+    if constexpr (Observer::observes_conflict_zone && !Has_hierarchy::value) {
+      if (m_tr.dimension() == 3 && location.type != Triangulation::VERTEX)
+        return insert_in_conflict_zone(i, location, observer);
+    }
+    return m_tr.insert(m_points[i], location.type, location.cell, location.li, location.lj);
+  }
+
+  // The cell where a point is located is in conflict with it, outside the convex hull too.
+  template <class Observer>
+  Vertex insert_in_conflict_zone(std::size_t i, const Location& location, Observer& observer)
+  {
+    m_conflict_zone.clear();
+    m_boundary.clear();
+    m_tr.find_conflicts(m_points[i], location.cell, std::back_inserter(m_boundary),
+                        std::back_inserter(m_conflict_zone));
+    observer.before_update(i, m_conflict_zone.begin(), m_conflict_zone.end());
+    return m_tr.insert_in_hole(m_points[i], m_conflict_zone.begin(), m_conflict_zone.end(),
+                               m_boundary.front().first, m_boundary.front().second);
+  }
+
+  Triangulation& m_tr;
+  const std::vector<Point>& m_points;
+  std::vector<Vertex> m_vertices;
+  std::vector<Cell> m_conflict_zone;
+  std::vector<typename Triangulation::Facet> m_boundary;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_TRIANGULATION_TARGET_3_H

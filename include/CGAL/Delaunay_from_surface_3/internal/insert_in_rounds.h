@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_INSERT_IN_ROUNDS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_INSERT_IN_ROUNDS_H
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/internal/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+using Phase = Surface_insertion_phase;
+
+// Choi 2002, Fig. 1. Returns false if the visitor stopped it.
+template <class Target, class Hints, class Visitor>
+bool insert_in_rounds(const Insertion_order& plan, Target& target, Hints& hints, Visitor& visitor)
+{
+  std::size_t i = 0;
+  for (std::size_t h = 0; h < plan.round_ends.size(); ++h) {
+    const std::size_t N_h = plan.round_ends[h];
+    visitor.round_begins(h, N_h - i);
+    for (; i < N_h; ++i) {
+      if (!visitor.go_further())
+        return false;
+      const std::size_t s_i = plan.order[i];
+      visitor.phase_begins(Phase::LOCATION);
+      const typename Target::Location d_i = target.locate(s_i, hints.start(s_i)); // 2b
+      visitor.phase_begins(Phase::UPDATE);
+      target.insert(s_i, d_i, hints); // 2c
+    }
+    if (N_h < plan.order.size()) {
+      visitor.phase_begins(Phase::TRACE);
+      visitor.trace_ends(hints.trace()); // 2a
+    }
+  }
+  visitor.phase_begins(Phase::FINISH);
+  target.finish();
+  return true;
+}
+
+// The vertices of the points, and whether the visitor let the work come to its end.
+template <class Vertex>
+struct Inserted_points
+{
+  std::vector<Vertex> vertices;
+  bool is_complete;
+};
+
+template <class Traits, class Triangulation, class Graph, class Visitor>
+Inserted_points<typename Triangulation::Vertex_handle>
+insert_as_planned(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
+                  const Insertion_order& plan, const Graph& subgraph, Visitor& visitor)
+{
+  using Target = typename Traits::template Insertion_target_3<Triangulation>;
+  using Hints = typename Traits::template Insertion_hints_3<Target, Graph>;
+  Target target(tr, points);
+  Hints hints(target, subgraph);
+  const bool is_complete = insert_in_rounds(plan, target, hints, visitor);
+  return {target.take_vertices(), is_complete};
+}
+
+// Plan and subgraph from the surface, then the rounds. An empty triangulation is built aside, as a
+// copy that keeps its traits, its lock structure and what its infinite vertex holds: it changes
+// when all is done.
+template <class Traits, class Triangulation, class Graph, class VertexIndexMap, class Visitor>
+std::vector<typename Triangulation::Vertex_handle>
+insert_surface(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
+               const Graph& graph, VertexIndexMap index_map, const Traits& traits,
+               unsigned int seed, Visitor& visitor)
+{
+  using Target = typename Traits::template Insertion_target_3<Triangulation>;
+  using Hints = typename Traits::template Insertion_hints_3<Target, Index_graph>;
+
+  visitor.phase_begins(Phase::PLAN);
+  const Insertion_order plan =
+      traits.insertion_plan_object(seed)(points, tr.geom_traits(), graph, index_map);
+  visitor.phase_begins(Phase::SUBGRAPH);
+  Index_graph subgraph;
+  if constexpr (Hints::uses_subgraph)
+    subgraph = index_graph(traits.surface_subgraph_object(), graph, index_map, points.size());
+
+  Inserted_points<typename Triangulation::Vertex_handle> result;
+  if (tr.number_of_vertices() > 0) {
+    result = insert_as_planned<Traits>(tr, points, plan, subgraph, visitor);
+  } else {
+    Triangulation aside(tr);
+    result = insert_as_planned<Traits>(aside, points, plan, subgraph, visitor);
+    if (result.is_complete)
+      tr.swap(aside);
+    else
+      result.vertices.clear();
+  }
+  visitor.phase_begins(Phase::DONE);
+  return std::move(result.vertices);
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_INSERT_IN_ROUNDS_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_INSERT_WITH_PARAMETERS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_INSERT_WITH_PARAMETERS_H
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/internal/insert_in_rounds.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/iterator.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// The parameters that all forms share: seed, visitor, and what is done with the vertices.
+template <class Triangulation, class Graph, class VertexIndexMap, class Traits,
+          class NamedParameters, class NameOf>
+std::ptrdiff_t insert_with_parameters(Triangulation& tr,
+                                      const std::vector<typename Triangulation::Point>& points,
+                                      const std::string& irregularity, const Graph& graph,
+                                      VertexIndexMap index_map, const Traits& traits,
+                                      const NamedParameters& np, const NameOf& name_of)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  Default_surface_insertion_visitor_3 default_visitor;
+  using Visitor_reference =
+      typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
+                                                   Default_surface_insertion_visitor_3>::reference;
+  Visitor_reference visitor =
+      choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  const auto seed =
+      static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0));
+  auto out = choose_parameter(get_parameter(np, internal_np::vertex_to_vertex_output_iterator),
+                              Emptyset_iterator());
+
+  if (!irregularity.empty())
+    visitor.surface_is_irregular(irregularity);
+  const auto before = static_cast<std::ptrdiff_t>(tr.number_of_vertices());
+  const auto vertices = insert_surface(tr, points, graph, index_map, traits, seed, visitor);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (vertices[i] != typename Triangulation::Vertex_handle())
+      *out++ = std::make_pair(name_of(i), vertices[i]);
+  return static_cast<std::ptrdiff_t>(tr.number_of_vertices()) - before;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_INSERT_WITH_PARAMETERS_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_GEOMETRIC_ROUNDS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_GEOMETRIC_ROUNDS_H
+
+// A biased randomised insertion order (Amenta, Choi, Rote, SoCG 2003): rounds that grow
+// geometrically, each in a spatially coherent order.
+
+#include <CGAL/Delaunay_from_surface_3/internal/order_of_indices.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Plans
+
+draws a random order and cuts it into rounds that grow geometrically; each round is then sorted
+along a Hilbert curve. This is a biased randomised insertion order \cgalCite{acr-icbr-03}: random
+enough for the expected size of the conflict zones, coherent enough for short walks and warm caches.
+
+O(n log n).
+
+\cgalModels{InsertionPlan}
+*/
+class Geometric_rounds
+{
+public:
+  /*!
+  \param seed draws the random order
+  \param ratio the size of everything before a round, divided by the size of everything up to its
+  end; 0 < `ratio` < 1
+  \param first_round rounds are cut off until at most so many points are left for the first; > 0
+  */
+  explicit Geometric_rounds(unsigned int seed = 0, double ratio = 0.125,
+                            std::size_t first_round = 64)
+    : m_seed(seed)
+    , m_ratio(ratio)
+    , m_first_round(first_round)
+  {
+    CGAL_precondition(0 < ratio && ratio < 1 && first_round > 0);
+  }
+
+  /// returns order and rounds of `points`. The graph is not looked at.
+  template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
+  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt, const Graph&,
+                             VertexIndexMap) const
+  {
+    using namespace Delaunay_from_surface_3::internal;
+    Insertion_order plan;
+    plan.order = random_order(points.size(), m_seed);
+    plan.round_ends = round_ends(points.size());
+    hilbert_sort_rounds(points, gt, plan, plan.round_ends.size());
+    return plan;
+  }
+
+  /// returns …, ⌊ratio² n⌋, ⌊ratio n⌋, n.
+  std::vector<std::size_t> round_ends(std::size_t n) const
+  {
+    std::vector<std::size_t> ends;
+    for (std::size_t end = n; end > 0;) {
+      ends.push_back(end);
+      end = end <= m_first_round ? 0 : static_cast<std::size_t>(std::floor(double(end) * m_ratio));
+    }
+    std::reverse(ends.begin(), ends.end());
+    return ends;
+  }
+
+private:
+  unsigned int m_seed;
+  double m_ratio;
+  std::size_t m_first_round;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_GEOMETRIC_ROUNDS_H

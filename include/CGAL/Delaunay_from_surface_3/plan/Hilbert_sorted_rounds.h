@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_HILBERT_SORTED_ROUNDS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_HILBERT_SORTED_ROUNDS_H
+
+// The rounds of another plan, each made coherent: what a plan costs on a machine with caches is
+// decided by the order inside its rounds, what it costs in theory by the rounds.
+
+#include <CGAL/Delaunay_from_surface_3/internal/order_of_indices.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Plans
+
+takes the rounds of `Plan` and sorts each along a Hilbert curve. The sets of points that are
+inserted by the end of a round stay the same.
+
+The cost of `Plan` + O(n log n).
+
+\tparam Plan a model of `InsertionPlan`
+
+\cgalModels{InsertionPlan}
+*/
+template <class Plan>
+class Hilbert_sorted_rounds
+{
+public:
+  /// hands `seed` to `Plan`.
+  explicit Hilbert_sorted_rounds(unsigned int seed = 0)
+    : m_plan(seed)
+  {
+  }
+
+  /// returns order and rounds of `points`.
+  template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
+  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
+                             const Graph& graph, VertexIndexMap index_map) const
+  {
+    Insertion_order plan = m_plan(points, gt, graph, index_map);
+    Delaunay_from_surface_3::internal::hilbert_sort_rounds(points, gt, plan,
+                                                           plan.round_ends.size());
+    return plan;
+  }
+
+private:
+  Plan m_plan;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_HILBERT_SORTED_ROUNDS_H

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_INSERTION_ORDER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_INSERTION_ORDER_H
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Plans
+
+is what an `InsertionPlan` returns: the order in which n points are inserted, and where its rounds
+end. It is the random order s_1, …, s_n of Choi 2002, §2, together with the N_h.
+
+Round h inserts the points `order[k]` with `round_ends[h-1] <= k < round_ends[h]`.
+*/
+struct Insertion_order
+{
+  /// a permutation of 0, …, n-1.
+  std::vector<std::size_t> order;
+
+  /// strictly increasing; the last is n. Empty if and only if n is 0.
+  std::vector<std::size_t> round_ends;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_INSERTION_ORDER_H

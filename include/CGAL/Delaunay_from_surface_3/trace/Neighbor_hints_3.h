@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_NEIGHBOR_HINTS_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_NEIGHBOR_HINTS_3_H
+
+// Beyond the paper: no trace at all. When a point's turn comes, its neighbours on the surface are
+// asked which of them are in the triangulation by now; late in the insertion nearly always some
+// are.
+
+#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion from a cell of the nearest surface neighbour that is already inserted. A
+point none of whose neighbours is inserted starts from the vertex inserted last: early rounds are
+that sparse, and the plans keep them coherent.
+
+O(degree) per point. No trace, no memory of its own.
+
+\tparam Target a model of `InsertionTarget_3`
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the indices of the points
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Neighbor_hints_3 : public Null_update_observer
+{
+  using Vertex = typename Target::Vertex;
+
+public:
+  /// `true`: the neighbours are those in the subgraph.
+  static constexpr bool uses_subgraph = true;
+
+  /// keeps references to both.
+  Neighbor_hints_3(const Target& target, const Subgraph& subgraph)
+    : m_target(target)
+    , m_subgraph(subgraph)
+  {
+  }
+
+  /// returns a cell of the nearest inserted neighbour of point `i`, or of the vertex inserted last.
+  typename Target::Cell start(std::size_t i) const
+  {
+    Vertex nearest = {};
+    for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u) {
+      const Vertex v = m_target.vertex(*u);
+      if (v != Vertex() && (nearest == Vertex() || m_target.is_closer(i, v, nearest)))
+        nearest = v;
+    }
+    return m_target.cell(nearest == Vertex() ? m_previous : nearest);
+  }
+
+  /// remembers `v`.
+  void after_update(std::size_t, Vertex v) { m_previous = v; }
+
+  /// does nothing, and returns 0: no point is located.
+  std::size_t trace() { return 0; }
+
+private:
+  const Target& m_target;
+  const Subgraph& m_subgraph;
+  Vertex m_previous = {};
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_NEIGHBOR_HINTS_3_H

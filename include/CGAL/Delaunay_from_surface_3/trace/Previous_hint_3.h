@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PREVIOUS_HINT_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PREVIOUS_HINT_3_H
+
+// The control: every point starts from the point inserted before it, as in CGAL's own range
+// insertion.
+
+#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion from a cell of the vertex inserted last, as
+`Delaunay_triangulation_3::insert(first, last)` does. The surface is not looked at.
+
+\tparam Target a model of `InsertionTarget_3`
+\tparam Subgraph is not used
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Previous_hint_3 : public Null_update_observer
+{
+public:
+  /// `false`: no subgraph need be computed.
+  static constexpr bool uses_subgraph = false;
+
+  /// keeps a reference to `target`.
+  Previous_hint_3(const Target& target, const Subgraph&)
+    : m_target(target)
+  {
+  }
+
+  /// returns a cell of the vertex inserted last.
+  typename Target::Cell start(std::size_t) const { return m_target.cell(m_previous); }
+
+  /// remembers `v`.
+  void after_update(std::size_t, typename Target::Vertex v) { m_previous = v; }
+
+  /// does nothing, and returns 0: no point is located.
+  std::size_t trace() { return 0; }
+
+private:
+  const Target& m_target;
+  typename Target::Vertex m_previous = {};
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PREVIOUS_HINT_3_H

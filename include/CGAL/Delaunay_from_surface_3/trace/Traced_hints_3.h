@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_TRACED_HINTS_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_TRACED_HINTS_3_H
+
+// Choi 2002, Fig. 1, line 2a: "trace T through D(S_{N_h}) to determine d_{N_h}(s_k) for all k >
+// N_h", and line 2b: s_i is then located "starting from d_{N_{h-1}}(s_i)".
+//
+// Invariant: after a trace, the record of every point not yet inserted is a finite vertex of the
+// cell that contains it. A vertex never dies while points are only inserted; the cell would.
+// Cost: one walk per edge of a spanning forest of T; expected O(n) cells per trace if T consists of
+// Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
+
+#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion where the last trace found the point (Choi, SoCG 2002, Fig. 1, lines 2a and
+2b), with a walk in the place of the paper's location structure Q. A trace traverses T depth first
+from inserted vertices outwards and locates every point not yet inserted from the cell of the
+neighbour just traced. In a component without an inserted vertex the first point starts from its
+last record.
+
+A trace takes O(n) expected time if T has bounded degree and consists of Delaunay edges (Theorem 3),
+plus O(n) for the traversal. Memory: a vertex handle and a byte per point.
+
+\tparam Target a model of `InsertionTarget_3`
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the indices of the points: T
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Traced_hints_3 : public Null_update_observer
+{
+  using Vertex = typename Target::Vertex;
+  using Cell = typename Target::Cell;
+
+public:
+  /// `true`: the subgraph is what is traced.
+  static constexpr bool uses_subgraph = true;
+
+  /// keeps references to both.
+  Traced_hints_3(const Target& target, const Subgraph& subgraph)
+    : m_target(target)
+    , m_subgraph(subgraph)
+    , m_record(target.size())
+  {
+  }
+
+  /// returns a cell of the vertex recorded for point `i`; before the first trace, of the vertex
+  /// inserted last.
+  Cell start(std::size_t i) const { return m_target.cell(recorded_vertex(i)); }
+
+  /// returns the vertex from which point `i` would start: finite, or none before the first
+  /// insertion.
+  Vertex recorded_vertex(std::size_t i) const
+  {
+    return m_record[i] == Vertex() ? m_previous : m_record[i];
+  }
+
+  /// remembers `v`.
+  void after_update(std::size_t, Vertex v) { m_previous = v; }
+
+  /// locates every point that is not yet inserted and returns their number.
+  std::size_t trace()
+  {
+    m_is_traced.assign(m_target.size(), false);
+    std::size_t located = 0;
+    for (std::size_t i = 0; i < m_target.size(); ++i) // components that touch the triangulation
+      if (m_target.vertex(i) != Vertex())
+        located += trace_component(i);
+    for (std::size_t i = 0; i < m_target.size(); ++i) // the others, each from its last record
+      located += trace_component(i);
+    return located;
+  }
+
+private:
+  // Depth first, with a stack of our own: T may be a path of millions of vertices.
+  std::size_t trace_component(std::size_t root)
+  {
+    if (m_is_traced[root])
+      return 0;
+    std::size_t located = 0;
+    m_is_traced[root] = true;
+    m_stack.emplace_back(root, start(root));
+    while (!m_stack.empty()) {
+      const auto [i, neighbor_cell] = m_stack.back();
+      m_stack.pop_back();
+      const Vertex v = m_target.vertex(i);
+      const Cell cell = v != Vertex() ? m_target.cell(v) : locate_and_record(i, neighbor_cell);
+      located += v == Vertex();
+      for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u) {
+        if (m_is_traced[*u])
+          continue;
+        m_is_traced[*u] = true;
+        m_stack.emplace_back(*u, cell);
+      }
+    }
+    return located;
+  }
+
+  Cell locate_and_record(std::size_t i, Cell neighbor_cell)
+  {
+    const typename Target::Location location = m_target.locate(i, neighbor_cell);
+    m_record[i] = m_target.nearest_vertex(i, location);
+    return location.cell;
+  }
+
+  const Target& m_target;
+  const Subgraph& m_subgraph;
+  Vertex m_previous = {};
+  std::vector<Vertex> m_record;
+  std::vector<char> m_is_traced;
+  std::vector<std::pair<std::size_t, Cell>> m_stack;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_TRACED_HINTS_3_H

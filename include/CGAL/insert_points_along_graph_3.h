@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INSERT_POINTS_ALONG_GRAPH_3_H
+#define CGAL_INSERT_POINTS_ALONG_GRAPH_3_H
+
+#include <CGAL/Delaunay_from_surface_3/internal/insert_with_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/internal/surface_input.h>
+#include <CGAL/Surface_insertion_traits_3.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Ref
+
+inserts points that are joined by any graph: the edges of a soup, curves, nearest neighbours. The
+mesh-free core of `insert_surface_vertices_3()`, with the same result, guarantees and named
+parameters but these:
+
+\tparam PointRange a range of points of `tr`, or of items that `point_map` turns into such
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`; the direction of its
+edges does not matter, nor do loops and multiple edges
+
+\param points the points
+\param graph its vertex with index i stands for the i-th point. A wrong graph costs time, never the
+result.
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{the points of the items of `points`}
+    \cgalParamDefault{`CGAL::Identity_property_map`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{the indices of the vertices of `graph`: 0, …, n-1}
+    \cgalParamDefault{`boost::get(boost::vertex_index, graph)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_to_vertex_output_iterator}
+    \cgalParamDescription{receives pairs of the index of a point and its handle in `tr`}
+    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throws Surface_input_error if a coordinate is not a finite number, the numbers of points and
+vertices differ, or the indices are not 0, …, n-1; `tr` is then unchanged
+*/
+template <class Gt, class Tds, class Lp, class Slds, class PointRange, class Graph,
+          class SurfaceInsertionTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
+                                           const PointRange& points, const Graph& graph,
+                                           const SurfaceInsertionTraits& traits,
+                                           const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using namespace Delaunay_from_surface_3::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Point = typename Delaunay_triangulation_3<Gt, Tds, Lp, Slds>::Point;
+  using Item = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
+
+  const auto point_map = choose_parameter(get_parameter(np, internal_np::point_map),
+                                          Identity_property_map<const Item>());
+  const auto index_map = choose_parameter(get_parameter(np, internal_np::vertex_index),
+                                          get_const_property_map(boost::vertex_index, graph));
+
+  const std::vector<Point> converted = read_points<Point>(points, point_map);
+  check_indices(graph, index_map, converted.size());
+  return insert_with_parameters(tr, converted, "", graph, index_map, traits, np,
+                                [](std::size_t i) { return i; });
+}
+
+/// \ingroup PkgDelaunayFromSurface3Ref
+/// does the same with the default traits, `Surface_insertion_traits_3`.
+template <class Gt, class Tds, class Lp, class Slds, class PointRange, class Graph,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
+                                           const PointRange& points, const Graph& graph,
+                                           const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return insert_points_along_graph_3(tr, points, graph, Surface_insertion_traits_3(), np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_INSERT_POINTS_ALONG_GRAPH_3_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INSERT_SURFACE_VERTICES_3_H
+#define CGAL_INSERT_SURFACE_VERTICES_3_H
+
+#include <CGAL/Delaunay_from_surface_3/internal/insert_with_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/internal/surface_input.h>
+#include <CGAL/Surface_insertion_traits_3.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+template <class FaceGraph>
+std::string irregularity_of_mesh(const FaceGraph& mesh)
+{
+  std::size_t non_triangles = 0;
+  for (const auto f : faces(mesh))
+    non_triangles += !is_triangle(halfedge(f, mesh), mesh);
+  return non_triangles == 0 ? "" : std::to_string(non_triangles) + " faces are not triangles";
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+
+/*!
+\ingroup PkgDelaunayFromSurface3Ref
+
+inserts the vertices of a surface mesh into a Delaunay triangulation. The result equals what
+`tr.insert(first, last)` makes of the same points; the surface serves to find the way.
+
+The edges of the mesh are all that is used of its connectivity; faces that are not triangles,
+several components, boundaries and isolated vertices are no obstacle. Duplicate points share one
+vertex.
+
+If `tr` is empty it is built aside and swapped in: refused input, a stop by the visitor or an
+exception leave it unchanged, and handles to its infinite vertex from before the call become
+invalid. If it is not empty, after a stop it is the triangulation of its old points and those
+inserted so far; after an exception thrown by its own insertion it may only be cleared or destroyed.
+
+<b>Complexity</b>: that of the chosen traits, plus O(n + m) for n vertices and m edges.
+
+\tparam Gt, Tds, Lp, Slds the parameters of `Delaunay_triangulation_3`; any are served.
+`Parallel_tag` is served sequentially. `Gt` must have exact predicates for the result to be exact.
+\tparam FaceGraph a model of `FaceListGraph`
+\tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tr the triangulation into which the vertices are inserted
+\param mesh the surface
+\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
+out \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `mesh`}
+    \cgalParamType{a model of `ReadablePropertyMap` from
+`boost::graph_traits<FaceGraph>::%vertex_descriptor` to the points of `tr`, to a type convertible to
+it, or to the points of another kernel. The latter go through `Cartesian_converter`: exactly where
+the numbers of `Gt` can hold the coordinates, else rounded by `to_double()`.}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{an index for each vertex of `mesh`, different for different vertices}
+    \cgalParamType{a model of `ReadablePropertyMap` to an integer type; indices may have gaps}
+    \cgalParamDefault{an index map made for the call, or that of the mesh}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told what is going on, and can stop it; pass it by `std::ref()` to keep
+its state} \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
+    \cgalParamDefault{`Default_surface_insertion_visitor_3`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_to_vertex_output_iterator}
+    \cgalParamDescription{receives a pair for every vertex of `mesh` inserted: the vertex and its
+handle in `tr`. Duplicates are paired with the same handle. After a stop nothing is written if `tr`
+was empty, else the vertices inserted so far.} \cgalParamType{a model of `OutputIterator` accepting
+                   `std::pair<boost::graph_traits<FaceGraph>::%vertex_descriptor, Vertex_handle>`}
+    \cgalParamDefault{`Emptyset_iterator`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the number of vertices that `tr` has gained
+
+\throws Surface_input_error if a coordinate is not a finite number or two vertices have the same
+index; `tr` is then unchanged
+
+\sa `insert_surface_points_3()`
+\sa `insert_points_along_graph_3()`
+*/
+template <class Gt, class Tds, class Lp, class Slds, class FaceGraph, class SurfaceInsertionTraits,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
+                                         const FaceGraph& mesh,
+                                         const SurfaceInsertionTraits& traits,
+                                         const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using namespace Delaunay_from_surface_3::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Point = typename Delaunay_triangulation_3<Gt, Tds, Lp, Slds>::Point;
+
+  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                          get_const_property_map(vertex_point, mesh));
+  const auto sparse_map = get_initialized_vertex_index_map(mesh, np);
+
+  const std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> descriptors(
+      vertices(mesh).begin(), vertices(mesh).end());
+  const std::vector<std::size_t> dense = dense_indices(descriptors, sparse_map);
+  return insert_with_parameters(
+      tr, read_points<Point>(descriptors, point_map), irregularity_of_mesh(mesh), mesh,
+      Dense_index_map<std::decay_t<decltype(sparse_map)>>(sparse_map, dense), traits, np,
+      [&](std::size_t i) { return descriptors[i]; });
+}
+
+/// \ingroup PkgDelaunayFromSurface3Ref
+/// does the same with the default traits, `Surface_insertion_traits_3`.
+template <class Gt, class Tds, class Lp, class Slds, class FaceGraph,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
+                                         const FaceGraph& mesh,
+                                         const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return insert_surface_vertices_3(tr, mesh, Surface_insertion_traits_3(), np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_INSERT_SURFACE_VERTICES_3_H
