@@ -1,0 +1,5 @@
+# find_package(Delaunay_from_surface_3) defines Delaunay_from_surface_3::Delaunay_from_surface_3 and finds CGAL.
+
+include(CMakeFindDependencyMacro)
+find_dependency(CGAL)
+include("${CMAKE_CURRENT_LIST_DIR}/Delaunay_from_surface_3Targets.cmake")
