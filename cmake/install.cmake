@@ -9,7 +9,8 @@ write_basic_package_version_file(
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 
 install(TARGETS Delaunay_from_surface_3 EXPORT Delaunay_from_surface_3Targets
-  FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+  INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(EXPORT Delaunay_from_surface_3Targets
   NAMESPACE Delaunay_from_surface_3:: DESTINATION "${package_config_dir}")
 install(FILES

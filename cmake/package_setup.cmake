@@ -31,6 +31,6 @@ get_filename_component(DELAUNAY_FROM_SURFACE_3_ROOT "${CMAKE_CURRENT_LIST_DIR}" 
 add_library(Delaunay_from_surface_3 INTERFACE)
 add_library(Delaunay_from_surface_3::Delaunay_from_surface_3 ALIAS Delaunay_from_surface_3)
 target_compile_features(Delaunay_from_surface_3 INTERFACE cxx_std_17)
-target_link_libraries(Delaunay_from_surface_3 INTERFACE CGAL::CGAL)
+target_link_libraries(Delaunay_from_surface_3 INTERFACE "$<BUILD_INTERFACE:CGAL::CGAL>")
 target_include_directories(Delaunay_from_surface_3 INTERFACE
   "$<BUILD_INTERFACE:${DELAUNAY_FROM_SURFACE_3_ROOT}/include>")

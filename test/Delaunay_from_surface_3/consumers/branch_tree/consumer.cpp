@@ -14,7 +14,7 @@ int main()
   using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
 
   Mesh mesh;
-  CGAL::make_icosahedron(mesh);
+  CGAL::make_icosahedron(mesh, Kernel::Point_3(0, 0, 0));
 
   Triangulation from_surface;
   CGAL::insert_surface_vertices_3(from_surface, mesh);
