@@ -77,7 +77,8 @@ the numbers of `Gt` can hold the coordinates, else rounded by `to_double()`.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{an index for each vertex of `mesh`, different for different vertices}
-    \cgalParamType{a model of `ReadablePropertyMap` to an integer type; indices may have gaps}
+    \cgalParamType{a model of `ReadablePropertyMap` to an integer type; indices may have gaps; memory
+grows with the largest}
     \cgalParamDefault{an index map made for the call, or that of the mesh}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
@@ -102,7 +103,7 @@ was empty, else the vertices inserted so far.} \cgalParamType{a model of `Output
 \return the number of vertices that `tr` has gained
 
 \throws Surface_input_error if a coordinate is not a finite number or two vertices have the same
-index; `tr` is then unchanged
+index or one a negative or impossible one; `tr` is then unchanged
 
 \sa `insert_surface_points_3()`
 \sa `insert_points_along_graph_3()`
@@ -125,7 +126,8 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
 
   const std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> descriptors(
       vertices(mesh).begin(), vertices(mesh).end());
-  const std::vector<std::size_t> dense = dense_indices(descriptors, sparse_map);
+  const std::vector<std::size_t> dense =
+      dense_indices(descriptors, sparse_map, std::vector<std::size_t>().max_size());
   return insert_with_parameters(
       tr, read_points<Point>(descriptors, point_map), irregularity_of_mesh(mesh), mesh,
       Dense_index_map<std::decay_t<decltype(sparse_map)>>(sparse_map, dense), traits, np,
