@@ -81,7 +81,7 @@ below
     \cgalParamDescription{an index for each vertex of `mesh`, different for different vertices}
     \cgalParamType{a model of `ReadablePropertyMap` from
       `boost::graph_traits<FaceGraph>::%vertex_descriptor` to an integer type; indices are not negative,
-      and may have gaps}
+      and may have gaps; memory grows with the largest}
     \cgalParamDefault{the index map of the mesh, or one made for the call}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
@@ -107,8 +107,8 @@ below
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
-\throws Surface_input_error if a coordinate is not a finite number, an index is negative, or two
-vertices have the same index; `tr` is then unchanged
+\throws Surface_input_error if a coordinate is not a finite number, an index is negative or too
+large, or two vertices have the same index; `tr` is then unchanged
 
 \sa `insert_surface_points_3()`
 \sa `insert_points_along_graph_3()`
@@ -131,7 +131,8 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
 
   const std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> descriptors(
       vertices(mesh).begin(), vertices(mesh).end());
-  const std::vector<std::size_t> dense = dense_indices(descriptors, sparse_map);
+  const std::vector<std::size_t> dense =
+      dense_indices(descriptors, sparse_map, std::vector<std::size_t>().max_size());
   return insert_with_parameters(
       tr, read_points<Point>(descriptors, point_map), irregularity_of_mesh(mesh), mesh,
       Dense_index_map<std::decay_t<decltype(sparse_map)>>(sparse_map, dense), traits, np,

@@ -12,6 +12,7 @@
 #include <CGAL/iterator.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,20 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+
+// A visitor in std::ref() serves as it is. Any other is copied, since its functions may change it;
+// get_parameter_reference() gives a reference to what is gone by then.
+template <class Visitor>
+Visitor visitor_of(const Visitor& visitor)
+{
+  return visitor;
+}
+
+template <class Visitor>
+Visitor& visitor_of(const std::reference_wrapper<Visitor>& visitor)
+{
+  return visitor;
+}
 
 // The parameters that all forms share: seed, visitor, and what is done with the vertices.
 template <class Triangulation, class Graph, class VertexIndexMap, class Traits,
@@ -31,14 +46,9 @@ std::ptrdiff_t insert_with_parameters(Triangulation& tr,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
 
-  Default_surface_insertion_visitor_3 default_visitor;
-  using Visitor_reference =
-      typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters,
-                                                   Default_surface_insertion_visitor_3>::reference;
-  Visitor_reference visitor =
-      choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  auto&& visitor = visitor_of(choose_parameter<Default_surface_insertion_visitor_3>(
+      get_parameter(np, internal_np::visitor)));
   const auto seed =
       static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0));
   auto out = choose_parameter(get_parameter(np, internal_np::vertex_to_vertex_output_iterator),

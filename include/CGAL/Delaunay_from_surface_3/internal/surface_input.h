@@ -106,9 +106,10 @@ private:
 
 constexpr std::size_t no_index = std::size_t(-1);
 
-// dense[index of v] = position of v in `vertices`.
+// dense[index of v] = position of v in `vertices`. All indices must be less than `bound`.
 template <class VertexRange, class VertexIndexMap>
-std::vector<std::size_t> dense_indices(const VertexRange& vertices, VertexIndexMap index_map)
+std::vector<std::size_t> dense_indices(const VertexRange& vertices, VertexIndexMap index_map,
+                                       std::size_t bound)
 {
   std::vector<std::size_t> dense;
   std::size_t position = 0;
@@ -116,6 +117,9 @@ std::vector<std::size_t> dense_indices(const VertexRange& vertices, VertexIndexM
     const auto index = get(index_map, v);
     if (index < decltype(index)(0))
       throw Surface_input_error("vertex " + std::to_string(position) + ": its index is negative");
+    if (std::size_t(index) >= bound)
+      throw Surface_input_error("vertex " + std::to_string(position) + ": its index " +
+                                std::to_string(index) + " is too large");
     if (std::size_t(index) >= dense.size())
       dense.resize((std::max)(std::size_t(index) + 1, 2 * dense.size()), no_index);
     std::size_t& place = dense[std::size_t(index)];
@@ -137,11 +141,8 @@ void check_indices(const Graph& graph, VertexIndexMap index_map, std::size_t n)
   if (count != n)
     throw Surface_input_error("the graph has " + std::to_string(count) +
                               " vertices, but there are " + std::to_string(n) + " points");
-  const std::vector<std::size_t> dense =
-      dense_indices(make_range(range.first, range.second), index_map);
-  for (std::size_t i = 0; i < n; ++i)
-    if (dense[i] == no_index)
-      throw Surface_input_error("no vertex of the graph has the index " + std::to_string(i));
+  // n different indices less than n are all of them.
+  dense_indices(make_range(range.first, range.second), index_map, n);
 }
 
 } // namespace internal
