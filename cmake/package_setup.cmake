@@ -1,0 +1,36 @@
+# Defines the target Delaunay_from_surface_3::Delaunay_from_surface_3 once: for the top project, and for
+# the folders test/, examples/ and benchmark/ when one of them is configured alone, as CGAL's habit is.
+
+if(TARGET Delaunay_from_surface_3::Delaunay_from_surface_3)
+  return()
+endif()
+
+# CGAL's macros define their own testing switches and default them to OFF: BUILD_TESTING before CGAL 6.0,
+# CGAL_ENABLE_TESTING since. Both must be set before CGAL is looked for.
+if(PROJECT_IS_TOP_LEVEL)
+  option(BUILD_TESTING "Build the tests" ON)
+endif()
+if(NOT DEFINED CGAL_ENABLE_TESTING AND DEFINED BUILD_TESTING)
+  set(CGAL_ENABLE_TESTING ${BUILD_TESTING} CACHE BOOL "Let CGAL's macros define tests")
+endif()
+
+# The CGAL of an unpacked tree must never be replaced silently by the system's.
+set(DELAUNAY_FROM_SURFACE_3_CGAL_TREE "" CACHE PATH
+  "Folder with an unpacked libcgal-dev (it contains usr/); empty: CGAL is looked for as usual")
+if(DELAUNAY_FROM_SURFACE_3_CGAL_TREE)
+  find_package(CGAL REQUIRED PATHS "${DELAUNAY_FROM_SURFACE_3_CGAL_TREE}/usr" NO_DEFAULT_PATH)
+else()
+  find_package(CGAL REQUIRED)
+endif()
+
+set(DELAUNAY_FROM_SURFACE_3_DATA_DIR "" CACHE PATH
+  "Folder of the meshes (bunny00.off …) of Debian's package libcgal-demo; empty: tests that need one skip")
+
+get_filename_component(DELAUNAY_FROM_SURFACE_3_ROOT "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
+
+add_library(Delaunay_from_surface_3 INTERFACE)
+add_library(Delaunay_from_surface_3::Delaunay_from_surface_3 ALIAS Delaunay_from_surface_3)
+target_compile_features(Delaunay_from_surface_3 INTERFACE cxx_std_17)
+target_link_libraries(Delaunay_from_surface_3 INTERFACE "$<BUILD_INTERFACE:CGAL::CGAL>")
+target_include_directories(Delaunay_from_surface_3 INTERFACE
+  "$<BUILD_INTERFACE:${DELAUNAY_FROM_SURFACE_3_ROOT}/include>")

@@ -1,0 +1,54 @@
+# add_package_test(name LABELS label… [LIBRARIES target…] [CHECKED])
+#
+# Builds name.cpp, one Boost.Test program with its own main, and makes it a ctest test of that name.
+#   LABELS     fast:     part of the everyday run, a few seconds;
+#              slow:     only in the whole run;
+#              versions: also built and run with every other compiler and CGAL version;
+#              sanitize: also built and run with the sanitizers, hence with Epick only.
+#   LIBRARIES  further targets to link.
+#   CHECKED    CGAL's checks are compiled in, the expensive ones included, whatever the build type.
+#
+# Each label has a target tests_<label> that builds its programs and nothing else. The programs find the
+# meshes of Debian's package libcgal-demo in DELAUNAY_FROM_SURFACE_3_DATA_DIR, defined as a string; a
+# test that does not find one there says so and goes on.
+
+foreach(label fast slow versions sanitize)
+  add_custom_target(tests_${label})
+endforeach()
+
+# One header that includes every header of the package, for the units that want them all.
+function(write_all_headers_file include_dir file)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${include_dir}" "${include_dir}/CGAL/*.h")
+  set(text "")
+  foreach(header IN LISTS headers)
+    string(APPEND text "#include <${header}>\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
+endfunction()
+
+function(add_package_test name)
+  cmake_parse_arguments(arg "CHECKED" "" "LABELS;LIBRARIES" ${ARGN})
+  if(arg_UNPARSED_ARGUMENTS OR NOT arg_LABELS)
+    message(FATAL_ERROR "add_package_test(${name}): LABELS missing or unknown: ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+
+  add_executable(${name} ${name}.cpp)
+  target_link_libraries(${name} PRIVATE
+    Delaunay_from_surface_3::Delaunay_from_surface_3 Boost::headers ${arg_LIBRARIES})
+  target_include_directories(${name} PRIVATE
+    "${CMAKE_CURRENT_SOURCE_DIR}/include"
+    "${CMAKE_CURRENT_BINARY_DIR}/include"
+    "${DELAUNAY_FROM_SURFACE_3_ROOT}/benchmark/Delaunay_from_surface_3/include") # the generator
+  target_compile_definitions(${name} PRIVATE
+    "DELAUNAY_FROM_SURFACE_3_DATA_DIR=\"${DELAUNAY_FROM_SURFACE_3_DATA_DIR}\"")
+  if(arg_CHECKED)
+    target_compile_options(${name} PRIVATE -UNDEBUG)
+    target_compile_definitions(${name} PRIVATE CGAL_CHECK_EXPENSIVE)
+  endif()
+
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 900)
+  foreach(label IN LISTS arg_LABELS)
+    add_dependencies(tests_${label} ${name})
+  endforeach()
+endfunction()
