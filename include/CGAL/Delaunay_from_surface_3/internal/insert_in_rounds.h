@@ -66,14 +66,14 @@ insert_as_planned(Triangulation& tr, const std::vector<typename Triangulation::P
   return {target.take_vertices(), is_complete};
 }
 
-// Plan and subgraph from the surface, then the rounds. An empty triangulation is built aside, as a
-// copy that keeps its traits, its lock structure and what its infinite vertex holds: it changes
-// when all is done.
-template <class Traits, class Triangulation, class Graph, class VertexIndexMap, class Visitor>
-std::vector<typename Triangulation::Vertex_handle>
-insert_surface(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
-               const Graph& graph, VertexIndexMap index_map, const Traits& traits,
-               unsigned int seed, Visitor& visitor)
+// Plan and subgraph from the surface, then the rounds; at last `write` is given the vertices of the
+// points. An empty triangulation is built aside, as a copy that keeps its traits, its lock
+// structure and what its infinite vertex holds: it changes when nothing can fail any more.
+template <class Traits, class Triangulation, class Graph, class VertexIndexMap, class Visitor,
+          class Write>
+void insert_surface(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
+                    const Graph& graph, VertexIndexMap index_map, const Traits& traits,
+                    unsigned int seed, Visitor& visitor, const Write& write)
 {
   using Target = typename Traits::template Insertion_target_3<Triangulation>;
   using Hints = typename Traits::template Insertion_hints_3<Target, Index_graph>;
@@ -86,19 +86,18 @@ insert_surface(Triangulation& tr, const std::vector<typename Triangulation::Poin
   if constexpr (Hints::uses_subgraph)
     subgraph = index_graph(traits.surface_subgraph_object(), graph, index_map, points.size());
 
-  Inserted_points<typename Triangulation::Vertex_handle> result;
   if (tr.number_of_vertices() > 0) {
-    result = insert_as_planned<Traits>(tr, points, plan, subgraph, visitor);
-  } else {
-    Triangulation aside(tr);
-    result = insert_as_planned<Traits>(aside, points, plan, subgraph, visitor);
-    if (result.is_complete)
-      tr.swap(aside);
-    else
-      result.vertices.clear();
+    write(insert_as_planned<Traits>(tr, points, plan, subgraph, visitor).vertices);
+    visitor.phase_begins(Phase::DONE);
+    return;
   }
+  Triangulation aside(tr);
+  const auto inserted = insert_as_planned<Traits>(aside, points, plan, subgraph, visitor);
+  if (inserted.is_complete)
+    write(inserted.vertices);
   visitor.phase_begins(Phase::DONE);
-  return std::move(result.vertices);
+  if (inserted.is_complete)
+    tr.swap(aside);
 }
 
 } // namespace internal

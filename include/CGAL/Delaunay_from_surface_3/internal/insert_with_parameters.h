@@ -47,10 +47,11 @@ std::ptrdiff_t insert_with_parameters(Triangulation& tr,
   if (!irregularity.empty())
     visitor.surface_is_irregular(irregularity);
   const auto before = static_cast<std::ptrdiff_t>(tr.number_of_vertices());
-  const auto vertices = insert_surface(tr, points, graph, index_map, traits, seed, visitor);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (vertices[i] != typename Triangulation::Vertex_handle())
-      *out++ = std::make_pair(name_of(i), vertices[i]);
+  insert_surface(tr, points, graph, index_map, traits, seed, visitor, [&](const auto& vertices) {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (vertices[i] != typename Triangulation::Vertex_handle())
+        *out++ = std::make_pair(name_of(i), vertices[i]);
+  });
   return static_cast<std::ptrdiff_t>(tr.number_of_vertices()) - before;
 }
 

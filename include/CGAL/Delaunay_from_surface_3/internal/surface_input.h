@@ -68,6 +68,7 @@ template <class Point, class Range, class PointMap>
 std::vector<Point> read_points(const Range& items, PointMap point_map)
 {
   std::vector<Point> points;
+  points.reserve(std::size_t(std::distance(std::begin(items), std::end(items))));
   for (const auto& item : items) {
     points.push_back(converted_point<Point>(get(point_map, item)));
     check_point(points.back(), points.size() - 1);

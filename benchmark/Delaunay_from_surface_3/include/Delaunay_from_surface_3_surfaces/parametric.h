@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_PARAMETRIC_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_PARAMETRIC_H
+
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
+#include <Delaunay_from_surface_3_surfaces/random.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace surfaces {
+namespace internal {
+
+// About n points in a square grid, `position(i, j, last)` with i and j from 0 to last, joined to a
+// disc.
+template <class Position>
+Indexed_surface grid_patch(std::size_t n, Position position)
+{
+  const std::size_t side = (std::max)(std::size_t(2), static_cast<std::size_t>(std::sqrt(n) + 0.5));
+  Indexed_surface surface;
+  for (std::size_t i = 0; i < side; ++i)
+    for (std::size_t j = 0; j < side; ++j) {
+      surface.points.push_back(
+          position(static_cast<double>(i), static_cast<double>(j), static_cast<double>(side - 1)));
+      if (i + 1 == side || j + 1 == side)
+        continue;
+      const std::size_t p = i * side + j, q = p + side;
+      surface.faces.push_back({p, q, q + 1});
+      surface.faces.push_back({p, q + 1, p + 1});
+    }
+  return surface;
+}
+
+} // namespace internal
+
+/// A torus with about `n` points on a regular grid of its two angles: every row of the grid is
+/// cocircular up to rounding.
+inline Indexed_surface grid_torus(std::size_t n)
+{
+  const double pi = 3.14159265358979323846, tube = 0.4;
+  const std::size_t v =
+      (std::max)(std::size_t(3), static_cast<std::size_t>(std::sqrt(tube * n) + 0.5));
+  const std::size_t u = (std::max)(std::size_t(3), (n + v / 2) / v);
+  Indexed_surface surface;
+  for (std::size_t i = 0; i < u; ++i)
+    for (std::size_t j = 0; j < v; ++j) {
+      const double a = 2 * pi * static_cast<double>(i) / static_cast<double>(u);
+      const double b = 2 * pi * static_cast<double>(j) / static_cast<double>(v);
+      const double radius = 1 + tube * std::cos(b);
+      surface.points.emplace_back(radius * std::cos(a), radius * std::sin(a), tube * std::sin(b));
+      const std::size_t i1 = (i + 1) % u, j1 = (j + 1) % v;
+      surface.faces.push_back({i * v + j, i1 * v + j, i1 * v + j1});
+      surface.faces.push_back({i * v + j, i1 * v + j1, i * v + j1});
+    }
+  return surface;
+}
+
+/// A piece of hilly land over the unit square: a disc with about `n` points, one boundary loop.
+/// The seed shapes the hills. \pre `n >= 4`
+inline Indexed_surface terrain(std::size_t n, std::uint64_t seed = 0)
+{
+  Random random(seed);
+  std::vector<std::array<double, 4>> waves; // two frequencies, phase, height
+  for (int octave = 1; octave <= 8; ++octave)
+    waves.push_back({random.uniform(-4, 4) * octave, random.uniform(-4, 4) * octave,
+                     random.uniform(0, 6.28), 0.15 / octave});
+  return internal::grid_patch(n, [&waves](double i, double j, double last) {
+    const double x = i / last, y = j / last;
+    double height = 0;
+    for (const std::array<double, 4>& wave : waves)
+      height += wave[3] * std::sin(wave[0] * x + wave[1] * y + wave[2]);
+    return Indexed_surface::Point_3(x, y, height);
+  });
+}
+
+} // namespace surfaces
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_PARAMETRIC_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_REFINE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_REFINE_H
+
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
+#include <Delaunay_from_surface_3_surfaces/jitter.h>
+
+#include <CGAL/Subdivision_method_3/subdivision_methods_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <queue>
+#include <stdexcept>
+#include <utility>
+
+namespace surfaces {
+
+/// The mesh type in which surfaces are refined.
+using Mesh = CGAL::Surface_mesh<Indexed_surface::Point_3>;
+
+namespace internal {
+
+inline void require_triangles(const Mesh& mesh)
+{
+  if (is_empty(mesh) || !is_triangle_mesh(mesh))
+    throw std::invalid_argument("the mesh to refine must have triangles and nothing else");
+}
+
+inline void loop_rounds(Mesh& mesh, unsigned rounds)
+{
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh,
+                                               CGAL::parameters::number_of_iterations(rounds));
+}
+
+// Puts a vertex on the middle of an edge and cuts the one or two triangles at the edge.
+inline Mesh::Vertex_index split_in_the_middle(Mesh& mesh, Mesh::Halfedge_index h)
+{
+  const Indexed_surface::Point_3 middle =
+      CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  const Mesh::Halfedge_index in = CGAL::Euler::split_edge(h, mesh); // its target is the new vertex
+  const Mesh::Halfedge_index back = mesh.opposite(mesh.next(in));   // enters it from the other side
+  mesh.point(mesh.target(in)) = middle;
+  for (const Mesh::Halfedge_index side : {in, back})
+    if (!mesh.is_border(side))
+      CGAL::Euler::split_face(side, mesh.next(mesh.next(side)), mesh);
+  return mesh.target(in);
+}
+
+// Splits the longest edge until there are n vertices. O(n log n). An edge in the queue whose length
+// is no longer what it was has been split; its halves are in the queue by themselves.
+inline void split_longest_edges(Mesh& mesh, std::size_t n)
+{
+  const auto squared_length = [&mesh](Mesh::Edge_index e) {
+    const Mesh::Halfedge_index h = mesh.halfedge(e);
+    return CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  };
+  std::priority_queue<std::pair<double, Mesh::Edge_index>> queue;
+  for (Mesh::Edge_index e : mesh.edges())
+    queue.emplace(squared_length(e), e);
+  while (mesh.number_of_vertices() < n && !queue.empty()) {
+    const auto [length, e] = queue.top();
+    queue.pop();
+    if (length != squared_length(e))
+      continue;
+    const Mesh::Vertex_index v = split_in_the_middle(mesh, mesh.halfedge(e));
+    for (Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      queue.emplace(squared_length(mesh.edge(h)), mesh.edge(h));
+  }
+}
+
+} // namespace internal
+
+/// A triangle mesh after `rounds` rounds of Loop subdivision, with jitter.
+/// \param fraction jitter, as a fraction of the local edge length
+inline Indexed_surface loop_subdivided(Mesh mesh, unsigned rounds, double fraction = 0.05,
+                                       std::uint64_t seed = 0)
+{
+  internal::require_triangles(mesh);
+  internal::loop_rounds(mesh, rounds);
+  Indexed_surface surface = from_mesh(mesh);
+  jitter(surface, fraction, seed);
+  return surface;
+}
+
+/// A triangle mesh with exactly `n` vertices: rounds of Loop subdivision as long as one more round
+/// does not make too many, then the longest edges are halved; at last jitter. Throws
+/// `std::invalid_argument` when the mesh has more than `n` vertices.
+inline Indexed_surface densified(Mesh mesh, std::size_t n, double fraction = 0.05,
+                                 std::uint64_t seed = 0)
+{
+  internal::require_triangles(mesh);
+  if (mesh.number_of_vertices() > n)
+    throw std::invalid_argument("the mesh has more vertices than asked for");
+  // A round of Loop subdivision puts a vertex on every edge.
+  while (mesh.number_of_vertices() + mesh.number_of_edges() <= n)
+    internal::loop_rounds(mesh, 1);
+  internal::split_longest_edges(mesh, n);
+  Indexed_surface surface = from_mesh(mesh);
+  jitter(surface, fraction, seed);
+  return surface;
+}
+
+} // namespace surfaces
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_REFINE_H
