@@ -147,7 +147,7 @@ Json compare_on(const Mesh& mesh, const std::vector<Method>& methods, const Opti
   for (std::size_t m = 0; m < methods.size(); ++m) {
     Json result = {{"method", methods[m].name}};
     result.update(times_as_json(times[m]));
-    result["ratio_stock_to_method"] = rounded(stock / double(result["median_cpu"]), 1e-4);
+    result["ratio_stock_to_method"] = rounded(stock / double(result["median_cpu"]), 1e4);
     result.update(results[m]);
     if (methods[m].time_phases)
       result["phases"] = phases_of(methods[m], mesh, seed);
@@ -169,7 +169,7 @@ Json description_of(const std::vector<Method>& methods, const Options& options)
   return {{"program", "compare_with_stock"},
           {"command", options.command},
           {"machine", describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)},
-          {"load_average_at_start", rounded(load_average(), 0.01)},
+          {"load_average_at_start", rounded(load_average(), 100)},
           {"repetitions", options.repetitions},
           {"methods", names}};
 }
@@ -205,7 +205,7 @@ bool run(const Options& options)
       for (const Json& method : result["methods"])
         all_equal = all_equal && bool(method["equal"]);
       report["results"].push_back(std::move(result));
-      report["load_average_at_end"] = rounded(load_average(), 0.01);
+      report["load_average_at_end"] = rounded(load_average(), 100);
       write(report, options.output); // what is measured is kept, should the rest be interrupted
     }
   return all_equal;

@@ -31,9 +31,9 @@ inline const std::vector<std::pair<const char*, Phase>>& phases()
   return all;
 }
 
-inline double rounded(double x, double unit = 1e-6)
+inline double rounded(double x, double per_unit = 1e6)
 {
-  return std::round(x / unit) * unit;
+  return std::round(x * per_unit) / per_unit;
 }
 
 inline double median(std::vector<double> values)
@@ -90,10 +90,10 @@ inline Json phases_of(const Method& method, const Mesh& mesh, unsigned int seed)
 
 inline Json calls_per_point(const CGAL::Predicate_counts& counts, double n)
 {
-  return {{"cells_entered", rounded(double(counts.cells_entered()) / n, 1e-4)},
-          {"orientation", rounded(double(counts.orientation) / n, 1e-4)},
-          {"in_sphere", rounded(double(counts.in_sphere) / n, 1e-4)},
-          {"other", rounded(double(counts.other) / n, 1e-4)}};
+  return {{"cells_entered", rounded(double(counts.cells_entered()) / n, 1e4)},
+          {"orientation", rounded(double(counts.orientation) / n, 1e4)},
+          {"in_sphere", rounded(double(counts.in_sphere) / n, 1e4)},
+          {"other", rounded(double(counts.other) / n, 1e4)}};
 }
 
 // One run with counted predicates. In the phase UPDATE a negative orientation is no step of a walk.
@@ -105,7 +105,7 @@ inline Json counts_of(const Method& method, const Mesh& mesh, unsigned int seed)
 
   const double n = double(mesh.number_of_vertices());
   Json result = {
-      {"all_calls_per_point", rounded(double(tr.geom_traits().counts().all()) / n, 1e-4)}};
+      {"all_calls_per_point", rounded(double(tr.geom_traits().counts().all()) / n, 1e4)}};
   if (!method.time_phases)
     return result;
   for (const auto& [name, phase] : {phases()[2], phases()[3], phases()[4]})
@@ -118,7 +118,7 @@ inline Json counts_of(const Method& method, const Mesh& mesh, unsigned int seed)
   result["traced_points"] = traced;
   if (traced > 0)
     result["cells_entered_per_traced_point"] =
-        rounded(double(visitor.total(Phase::TRACE).cells_entered()) / double(traced), 1e-4);
+        rounded(double(visitor.total(Phase::TRACE).cells_entered()) / double(traced), 1e4);
   return result;
 }
 
