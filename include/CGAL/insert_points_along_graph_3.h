@@ -11,14 +11,32 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
+
+#include <boost/graph/properties.hpp>
 
 #include <cstddef>
 #include <iterator>
 #include <vector>
 
 namespace CGAL {
+
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// The graph's own map is asked for only where no other is given: it need not have one.
+template <class Graph, class NamedParameters>
+auto vertex_index_map(const Graph& graph, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::vertex_index_t>::value)
+    return get(boost::vertex_index, graph);
+  else
+    return parameters::get_parameter(np, internal_np::vertex_index);
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
 
 /*!
 \ingroup PkgDelaunayFromSurface3Ref
@@ -68,8 +86,7 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
 
   const auto point_map = choose_parameter(get_parameter(np, internal_np::point_map),
                                           Identity_property_map<const Item>());
-  const auto index_map = choose_parameter(get_parameter(np, internal_np::vertex_index),
-                                          get_const_property_map(boost::vertex_index, graph));
+  const auto index_map = vertex_index_map(graph, np);
 
   const std::vector<Point> converted = read_points<Point>(points, point_map);
   check_indices(graph, index_map, converted.size());

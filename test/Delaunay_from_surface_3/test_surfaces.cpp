@@ -16,6 +16,7 @@
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 #include <Delaunay_from_surface_3_surfaces/topology.h>
 
+#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
@@ -28,6 +29,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -151,6 +153,24 @@ BOOST_AUTO_TEST_CASE(points_of_a_smooth_surface_lie_on_it)
   const surfaces::Torus_chain shape(3);
   for (const Indexed_surface::Point_3& p : surfaces::genus_surface(3, 20000).points)
     BOOST_REQUIRE(std::abs(shape(p)) < 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(a_dense_smooth_surface_is_part_of_the_delaunay_triangulation)
+{
+  const Indexed_surface surface = surfaces::genus_surface(2, 10000, 0.05, 3);
+  CGAL::Delaunay_triangulation_3<Indexed_surface::Kernel> triangulation(surface.points.begin(),
+                                                                        surface.points.end());
+  using Vertex_handle = decltype(triangulation)::Vertex_handle;
+  decltype(triangulation)::Cell_handle c;
+  int i, j, k;
+  std::map<Indexed_surface::Point_3, Vertex_handle> at;
+  for (Vertex_handle v : triangulation.finite_vertex_handles())
+    at[v->point()] = v;
+  std::size_t delaunay = 0;
+  for (const Indexed_surface::Face& face : surface.faces)
+    delaunay += triangulation.is_facet(at[surface.points[face[0]]], at[surface.points[face[1]]],
+                                       at[surface.points[face[2]]], c, i, j, k);
+  BOOST_TEST(delaunay >= surface.faces.size() - surface.faces.size() / 1000);
 }
 
 BOOST_AUTO_TEST_CASE(jitter_stays_within_its_share_of_the_edge_length)

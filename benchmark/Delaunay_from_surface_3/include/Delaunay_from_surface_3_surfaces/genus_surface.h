@@ -4,6 +4,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_GENUS_SURFACE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_GENUS_SURFACE_H
 
+#include <Delaunay_from_surface_3_surfaces/flip.h>
 #include <Delaunay_from_surface_3_surfaces/implicit_shapes.h>
 #include <Delaunay_from_surface_3_surfaces/jitter.h>
 #include <Delaunay_from_surface_3_surfaces/polygonise.h>
@@ -71,8 +72,11 @@ Indexed_surface surface_of_shape(const Shape& shape, std::size_t genus, std::siz
 {
   Indexed_surface surface = polygonised_to_size(shape, n, seed);
   require_genus(surface, genus);
-  smooth(surface, shape, 5);
+  smooth(surface, shape, 3);
+  flip_to_delaunay(surface);
+  smooth(surface, shape, 2);
   jitter(surface, fraction, seed);
+  flip_to_delaunay(surface);
   return surface;
 }
 

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace surfaces {
 namespace internal {
@@ -34,33 +35,40 @@ public:
   // Adds the square of the cube `cube` that looks along `axis`, upwards or downwards.
   void add_square(const Index& cube, int axis, bool upwards)
   {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    Index p = {cube[0] * cells, cube[1] * cells, cube[2] * cells};
-    p[axis] += upwards ? cells : 0;
-    for (std::int64_t i = 0; i < cells; ++i)
-      for (std::int64_t j = 0; j < cells; ++j) {
-        const auto corner = [&](int di, int dj) {
-          Index q = p;
-          q[u] += i + di;
-          q[v] += j + dj;
-          return point(q);
-        };
-        const std::size_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-        add_triangle(a, b, c, upwards);
-        add_triangle(a, c, d, upwards);
+    const std::size_t side = static_cast<std::size_t>(cells) + 1;
+    std::vector<std::size_t> corner(side * side);
+    for (std::int64_t i = 0; i <= cells; ++i)
+      for (std::int64_t j = 0; j <= cells; ++j) {
+        Index q = {cube[0] * cells, cube[1] * cells, cube[2] * cells};
+        q[axis] += upwards ? cells : 0;
+        q[(axis + 1) % 3] += i;
+        q[(axis + 2) % 3] += j;
+        const bool on_rim = i == 0 || j == 0 || i == cells || j == cells;
+        corner[i * side + j] = on_rim ? shared_point(q) : new_point(q);
+      }
+    for (std::size_t i = 0; i + 1 < side; ++i)
+      for (std::size_t j = 0; j + 1 < side; ++j) {
+        const std::size_t at = i * side + j;
+        add_triangle(corner[at], corner[at + side], corner[at + side + 1], upwards);
+        add_triangle(corner[at], corner[at + side + 1], corner[at + 1], upwards);
       }
   }
 
   Indexed_surface take() { return std::move(surface); }
 
 private:
-  std::size_t point(const Index& q)
+  std::size_t new_point(const Index& q)
+  {
+    surface.points.emplace_back(q[0], q[1], q[2]);
+    return surface.points.size() - 1;
+  }
+
+  // The point may belong to several squares: it is made by the first.
+  std::size_t shared_point(const Index& q)
   {
     const std::uint64_t code = static_cast<std::uint64_t>((q[0] << 42) | (q[1] << 21) | q[2]);
     const auto found = numbers.emplace(code, surface.points.size());
-    if (found.second)
-      surface.points.emplace_back(q[0], q[1], q[2]);
-    return found.first->second;
+    return found.second ? new_point(q) : found.first->second;
   }
 
   void add_triangle(std::size_t a, std::size_t b, std::size_t c, bool upwards)

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_COMPARE_WITH_STOCK_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_COMPARE_WITH_STOCK_H
+
+#include "Progress_visitor.h"
+#include "Stopwatch.h"
+#include "Surface.h"
+#include "report.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+// The package on the surface, from nothing; destruction is not timed.
+template <class Traits>
+Seconds time_package(const Surface& surface, const Traits& traits, unsigned int seed)
+{
+  Triangulation tr;
+  return time_of([&] { insert_surface(tr, surface, traits, CGAL::parameters::random_seed(seed)); });
+}
+
+// CGAL's own insertion of the points in the order of the file, from nothing into `tr`.
+inline Seconds time_stock(const Surface& surface, Triangulation& tr)
+{
+  return time_of([&] { tr.insert(surface.points.begin(), surface.points.end()); });
+}
+
+inline double median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+struct Timings
+{
+  std::vector<double> cpu, wall;
+
+  void add(const Seconds& seconds)
+  {
+    cpu.push_back(seconds.cpu);
+    wall.push_back(seconds.wall);
+  }
+};
+
+inline void report_timings(const Timings& package, const Timings& stock)
+{
+  const double package_cpu = median(package.cpu), package_wall = median(package.wall);
+  const double stock_cpu = median(stock.cpu), stock_wall = median(stock.wall);
+  report("repetitions", package.cpu.size());
+  report("package CPU seconds", decimals(package_cpu, 6));
+  report("stock CPU seconds", decimals(stock_cpu, 6));
+  report("package wall seconds", decimals(package_wall, 6));
+  report("stock wall seconds", decimals(stock_wall, 6));
+  report("CPU ratio", decimals(stock_cpu / package_cpu, 3));
+  report("wall ratio", decimals(stock_wall / package_wall, 3));
+}
+
+// Runs the package and stock in turns, and now one, now the other first. Prints the medians and
+// returns whether stock's triangulation equals `result`.
+template <class Traits>
+bool compare_with_stock(const Surface& surface, const Traits& traits, unsigned int seed,
+                        unsigned int repetitions, const Triangulation& result)
+{
+  std::cout << "\nComparison with CGAL's own insert(first, last)"
+               "\n(medians; ratio = stock / package, above 1 the package is faster)\n";
+  Timings package, stock;
+  bool is_equal = true;
+  {
+    Progress_line line;
+    for (unsigned int r = 0; r < repetitions; ++r) {
+      line.show("comparing: repetition " + std::to_string(r + 1) + " of " +
+                std::to_string(repetitions));
+      if (r % 2 == 0)
+        package.add(time_package(surface, traits, seed));
+      {
+        Triangulation tr;
+        stock.add(time_stock(surface, tr));
+        if (r + 1 == repetitions)
+          is_equal = result == tr;
+      }
+      if (r % 2 == 1)
+        package.add(time_package(surface, traits, seed));
+    }
+  }
+  report_timings(package, stock);
+  report("equal", is_equal ? "yes" : "no");
+  return is_equal;
+}
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_COMPARE_WITH_STOCK_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Every vertex of the triangulation learns which vertex of the mesh it comes from.
+
+#include <CGAL/insert_surface_vertices_3.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <utility>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<K::Point_3>;
+using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<Mesh::Vertex_index, K>;
+using Cell_base = CGAL::Delaunay_triangulation_cell_base_3<K>;
+using Tds = CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>;
+using Triangulation = CGAL::Delaunay_triangulation_3<K, Tds>;
+
+int main(int argc, char* argv[])
+{
+  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(file_name, mesh)) {
+    std::cerr << "Cannot read " << file_name << '\n';
+    return EXIT_FAILURE;
+  }
+
+  // The output iterator receives pairs; of vertices at the same point the last one is kept.
+  const auto keep = [](const std::pair<Mesh::Vertex_index, Triangulation::Vertex_handle>& pair) {
+    pair.second->info() = pair.first;
+  };
+  Triangulation tr;
+  CGAL::insert_surface_vertices_3(tr, mesh,
+                                  CGAL::parameters::vertex_to_vertex_output_iterator(
+                                      boost::make_function_output_iterator(keep)));
+
+  // Which edges of the triangulation run along the surface?
+  std::size_t on_surface = 0, through_space = 0;
+  for (const Triangulation::Edge& e : tr.finite_edges()) {
+    const Mesh::Vertex_index u = e.first->vertex(e.second)->info();
+    const Mesh::Vertex_index v = e.first->vertex(e.third)->info();
+    ++(mesh.halfedge(u, v) != Mesh::null_halfedge() ? on_surface : through_space);
+  }
+  std::cout << on_surface << " edges on the surface, " << through_space << " through space\n";
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A visitor that follows the work and ends it before it is done.
+
+#include <CGAL/insert_surface_vertices_3.h>
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <string>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<K::Point_3>;
+using Triangulation = CGAL::Delaunay_triangulation_3<K>;
+
+// The base class does nothing; only what is of interest is written anew.
+struct My_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  std::size_t inserted = 0, limit = 0;
+
+  void round_begins(std::size_t round, std::size_t number_of_points)
+  {
+    std::cout << "round " << round << ": " << number_of_points << " points\n";
+  }
+
+  // Is asked before each insertion; a real program would look at a clock or a button here.
+  bool go_further()
+  {
+    if (inserted == limit)
+      return false;
+    ++inserted;
+    return true;
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(file_name, mesh)) {
+    std::cerr << "Cannot read " << file_name << '\n';
+    return EXIT_FAILURE;
+  }
+  Triangulation tr;
+
+  // Visitors are copied; std::ref() hands over this one, which can be asked afterwards.
+  My_visitor visitor;
+  visitor.limit = mesh.number_of_vertices() / 2;
+  CGAL::insert_surface_vertices_3(tr, mesh, CGAL::parameters::visitor(std::ref(visitor)));
+
+  // A triangulation that was empty is empty again after a stop.
+  std::cout << "stopped after " << visitor.inserted << " points; the triangulation has "
+            << tr.number_of_vertices() << " vertices\n";
+  return EXIT_SUCCESS;
+}
