@@ -40,7 +40,7 @@ triangulation has linear expected size (Theorem 3); O(n) of it is the traversal.
 handle and a byte per point, and during a trace at most an index and a cell handle per point.
 
 \tparam Target a model of `InsertionTarget_3`
-\tparam Subgraph a model of `boost::AdjacencyGraph` on the indices of the points: T
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
 
 \cgalModels{InsertionHints_3}
 */
