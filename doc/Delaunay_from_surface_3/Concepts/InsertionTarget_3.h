@@ -28,8 +28,8 @@ public:
   /// @{
 
   /*!
-  a vertex: a model of `DefaultConstructible`, `CopyAssignable` and `EqualityComparable`. `Vertex()` stands
-  for none. A vertex stays valid while points are only inserted.
+  a vertex: a model of `DefaultConstructible`, `CopyAssignable` and `EqualityComparable`, with `!=` as well as
+  `==`. `Vertex()` stands for none. A vertex stays valid while points are only inserted.
   */
   using Vertex = unspecified_type;
 
