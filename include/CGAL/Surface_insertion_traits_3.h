@@ -65,7 +65,7 @@ struct Surface_insertion_policies_3
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig. 1), with a walk in the place of Q: random
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in the place of Q: random
 order, rounds that end at N_h, and a trace of a spanning subgraph T at the end of each round but the
 last. T is a spanning forest here, whose degree has no bound. Round 1 follows a Hilbert order.
 

@@ -27,7 +27,7 @@ that sparse, and the plans keep them coherent.
 O(degree) distance comparisons per point. No trace, no memory of its own.
 
 \tparam Target a model of `InsertionTarget_3`
-\tparam Subgraph a model of `boost::AdjacencyGraph` on the indices of the points
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points
 
 \cgalModels{InsertionHints_3}
 */

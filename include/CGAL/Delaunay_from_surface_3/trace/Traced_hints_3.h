@@ -26,7 +26,7 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-starts every insertion where the last trace found the point (\cgalCite{choi-dtsm-02}, Fig. 1, lines 2a
+starts every insertion where the last trace found the point (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a
 and 2b), with a walk in the place of the paper's location structure Q. A trace traverses T depth
 first from inserted vertices outwards and locates every point not yet inserted from the cell of the
 neighbour in T that led to it. In a component without an inserted vertex the first point starts from
@@ -40,7 +40,7 @@ triangulation has linear expected size (Theorem 3); O(n) of it is the traversal.
 handle and a byte per point, and during a trace at most an index and a cell handle per point.
 
 \tparam Target a model of `InsertionTarget_3`
-\tparam Subgraph a model of `boost::AdjacencyGraph` on the indices of the points: T
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
 
 \cgalModels{InsertionHints_3}
 */
