@@ -31,7 +31,7 @@ std::string irregularity_of_mesh(const FaceGraph& mesh)
   std::size_t non_triangles = 0;
   for (const auto f : faces(mesh))
     non_triangles += !is_triangle(halfedge(f, mesh), mesh);
-  return non_triangles == 0 ? "" : std::to_string(non_triangles) + " faces are not triangles";
+  return non_triangles == 0 ? "" : "faces that are not triangles: " + std::to_string(non_triangles);
 }
 
 } // namespace internal
