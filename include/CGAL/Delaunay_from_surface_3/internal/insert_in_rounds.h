@@ -90,8 +90,7 @@ void insert_surface(Triangulation& tr, const std::vector<typename Triangulation:
   visitor.phase_begins(Phase::SUBGRAPH);
   Index_graph subgraph;
   if constexpr (Hints::uses_subgraph)
-    subgraph =
-        index_graph(traits.surface_subgraph_object(), graph, index_map, inverse(plan.order));
+    subgraph = index_graph(traits.surface_subgraph_object(), graph, index_map, inverse(plan.order));
 
   if (tr.number_of_vertices() > 0) {
     write(insert_as_planned<Traits>(tr, points, plan, subgraph, visitor).vertices);
