@@ -9,10 +9,12 @@
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
 
@@ -100,14 +102,15 @@ struct Stock_order_traits_3
 \ingroup PkgDelaunayFromSurface3Traits
 
 is the default: a biased randomised insertion order (\cgalCite{acr-icbr-03}), and each point starts
-at its nearest neighbour on the surface that is already inserted. Nothing is traced.
+at the neighbour on the surface that was inserted last before it. Nothing is traced.
 
 O(n log n + m) for n points and m edges, plus what the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Surface_insertion_traits_3
-  : Surface_insertion_policies_3<Full_graph, Geometric_rounds, Neighbor_hints_3>
+  : Surface_insertion_policies_3<Full_graph, Neighbor_started_rounds<Geometric_rounds>,
+                                 Planned_hints_3>
 {
 };
 

@@ -14,6 +14,7 @@
 // Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -54,8 +55,9 @@ public:
   /// `true`: the subgraph is what is traced.
   static constexpr bool uses_subgraph = true;
 
-  /// keeps references to both.
-  Traced_hints_3(const Target& target, const Subgraph& subgraph)
+  /// keeps references to target and subgraph. The plan is not looked at.
+  Traced_hints_3(const Target& target, const Subgraph& subgraph,
+                 const Insertion_order& = Insertion_order())
     : m_target(target)
     , m_subgraph(subgraph)
     , m_record(target.size())

@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DELAUNAY_FROM_SURFACE_3_TESTS_ARCHETYPES_H
+#define DELAUNAY_FROM_SURFACE_3_TESTS_ARCHETYPES_H
+
+// Models of the concepts that can do no more than the concepts ask for, and are neither
+// default-constructible, copyable nor assignable where that is not asked for. What compiles with them
+// uses nothing that is not documented.
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tests {
+
+// A graph that models VertexListGraph and EdgeListGraph and nothing else: its descriptors are of
+// types of their own.
+class Graph_archetype
+{
+public:
+  struct Vertex
+  {
+    std::size_t hidden = 0;
+    friend bool operator==(const Vertex& a, const Vertex& b) { return a.hidden == b.hidden; }
+    friend bool operator!=(const Vertex& a, const Vertex& b) { return a.hidden != b.hidden; }
+  };
+
+  struct Edge
+  {
+    Vertex hidden[2];
+    friend bool operator==(const Edge& a, const Edge& b)
+    {
+      return a.hidden[0] == b.hidden[0] && a.hidden[1] == b.hidden[1];
+    }
+    friend bool operator!=(const Edge& a, const Edge& b) { return !(a == b); }
+  };
+
+  // A readable map, and no more.
+  class Index_map
+  {
+  public:
+    using key_type = Vertex;
+    using value_type = unsigned short;
+    using reference = unsigned short;
+    using category = boost::readable_property_map_tag;
+    friend unsigned short get(const Index_map&, const Vertex& v)
+    {
+      return static_cast<unsigned short>(v.hidden);
+    }
+  };
+
+  struct Category : boost::vertex_list_graph_tag, boost::edge_list_graph_tag
+  {
+  };
+  using vertex_descriptor = Vertex;
+  using edge_descriptor = Edge;
+  using vertex_iterator = std::vector<Vertex>::const_iterator;
+  using edge_iterator = std::vector<Edge>::const_iterator;
+  using vertices_size_type = std::size_t;
+  using edges_size_type = std::size_t;
+  using directed_category = boost::undirected_tag;
+  using edge_parallel_category = boost::allow_parallel_edge_tag;
+  using traversal_category = Category;
+
+  explicit Graph_archetype(std::size_t n)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      m_vertices.push_back(Vertex{i});
+  }
+  Graph_archetype(const Graph_archetype&) = delete;
+  Graph_archetype& operator=(const Graph_archetype&) = delete;
+
+  void join(std::size_t s, std::size_t t)
+  {
+    m_edges.push_back(Edge{{m_vertices[s], m_vertices[t]}});
+  }
+
+  friend std::pair<vertex_iterator, vertex_iterator> vertices(const Graph_archetype& g)
+  {
+    return {g.m_vertices.begin(), g.m_vertices.end()};
+  }
+  friend std::pair<edge_iterator, edge_iterator> edges(const Graph_archetype& g)
+  {
+    return {g.m_edges.begin(), g.m_edges.end()};
+  }
+  friend std::size_t num_vertices(const Graph_archetype& g) { return g.m_vertices.size(); }
+  friend std::size_t num_edges(const Graph_archetype& g) { return g.m_edges.size(); }
+  friend Vertex source(const Edge& e, const Graph_archetype&) { return e.hidden[0]; }
+  friend Vertex target(const Edge& e, const Graph_archetype&) { return e.hidden[1]; }
+
+private:
+  std::vector<Vertex> m_vertices;
+  std::vector<Edge> m_edges;
+};
+
+// InsertionPlan: the points as they come, in two rounds.
+class Plan_archetype
+{
+public:
+  explicit Plan_archetype(const std::string&) {}
+
+  template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
+  CGAL::Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&,
+                                   const Graph&, VertexIndexMap) const
+  {
+    CGAL::Insertion_order plan;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      plan.order.push_back(i);
+    if (points.size() > 1)
+      plan.round_ends.push_back(points.size() / 2);
+    if (!points.empty())
+      plan.round_ends.push_back(points.size());
+    return plan;
+  }
+};
+
+// SurfaceSubgraph: every second edge.
+class Subgraph_archetype
+{
+public:
+  explicit Subgraph_archetype(const std::string&) {}
+
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
+  EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap, EdgeOutputIterator out) const
+  {
+    bool is_odd = false;
+    const auto range = edges(graph);
+    for (auto e = range.first; e != range.second; ++e)
+      if ((is_odd = !is_odd))
+        *out++ = *e;
+    return out;
+  }
+};
+
+// InsertionHints_3: any cell is a correct start.
+template <class Target, class Subgraph>
+class Hints_archetype
+{
+public:
+  static constexpr bool observes_conflict_zone = false;
+  static constexpr bool uses_subgraph = true;
+
+  Hints_archetype(const Target& target, const Subgraph&)
+    : m_target(target)
+  {
+  }
+  Hints_archetype(const Hints_archetype&) = delete;
+  Hints_archetype& operator=(const Hints_archetype&) = delete;
+
+  typename Target::Cell start(std::size_t) { return m_target.cell(typename Target::Vertex()); }
+  template <class CellIterator>
+  void before_update(std::size_t, CellIterator, CellIterator)
+  {
+  }
+  void after_update(std::size_t, typename Target::Vertex) {}
+  std::size_t trace() { return 0; }
+
+private:
+  const Target& m_target;
+};
+
+// InsertionTarget_3: CGAL's, with everything hidden that the concept does not name.
+template <class Triangulation>
+class Target_archetype
+{
+  using Hidden = CGAL::Triangulation_target_3<Triangulation>;
+
+public:
+  using Vertex = typename Hidden::Vertex;
+  using Cell = typename Hidden::Cell;
+  struct Location // neither default-constructible nor assignable
+  {
+    explicit Location(const typename Hidden::Location& location)
+      : cell(location.cell)
+      , hidden(location)
+    {
+    }
+    const Cell cell;
+    const typename Hidden::Location hidden;
+  };
+
+  Target_archetype(Triangulation& tr, const std::vector<typename Triangulation::Point>& points)
+    : m_hidden(tr, points)
+  {
+  }
+  Target_archetype(const Target_archetype&) = delete;
+  Target_archetype& operator=(const Target_archetype&) = delete;
+
+  std::size_t size() const { return m_hidden.size(); }
+  Vertex vertex(std::size_t i) const { return m_hidden.vertex(i); }
+  Cell cell(Vertex v) const { return m_hidden.cell(v); }
+  Location locate(std::size_t i, Cell start) const { return Location(m_hidden.locate(i, start)); }
+  Vertex nearest_vertex(std::size_t i, const Location& location) const
+  {
+    return m_hidden.nearest_vertex(i, location.hidden);
+  }
+  bool is_closer(std::size_t i, Vertex v, Vertex w) const { return m_hidden.is_closer(i, v, w); }
+  template <class Observer>
+  void insert(std::size_t i, const Location& location, Observer& observer)
+  {
+    m_hidden.insert(i, location.hidden, observer);
+  }
+  void finish() { m_hidden.finish(); }
+  std::vector<Vertex> take_vertices() { return m_hidden.take_vertices(); }
+
+private:
+  Hidden m_hidden;
+};
+
+// SurfaceInsertionTraits_3: not default-constructible, and its functors neither.
+class Traits_archetype
+{
+public:
+  using Surface_subgraph = Subgraph_archetype;
+  using Insertion_plan = Plan_archetype;
+  template <class Target, class Subgraph>
+  using Insertion_hints_3 = Hints_archetype<Target, Subgraph>;
+  template <class Triangulation>
+  using Insertion_target_3 = Target_archetype<Triangulation>;
+
+  explicit Traits_archetype(const std::string& name)
+    : m_name(name)
+  {
+  }
+  Traits_archetype(const Traits_archetype&) = delete;
+  Traits_archetype& operator=(const Traits_archetype&) = delete;
+
+  Surface_subgraph surface_subgraph_object() const { return Subgraph_archetype(m_name); }
+  Insertion_plan insertion_plan_object(unsigned int) const { return Plan_archetype(m_name); }
+
+private:
+  std::string m_name;
+};
+
+// SurfaceInsertionVisitor_3: derived from nothing, not default-constructible.
+class Visitor_archetype
+{
+public:
+  explicit Visitor_archetype(std::size_t* insertions)
+    : m_insertions(insertions)
+  {
+  }
+  void surface_is_irregular(const std::string&) {}
+  void phase_begins(CGAL::Surface_insertion_phase) {}
+  void round_begins(std::size_t, std::size_t) {}
+  void trace_ends(std::size_t) {}
+  bool go_further() { return ++*m_insertions > 0; }
+
+private:
+  std::size_t* m_insertions;
+};
+
+} // namespace tests
+
+#endif // DELAUNAY_FROM_SURFACE_3_TESTS_ARCHETYPES_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DELAUNAY_FROM_SURFACE_3_TESTS_DIFFERENTIAL_H
+#define DELAUNAY_FROM_SURFACE_3_TESTS_DIFFERENTIAL_H
+
+// The cases of the differential test on generated surfaces, for any triangulation. One unit per
+// kernel, since the sanitizers have no time for an exact one.
+
+#include "check_equal.h"
+
+#include <CGAL/Surface_insertion_traits_3.h>
+
+#include <vector>
+
+namespace tests {
+
+// Every combination of subgraph, plan and hints.
+template <class Subgraph, class Plan, class Case>
+void check_all_hints(const Case& stock_case)
+{
+  using namespace CGAL;
+  stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Traced_hints_3>>(1);
+  stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Neighbor_hints_3>>(2);
+  stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Previous_hint_3>>(3);
+}
+
+template <class Subgraph, class Case>
+void check_all_plans_and_hints(const Case& stock_case)
+{
+  check_all_hints<Subgraph, CGAL::Log_star_rounds>(stock_case);
+  check_all_hints<Subgraph, CGAL::Geometric_rounds>(stock_case);
+  check_all_hints<Subgraph, CGAL::Spatial_sort_order>(stock_case);
+  check_all_hints<Subgraph, CGAL::Hilbert_sorted_rounds<CGAL::Log_star_rounds>>(stock_case);
+}
+
+template <class Case>
+void check_named_traits(const Case& stock_case, unsigned int seed = 0)
+{
+  stock_case.template check<CGAL::Surface_insertion_traits_3>(seed);
+  stock_case.template check<CGAL::Tracing_traits_3>(seed);
+  stock_case.template check<CGAL::Stock_order_traits_3>(seed);
+}
+
+template <class Triangulation>
+void check_surfaces_with_named_traits(const std::vector<Named_surface>& surfaces)
+{
+  for (const Named_surface& named : surfaces) {
+    const Stock_case<Triangulation> stock_case(named);
+    BOOST_TEST_MESSAGE(named.name << ": " << stock_case.points().size() << " points");
+    check_named_traits(stock_case);
+  }
+}
+
+template <class Triangulation>
+void check_surfaces_with_all_combinations(const std::vector<Named_surface>& surfaces)
+{
+  for (const Named_surface& named : surfaces) {
+    const Stock_case<Triangulation> stock_case(named);
+    check_all_plans_and_hints<CGAL::Spanning_forest>(stock_case);
+    check_all_plans_and_hints<CGAL::Full_graph>(stock_case);
+  }
+}
+
+template <class Triangulation>
+void check_seeds(const Named_surface& named, unsigned int number_of_seeds)
+{
+  const Stock_case<Triangulation> stock_case(named);
+  for (unsigned int seed = 0; seed < number_of_seeds; ++seed)
+    check_named_traits(stock_case, seed);
+}
+
+} // namespace tests
+
+#endif // DELAUNAY_FROM_SURFACE_3_TESTS_DIFFERENTIAL_H
