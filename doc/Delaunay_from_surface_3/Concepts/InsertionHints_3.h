@@ -21,6 +21,7 @@ in the order of their insertion, as in the target.
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Traced_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Neighbor_hints_3<Target\, Subgraph>}
+\cgalHasModels{CGAL::Planned_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Previous_hint_3<Target\, Subgraph>}
 \cgalHasModelsEnd
 
@@ -29,19 +30,24 @@ in the order of their insertion, as in the target.
 class InsertionHints_3
 {
 public:
-  /*! says, at compile time, whether T is needed. If it is `false`, T is not computed, and the graph
+  /*!
+  says, at compile time, whether T is needed. If it is `false`, T is not computed, and the graph
   that the constructor gets is empty.
   */
   static constexpr bool uses_subgraph = unspecified_value;
 
-  /*! makes the hints for one insertion. Both objects outlive this one, so references to them may be
-  kept.
+  /*!
+  makes the hints for one insertion. All three objects outlive this one, so references to them may
+  be kept.
 
   \param target what the points are inserted into; it has no vertices of points yet
   \param subgraph the graph T on the numbers 0, …, `target.size()`-1 if `uses_subgraph` is `true`,
   else an empty graph
+  \param plan the plan, for the numbers of the points: `order` is 0, …, n-1, `round_ends` are those
+  of the plan that was made, and `starting_points` are numbers too
   */
-  InsertionHints_3(const Target& target, const Subgraph& subgraph);
+  InsertionHints_3(const Target& target, const Subgraph& subgraph,
+                   const CGAL::Insertion_order& plan);
 
   /*!
   returns the cell from which the location of point `i` starts (line 2b). It is called once for each
@@ -51,7 +57,8 @@ public:
   */
   Target::Cell start(std::size_t i);
 
-  /*! is called after each round but the last, when the last point of the round has been inserted
+  /*!
+  is called after each round but the last, when the last point of the round has been inserted
   (line 2a).
 
   \return the number of points that were located; 0 if there is no trace

@@ -12,6 +12,7 @@ The triangulation is right for any order. A model has never heard of a cell.
 \cgalHasModels{CGAL::Log_star_rounds}
 \cgalHasModels{CGAL::Geometric_rounds}
 \cgalHasModels{CGAL::Hilbert_sorted_rounds<Plan>}
+\cgalHasModels{CGAL::Neighbor_started_rounds<Plan>}
 \cgalHasModels{CGAL::Spatial_sort_order}
 \cgalHasModelsEnd
 
@@ -46,7 +47,8 @@ public:
   stands for `points[i]`
 
   \post The `order` returned is a permutation of 0, …, n-1. Its `round_ends` increase strictly, and
-  the last is n; there are none if and only if n is 0.
+  the last is n; there are none if and only if n is 0. Its `starting_points` are none, or a point
+  for each point.
   */
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   CGAL::Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,

@@ -27,7 +27,8 @@ public:
   /// \name Types
   /// @{
 
-  /*! a vertex: a model of `DefaultConstructible`, `CopyAssignable` and `EqualityComparable`, with
+  /*!
+  a vertex: a model of `DefaultConstructible`, `CopyAssignable` and `EqualityComparable`, with
   `!=` as well as `==`. `Vertex()` stands for none. A vertex stays valid while points are only
   inserted.
   */
@@ -38,7 +39,8 @@ public:
   */
   using Cell = unspecified_type;
 
-  /*! the place of a point: a model of `CopyConstructible` with a public member `cell` of type
+  /*!
+  the place of a point: a model of `CopyConstructible` with a public member `cell` of type
   `Cell`. An insertion may make it invalid.
   */
   using Location = unspecified_type;
@@ -48,7 +50,8 @@ public:
   /// \name Creation
   /// @{
 
-  /*! is to insert `points`, in this order, into `tr`, which may have vertices already. Both outlive
+  /*!
+  is to insert `points`, in this order, into `tr`, which may have vertices already. Both outlive
   the target, so references to them may be kept.
   */
   InsertionTarget_3(Triangulation& tr, const std::vector<Triangulation::Point>& points);
@@ -91,7 +94,8 @@ public:
   /// \name Insertion
   /// @{
 
-  /*! inserts point `i` and tells `observer`: `before_update()` where it applies, and
+  /*!
+  inserts point `i` and tells `observer`: `before_update()` where it applies, and
   `after_update()` always. A point that is there already gets the vertex that is there.
 
   \tparam Observer a model of `UpdateObserver_3`

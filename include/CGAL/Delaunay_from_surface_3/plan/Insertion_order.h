@@ -27,8 +27,8 @@ struct Insertion_order
   /// strictly increasing; the last is n. Empty if and only if n is 0.
   std::vector<std::size_t> round_ends;
 
-  /// for every point a point that comes before it in `order` and is near, where its insertion may
-  /// start; for `order[0]` itself. Empty if the plan knows none.
+  /// for every point i a point near it, `starting_points[i]`, that comes before it in `order`:
+  /// where its insertion may start; for `order[0]` itself. Empty if the plan knows none.
   std::vector<std::size_t> starting_points;
 };
 
