@@ -220,6 +220,15 @@ BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
                          sorted.order.begin() + std::ptrdiff_t(N_1)));
 }
 
+// A starting point that comes later in the new order would be no start at all.
+BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_drop_starting_places)
+{
+  using Started = CGAL::Neighbor_started_rounds<CGAL::Log_star_rounds>;
+  const std::vector<Point> points = surfaces::sphere(500, 0.1).points;
+  BOOST_TEST(order_by(Started(5), points).starting_places.size() == points.size());
+  BOOST_TEST(order_by(CGAL::Hilbert_sorted_rounds<Started>(5), points).starting_places.empty());
+}
+
 BOOST_AUTO_TEST_CASE(spatial_sort_order_is_that_of_spatial_sort)
 {
   for (const std::size_t n : {5, 100, 5000}) {

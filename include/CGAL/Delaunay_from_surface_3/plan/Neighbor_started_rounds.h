@@ -25,9 +25,9 @@ that was inserted last before it, or, if none was, the point inserted just befor
 order that neighbour is near, and what is known of it is still in the cache. To be used with
 `Planned_hints_3`.
 
-The cost of `Plan` + O(n + m) for m edges.
+The cost of `Plan`, plus O(n + m) for m edges.
 
-\tparam Plan a model of `InsertionPlan`
+\tparam Plan a model of `InsertionPlan`, constructible from a seed
 
 \cgalModels{InsertionPlan}
 */

@@ -5,9 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H
 
-// Beyond the paper: the plan already knows where a point starts. Surface_net_rounds inserts a net
-// before the points between its vertices, and each of these belongs to a net vertex that is its
-// neighbour in the graph of the level.
+// Beyond the paper: the plan already knows where a point starts, so that nothing need be searched or
+// stored while points are inserted.
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
