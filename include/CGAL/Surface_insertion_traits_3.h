@@ -24,18 +24,15 @@ namespace CGAL {
 binds one model of each concept of the package to a traits class. A user's own mixture is one line:
 
 \code{.cpp}
-struct My_traits
-  : CGAL::Surface_insertion_policies_3<CGAL::Full_graph, CGAL::Geometric_rounds,
-CGAL::Traced_hints_3>
-{
-};
+using My_traits = CGAL::Surface_insertion_policies_3<CGAL::Full_graph, CGAL::Geometric_rounds,
+                                                     CGAL::Traced_hints_3>;
 \endcode
 
-\tparam SurfaceSubgraph a model of `SurfaceSubgraph`
+\tparam SurfaceSubgraph a model of `SurfaceSubgraph` and `DefaultConstructible`
 \tparam InsertionPlan a model of `InsertionPlan`, constructible from a seed
 \tparam InsertionHints a template whose instances with a target and a subgraph model
-`InsertionHints_3` \tparam InsertionTarget a template whose instances with a triangulation model
-`InsertionTarget_3`
+`InsertionHints_3`
+\tparam InsertionTarget a template whose instances with a triangulation model `InsertionTarget_3`
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
@@ -68,9 +65,12 @@ struct Surface_insertion_policies_3
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper (Choi, SoCG 2002, Fig. 1), with a walk in the place of Q: random
-order, rounds that end at N_h, and a trace of a spanning subgraph T at the end of each round. T is a
-spanning forest here, whose degree has no bound.
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig. 1), with a walk in the place of Q: random
+order, rounds that end at N_h, and a trace of a spanning subgraph T at the end of each round but the
+last. T is a spanning forest here, whose degree has no bound. Round 1 follows a Hilbert order.
+
+The bound of O(n log* n) expected time is that of the paper's Q and of a T of bounded degree; it is
+not claimed for the walk.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
@@ -83,7 +83,10 @@ struct Tracing_traits_3
 \ingroup PkgDelaunayFromSurface3Traits
 
 is the control: exactly the insertions of `Delaunay_triangulation_3::insert(first, last)`, in that
-order and from those starting cells. The surface is not looked at.
+order and from those starting cells. The surface is not looked at. With `Fast_location` this
+is true of the lowest level; with `Parallel_tag` stock insertion is another matter.
+
+O(n log n), plus what the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
@@ -95,7 +98,10 @@ struct Stock_order_traits_3
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the default: what measured fastest.
+is the default: a biased randomised insertion order (\cgalCite{acr-icbr-03}), and each point starts at
+its nearest neighbour on the surface that is already inserted. Nothing is traced.
+
+O(n log n + m) for n points and m edges, plus what the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

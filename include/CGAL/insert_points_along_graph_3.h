@@ -41,35 +41,67 @@ auto vertex_index_map(const Graph& graph, const NamedParameters& np)
 /*!
 \ingroup PkgDelaunayFromSurface3Ref
 
-inserts points that are joined by any graph: the edges of a soup, curves, nearest neighbours. The
-mesh-free core of `insert_surface_vertices_3()`, with the same result, guarantees and named
-parameters but these:
+inserts points that are joined by any graph: the edges of a soup, curves, nearest neighbours. This is
+the mesh-free core of `insert_surface_vertices_3()`. The result, and what holds after a stop or an
+exception, are the same; the visitor is not told that the surface is irregular, since there is none.
 
-\tparam PointRange a range of points of `tr`, or of items that `point_map` turns into such
+<b>Complexity</b>: that of the parts of the traits, plus O(n) for n points.
+
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Parallel_tag`
+is served sequentially. `Gt` must have exact predicates.
+\tparam PointRange a range of points, or of items that `point_map` turns into points
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`; the direction of its
 edges does not matter, nor do loops and multiple edges
+\tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
+\param tr the triangulation into which the points are inserted
 \param points the points
 \param graph its vertex with index i stands for the i-th point. A wrong graph costs time, never the
 result.
+\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left out
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
     \cgalParamDescription{the points of the items of `points`}
+    \cgalParamType{a model of `ReadablePropertyMap` from the items to the points of `tr`, to a type
+      convertible to it, or to the points of another kernel, which are converted as
+      `insert_surface_vertices_3()` does it}
     \cgalParamDefault{`CGAL::Identity_property_map`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{the indices of the vertices of `graph`: 0, …, n-1}
+    \cgalParamType{a model of `ReadablePropertyMap` from `boost::graph_traits<Graph>::%vertex_descriptor`
+      to an integer type}
     \cgalParamDefault{`boost::get(boost::vertex_index, graph)`}
   \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is passed by
+      `std::ref()`}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
+    \cgalParamDefault{`Default_surface_insertion_visitor_3`}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives pairs of the index of a point and its handle in `tr`}
+    \cgalParamDescription{receives a pair for every point inserted: its index and its handle in `tr`. It
+      is otherwise that of `insert_surface_vertices_3()`.}
     \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`}
+    \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\return the number of vertices that `tr` has gained; 0 after a stop if it was empty
+
 \throws Surface_input_error if a coordinate is not a finite number, the numbers of points and
 vertices differ, or the indices are not 0, …, n-1; `tr` is then unchanged
+
+\sa `insert_surface_vertices_3()`
 */
 template <class Gt, class Tds, class Lp, class Slds, class PointRange, class Graph,
           class SurfaceInsertionTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -95,7 +127,7 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref
-/// does the same with the default traits, `Surface_insertion_traits_3`.
+/// does the same with the default traits, an object of `Surface_insertion_traits_3`.
 template <class Gt, class Tds, class Lp, class Slds, class PointRange, class Graph,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,

@@ -25,27 +25,58 @@ namespace CGAL {
 
 inserts the points of a polygon soup into a Delaunay triangulation. The edges of the faces serve as
 the surface; the faces may be polygons, overlap, be oriented at random, or have edges with many
-faces. Result, guarantees and named parameters are those of `insert_surface_vertices_3()` but these:
+faces. The result, and what holds after a stop or an exception, are those of
+`insert_surface_vertices_3()`.
 
-\tparam PointRange a range of points of `tr`, or of items that `point_map` turns into such
-\tparam FaceRange a range of ranges of indices into `points`
+<b>Complexity</b>: that of the parts of the traits, plus O(n + m log m) for n points and m edges.
 
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Parallel_tag`
+is served sequentially. `Gt` must have exact predicates.
+\tparam PointRange a range of points, or of items that `point_map` turns into points
+\tparam FaceRange a range of ranges of integers
+\tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tr the triangulation into which the points are inserted
 \param points the points, those in no face included
 \param faces the faces: for each the indices of its points in order
+\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left out
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
     \cgalParamDescription{the points of the items of `points`}
+    \cgalParamType{a model of `ReadablePropertyMap` from the items to the points of `tr`, to a type
+      convertible to it, or to the points of another kernel, which are converted as
+      `insert_surface_vertices_3()` does it}
     \cgalParamDefault{`CGAL::Identity_property_map`}
   \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is passed by
+      `std::ref()`}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
+    \cgalParamDefault{`Default_surface_insertion_visitor_3`}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives pairs of the index of a point and its handle in `tr`}
+    \cgalParamDescription{receives a pair for every point inserted: its index and its handle in `tr`. It
+      is otherwise that of `insert_surface_vertices_3()`.}
     \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`}
+    \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\return the number of vertices that `tr` has gained; 0 after a stop if it was empty
+
 \throws Surface_input_error if a coordinate is not a finite number or a face has an index out of
 range; `tr` is then unchanged
+
+\sa `insert_surface_vertices_3()`
 */
 template <class Gt, class Tds, class Lp, class Slds, class PointRange, class FaceRange,
           class SurfaceInsertionTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -70,7 +101,7 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref
-/// does the same with the default traits, `Surface_insertion_traits_3`.
+/// does the same with the default traits, an object of `Surface_insertion_traits_3`.
 template <class Gt, class Tds, class Lp, class Slds, class PointRange, class FaceRange,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,

@@ -49,37 +49,40 @@ vertex.
 
 If `tr` is empty it is built aside and swapped in: refused input, a stop by the visitor or an
 exception leave it unchanged, and handles to its infinite vertex from before the call become
-invalid. If it is not empty, after a stop it is the triangulation of its old points and those
-inserted so far; after an exception thrown by its own insertion it may only be cleared or destroyed.
+invalid. If it is not empty, after a stop, or an exception thrown by the visitor or the output
+iterator, it is the triangulation of its old points and those inserted so far; after an exception
+thrown by its own insertion it may only be cleared or destroyed.
 
-<b>Complexity</b>: that of the chosen traits, plus O(n + m) for n vertices and m edges.
+<b>Complexity</b>: that of the parts of the traits, plus O(n + m + k) for n vertices, m edges and
+faces, and a largest index k.
 
-\tparam Gt, Tds, Lp, Slds the parameters of `Delaunay_triangulation_3`; any are served.
-`Parallel_tag` is served sequentially. `Gt` must have exact predicates for the result to be exact.
-\tparam FaceGraph a model of `FaceListGraph`
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Parallel_tag`
+is served sequentially. `Gt` must have exact predicates.
+\tparam FaceGraph a model of `VertexListGraph`, `EdgeListGraph` and `FaceListGraph`
 \tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the vertices are inserted
 \param mesh the surface
-\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
-out \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
-listed below
+\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left out
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices of `mesh`}
     \cgalParamType{a model of `ReadablePropertyMap` from
-`boost::graph_traits<FaceGraph>::%vertex_descriptor` to the points of `tr`, to a type convertible to
-it, or to the points of another kernel. The latter go through `Cartesian_converter`: exactly where
-the numbers of `Gt` can hold the coordinates, else rounded by `to_double()`.}
+      `boost::graph_traits<FaceGraph>::%vertex_descriptor` to the points of `tr`, to a type convertible
+      to it, or to the points of another kernel. The latter go through `Cartesian_converter`: exactly
+      where the numbers of `Gt` can hold the coordinates, else rounded by `to_double()`.}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{an index for each vertex of `mesh`, different for different vertices}
-    \cgalParamType{a model of `ReadablePropertyMap` to an integer type; indices may have gaps; memory
-grows with the largest}
-    \cgalParamDefault{an index map made for the call, or that of the mesh}
+    \cgalParamType{a model of `ReadablePropertyMap` from
+      `boost::graph_traits<FaceGraph>::%vertex_descriptor` to an integer type; indices are not negative,
+      and may have gaps; memory grows with the largest}
+    \cgalParamDefault{the index map of the mesh, or one made for the call}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions}
@@ -87,23 +90,25 @@ grows with the largest}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it; pass it by `std::ref()` to keep
-its state} \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
+    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is passed by
+      `std::ref()`}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives a pair for every vertex of `mesh` inserted: the vertex and its
-handle in `tr`. Duplicates are paired with the same handle. After a stop nothing is written if `tr`
-was empty, else the vertices inserted so far.} \cgalParamType{a model of `OutputIterator` accepting
-                   `std::pair<boost::graph_traits<FaceGraph>::%vertex_descriptor, Vertex_handle>`}
+    \cgalParamDescription{receives a pair for every vertex of `mesh` inserted: the vertex and its handle
+      in `tr`. Duplicates are paired with the same handle. After a stop nothing is written if `tr` was
+      empty, else the vertices inserted so far.}
+    \cgalParamType{a model of `OutputIterator` accepting
+      `std::pair<boost::graph_traits<FaceGraph>::%vertex_descriptor, Vertex_handle>`}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of vertices that `tr` has gained
+\return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
-\throws Surface_input_error if a coordinate is not a finite number or two vertices have the same
-index or one a negative or impossible one; `tr` is then unchanged
+\throws Surface_input_error if a coordinate is not a finite number, an index is negative or too
+large, or two vertices have the same index; `tr` is then unchanged
 
 \sa `insert_surface_points_3()`
 \sa `insert_points_along_graph_3()`
@@ -135,7 +140,7 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref
-/// does the same with the default traits, `Surface_insertion_traits_3`.
+/// does the same with the default traits, an object of `Surface_insertion_traits_3`.
 template <class Gt, class Tds, class Lp, class Slds, class FaceGraph,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,

@@ -396,6 +396,7 @@ BOOST_AUTO_TEST_CASE(arguments_without_sense_are_refused)
   BOOST_CHECK_THROW(surfaces::few_points(4), std::invalid_argument);
   BOOST_CHECK_THROW(surfaces::collinear(2), std::invalid_argument);
   BOOST_CHECK_THROW(surfaces::densified(octahedron(), 5), std::invalid_argument);
+  BOOST_CHECK_THROW(surfaces::loop_subdivided(octahedron(), 20), std::invalid_argument);
   BOOST_CHECK_THROW(surfaces::loop_subdivided(Mesh(), 1), std::invalid_argument);
   BOOST_CHECK_THROW(surfaces::copies(surfaces::sphere(10), 0), std::invalid_argument);
   Indexed_surface surface = surfaces::sphere(20);

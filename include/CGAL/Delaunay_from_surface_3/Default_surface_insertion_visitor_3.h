@@ -14,8 +14,8 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Ref
 
 names what the insertion of a surface is doing. `PLAN` and `SUBGRAPH` come once; `LOCATION` and
-`UPDATE` alternate, point by point; `TRACE` comes at the end of a round; `FINISH` once; `DONE` when
-nothing follows.
+`UPDATE` alternate, point by point; `TRACE` comes at the end of each round but the last; `FINISH`
+once, but not after a stop; `DONE` when nothing follows.
 */
 enum class Surface_insertion_phase {
   PLAN,     ///< the order of the points and the rounds are made.
@@ -30,19 +30,20 @@ enum class Surface_insertion_phase {
 /*!
 \ingroup PkgDelaunayFromSurface3Ref
 
-watches nothing and never stops the work; to be derived from. All calls are inlined away.
+watches nothing and never stops the work; to be derived from. A function of the same name in the
+derived class takes the place of the one here, at compile time. All calls are inlined away.
 
 \cgalModels{SurfaceInsertionVisitor_3}
 */
 struct Default_surface_insertion_visitor_3
 {
-  /// is called before the first phase if the surface is no triangulated manifold.
+  /// is called before the first phase if the surface is not a manifold mesh of triangles.
   void surface_is_irregular(const std::string& /* reason */) {}
 
   /// is called whenever another phase begins.
   void phase_begins(Surface_insertion_phase) {}
 
-  /// is called before the first point of each round.
+  /// is called before the first point of each round; rounds are counted from 0.
   void round_begins(std::size_t /* round */, std::size_t /* number_of_points */) {}
 
   /// is called after the trace that ends a round.

@@ -18,10 +18,13 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Statistics
 
 reads a meter whenever a phase begins, and adds up by round and phase: seconds with a clock, calls
-with `Predicate_counts`. A clock that is read twice per point must be cheap.
+with `Predicate_counts`. The meter is read twice per point: a clock must be cheap, and takes part of
+the time that it measures.
+
+One visitor serves one insertion. It is to be passed by `std::ref()`.
 
 \tparam Meter a function object without arguments; what it returns can be copied, value-initialised,
-        subtracted, and added with `+=`
+subtracted, and added with `+=`
 
 \cgalModels{SurfaceInsertionVisitor_3}
 */
@@ -35,7 +38,7 @@ public:
   /// what was metered in one round, or before the first.
   struct Round
   {
-    std::size_t number_of_points = 0;        ///< points inserted in the round.
+    std::size_t number_of_points = 0;        ///< points of the round; after a stop not all are in.
     std::size_t number_of_traced_points = 0; ///< points located by the trace at its end.
 
     /// returns what was metered in `phase`.
@@ -48,17 +51,18 @@ public:
     std::array<Reading, std::size_t(Surface_insertion_phase::DONE) + 1> readings = {};
   };
 
-  /// begins to meter when the insertion begins.
+  /// begins to meter when the insertion begins. A `meter` left out is default-constructed.
   explicit Metering_visitor_3(Meter meter = Meter())
     : m_meter(std::move(meter))
     , m_rounds(1)
   {
   }
 
-  /// returns what came before the first round (plan and subgraph), and then round by round.
+  /// returns what came before the first round (plan and subgraph), and then round by round; `FINISH`
+  /// is in the last.
   const std::vector<Round>& rounds() const { return m_rounds; }
 
-  /// returns the sum over all rounds.
+  /// returns the sum for `phase`, of all rounds and what came before the first.
   Reading total(Surface_insertion_phase phase) const
   {
     Reading sum = {};
@@ -67,6 +71,7 @@ public:
     return sum;
   }
 
+  /// reads the meter, and adds what it gained to the phase that ends.
   void phase_begins(Surface_insertion_phase phase)
   {
     const Reading now = m_meter();
@@ -77,13 +82,15 @@ public:
     m_last = now;
   }
 
-  void round_begins(std::size_t, std::size_t number_of_points)
+  /// opens the account of another round.
+  void round_begins(std::size_t /* round */, std::size_t number_of_points)
   {
     phase_begins(m_phase); // closes the account of the round before
     m_rounds.emplace_back();
     m_rounds.back().number_of_points = number_of_points;
   }
 
+  /// keeps the number of points that the trace located.
   void trace_ends(std::size_t number_of_located_points)
   {
     m_rounds.back().number_of_traced_points = number_of_located_points;

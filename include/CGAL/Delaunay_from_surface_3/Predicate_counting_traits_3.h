@@ -33,6 +33,9 @@ struct Predicate_counts
   returns how many cells the walks that these counts belong to have entered, the starting cells not
   counted. In dimension 3 a walk goes through a facet exactly when the orientation test with that
   facet is negative, and into an infinite cell in the same way.
+
+  \pre The counts are of walks in dimension 3 only: of the phases `LOCATION` and `TRACE`. Conflict
+  searches test orientations too, for other ends.
   */
   std::size_t cells_entered() const { return negative_orientation; }
 
@@ -61,11 +64,14 @@ struct Predicate_counts
 \ingroup PkgDelaunayFromSurface3Statistics
 
 is a geometric traits class for `Delaunay_triangulation_3` that counts the calls of its predicates.
-It is a type of its own, for which `CGAL` does not take its inexact walk, whose steps cannot be
+It is a type of its own, for which CGAL does not take its inexact walk, whose steps cannot be
 observed: all steps are counted, and times taken with it mean nothing. All copies share one
 `Predicate_counts`; they are not to be used by several threads.
 
-\tparam Kernel a model of `DelaunayTriangulationTraits_3`, such as
+A triangulation copies its traits. The counts of `tr` are `tr.geom_traits().counts()`, and a copy of
+`tr` adds to the same.
+
+\tparam Kernel a kernel that models `DelaunayTriangulationTraits_3`, such as
 `Exact_predicates_inexact_constructions_kernel`
 
 \cgalModels{DelaunayTriangulationTraits_3}
@@ -121,16 +127,27 @@ class Predicate_counting_traits_3 : public Kernel
   };
 
 public:
+  /// \name Predicates that are counted
+  /// @{
+
+  /// counts in `Predicate_counts::orientation` and `Predicate_counts::negative_orientation`.
   using Orientation_3 = Counting<typename Kernel::Orientation_3, Count_orientation>;
+  /// counts in `Predicate_counts::in_sphere`.
   using Side_of_oriented_sphere_3 =
       Counting<typename Kernel::Side_of_oriented_sphere_3, Count_in_sphere>;
+  /// counts in `Predicate_counts::other`.
   using Coplanar_orientation_3 = Counting<typename Kernel::Coplanar_orientation_3, Count_other>;
+  /// counts in `Predicate_counts::other`.
   using Coplanar_side_of_bounded_circle_3 =
       Counting<typename Kernel::Coplanar_side_of_bounded_circle_3, Count_other>;
+  /// counts in `Predicate_counts::other`.
   using Compare_xyz_3 = Counting<typename Kernel::Compare_xyz_3, Count_other>;
+  /// counts in `Predicate_counts::other`.
   using Compare_distance_3 = Counting<typename Kernel::Compare_distance_3, Count_other>;
 
-  /// starts at zero.
+  /// @}
+
+  /// starts at zero, with the predicates of `kernel`.
   explicit Predicate_counting_traits_3(const Kernel& kernel = Kernel())
     : Kernel(kernel)
     , m_counts(std::make_shared<Predicate_counts>())
@@ -140,30 +157,42 @@ public:
   /// returns the counts of this object and all its copies.
   const Predicate_counts& counts() const { return *m_counts; }
 
+  /// \name Function objects
+  /// They count as long as this object or a copy of it lives.
+  /// @{
+
+  /// returns the counting predicate.
   Orientation_3 orientation_3_object() const
   {
     return {Kernel::orientation_3_object(), m_counts.get()};
   }
+  /// returns the counting predicate.
   Side_of_oriented_sphere_3 side_of_oriented_sphere_3_object() const
   {
     return {Kernel::side_of_oriented_sphere_3_object(), m_counts.get()};
   }
+  /// returns the counting predicate.
   Coplanar_orientation_3 coplanar_orientation_3_object() const
   {
     return {Kernel::coplanar_orientation_3_object(), m_counts.get()};
   }
+  /// returns the counting predicate.
   Coplanar_side_of_bounded_circle_3 coplanar_side_of_bounded_circle_3_object() const
   {
     return {Kernel::coplanar_side_of_bounded_circle_3_object(), m_counts.get()};
   }
+  /// returns the counting predicate.
   Compare_xyz_3 compare_xyz_3_object() const
   {
     return {Kernel::compare_xyz_3_object(), m_counts.get()};
   }
+  /// returns the counting predicate.
   Compare_distance_3 compare_distance_3_object() const
   {
     return {Kernel::compare_distance_3_object(), m_counts.get()};
   }
+
+  /// @}
 
 private:
   std::shared_ptr<Predicate_counts> m_counts;

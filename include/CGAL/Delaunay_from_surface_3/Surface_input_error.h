@@ -13,12 +13,14 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Ref
 
 is thrown when a surface cannot serve as input: a coordinate that is not a finite number, an index
-out of range, a graph whose number of vertices differs from the number of points. The message names
-what is wrong and where. Input is checked before the first change of the triangulation.
+out of range or given twice, a graph whose number of vertices differs from the number of points. The
+message names what is wrong and where, on one line. Input is checked before the first change of the
+triangulation.
 */
 class Surface_input_error : public std::invalid_argument
 {
 public:
+  /// is constructed from the message, as `std::invalid_argument` is.
   using std::invalid_argument::invalid_argument;
 };
 

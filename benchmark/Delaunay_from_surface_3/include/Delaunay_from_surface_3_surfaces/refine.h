@@ -12,6 +12,8 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <queue>
@@ -29,6 +31,13 @@ inline void require_triangles(const Mesh& mesh)
 {
   if (is_empty(mesh) || !is_triangle_mesh(mesh))
     throw std::invalid_argument("the mesh to refine must have triangles and nothing else");
+}
+
+// `Surface_mesh` numbers its halfedges, 6 for a vertex, by 32 bits.
+inline void require_room(double vertices)
+{
+  if (!(6 * vertices < 4294967295.))
+    throw std::invalid_argument("the refined mesh would be too large");
 }
 
 inline void loop_rounds(Mesh& mesh, unsigned rounds)
@@ -81,6 +90,8 @@ inline Indexed_surface loop_subdivided(Mesh mesh, unsigned rounds, double fracti
                                        std::uint64_t seed = 0)
 {
   internal::require_triangles(mesh);
+  internal::require_room(std::ldexp(static_cast<double>(mesh.number_of_vertices()),
+                                    2 * static_cast<int>((std::min)(rounds, 100u))));
   internal::loop_rounds(mesh, rounds);
   Indexed_surface surface = from_mesh(mesh);
   jitter(surface, fraction, seed);
@@ -94,6 +105,7 @@ inline Indexed_surface densified(Mesh mesh, std::size_t n, double fraction = 0.0
                                  std::uint64_t seed = 0)
 {
   internal::require_triangles(mesh);
+  internal::require_room(static_cast<double>(n));
   if (mesh.number_of_vertices() > n)
     throw std::invalid_argument("the mesh has more vertices than asked for");
   // A round of Loop subdivision puts a vertex on every edge.

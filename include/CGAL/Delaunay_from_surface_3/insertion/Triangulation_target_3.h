@@ -31,6 +31,8 @@ If the observer wants to see conflict zones, an insertion in dimension 3 goes th
 must also fill the upper levels: no conflict zone is reported there, nor where the dimension is
 below 3.
 
+Memory: a vertex handle per point.
+
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`
 
 \cgalModels{InsertionTarget_3}
@@ -46,9 +48,10 @@ public:
   /// the place of a point in the triangulation, as `Triangulation_3::locate()` gives it.
   struct Location
   {
-    Cell cell;
-    typename Triangulation::Locate_type type;
-    int li, lj;
+    Cell cell; ///< the cell that contains the point, or an infinite cell that sees it.
+    typename Triangulation::Locate_type type; ///< on what of the cell the point lies.
+    int li;                                   ///< which vertex, edge or facet of the cell that is.
+    int lj;                                   ///< the second vertex of an edge.
   };
 
   /// is to insert `points` into `tr`; keeps references to both.
@@ -68,7 +71,7 @@ public:
   /// returns a cell of `v`, or any cell if `v` is none.
   Cell cell(Vertex v) const { return v == Vertex() ? m_tr.infinite_cell() : v->cell(); }
 
-  /// locates point `i` by a walk from `start`.
+  /// locates point `i` by a walk from `start`. Outside the affine hull nothing is walked.
   Location locate(std::size_t i, Cell start) const
   {
     Location location = {start, Triangulation::OUTSIDE_AFFINE_HULL, 0, 0};
@@ -79,7 +82,7 @@ public:
   }
 
   /// returns the vertex of the located cell that is nearest to point `i`; finite.
-  /// \pre the triangulation has a finite vertex.
+  /// \pre The triangulation has a finite vertex, and `location` is the place of point `i` in it.
   Vertex nearest_vertex(std::size_t i, const Location& location) const
   {
     // In dimension 0 a cell is a single vertex, perhaps the infinite one.
@@ -96,6 +99,8 @@ public:
 
   /// inserts point `i` where it was just located, and tells `observer` (a model of
   /// `UpdateObserver_3`). A point that is there already gets the vertex that is there.
+  /// Linear in the number of cells destroyed and created; with `Fast_location` the upper levels come
+  /// on top. After an exception of CGAL's insertion the triangulation may only be cleared or destroyed.
   template <class Observer>
   void insert(std::size_t i, const Location& location, Observer& observer)
   {

@@ -10,6 +10,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -22,20 +23,23 @@ using Index_graph =
     boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                        boost::no_property, std::size_t, std::size_t>;
 
-// Runs the functor `subgraph` on `graph` and keeps the edges it writes as a graph on indices.
+// Runs the functor `subgraph` on `graph` and keeps the edges it writes as a graph on indices, in
+// which vertex v has the number `numbers[index_map[v]]`. O(n + m).
 template <class SurfaceSubgraph, class Graph, class VertexIndexMap>
 Index_graph index_graph(const SurfaceSubgraph& subgraph, const Graph& graph,
-                        VertexIndexMap index_map, std::size_t number_of_vertices)
+                        VertexIndexMap index_map, const std::vector<std::size_t>& numbers)
 {
-  std::vector<std::size_t> sources, targets;
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  edges.reserve(6 * numbers.size()); // a triangulated surface has three edges per vertex
   const auto keep = [&](const typename boost::graph_traits<Graph>::edge_descriptor& e) {
-    const std::size_t s = get(index_map, source(e, graph)), t = get(index_map, target(e, graph));
-    sources.push_back(s), targets.push_back(t);
-    sources.push_back(t), targets.push_back(s);
+    const std::size_t s = numbers[std::size_t(get(index_map, source(e, graph)))];
+    const std::size_t t = numbers[std::size_t(get(index_map, target(e, graph)))];
+    edges.emplace_back(s, t);
+    edges.emplace_back(t, s);
   };
   subgraph(graph, index_map, boost::make_function_output_iterator(keep));
-  return Index_graph(boost::construct_inplace_from_sources_and_targets, sources, targets,
-                     number_of_vertices);
+  return Index_graph(boost::edges_are_unsorted_multi_pass, edges.begin(), edges.end(),
+                     numbers.size());
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <cstddef>
@@ -18,24 +19,25 @@ namespace internal {
 
 using Phase = Surface_insertion_phase;
 
-// Choi 2002, Fig. 1. Returns false if the visitor stopped it.
+// Choi 2002, Fig. 1, for points that are numbered s_0, s_1, … in the order of insertion. Returns
+// false if the visitor stopped it.
 template <class Target, class Hints, class Visitor>
-bool insert_in_rounds(const Insertion_order& plan, Target& target, Hints& hints, Visitor& visitor)
+bool insert_in_rounds(const std::vector<std::size_t>& round_ends, Target& target, Hints& hints,
+                      Visitor& visitor)
 {
   std::size_t i = 0;
-  for (std::size_t h = 0; h < plan.round_ends.size(); ++h) {
-    const std::size_t N_h = plan.round_ends[h];
+  for (std::size_t h = 0; h < round_ends.size(); ++h) {
+    const std::size_t N_h = round_ends[h];
     visitor.round_begins(h, N_h - i);
     for (; i < N_h; ++i) {
       if (!visitor.go_further())
         return false;
-      const std::size_t s_i = plan.order[i];
       visitor.phase_begins(Phase::LOCATION);
-      const typename Target::Location d_i = target.locate(s_i, hints.start(s_i)); // 2b
+      const typename Target::Location d_i = target.locate(i, hints.start(i)); // 2b
       visitor.phase_begins(Phase::UPDATE);
-      target.insert(s_i, d_i, hints); // 2c
+      target.insert(i, d_i, hints); // 2c
     }
-    if (N_h < plan.order.size()) {
+    if (N_h < target.size()) {
       visitor.phase_begins(Phase::TRACE);
       visitor.trace_ends(hints.trace()); // 2a
     }
@@ -53,6 +55,7 @@ struct Inserted_points
   bool is_complete;
 };
 
+// `subgraph` joins the numbers of the order of insertion; the vertices come as `points` do.
 template <class Traits, class Triangulation, class Graph, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_as_planned(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
@@ -60,10 +63,13 @@ insert_as_planned(Triangulation& tr, const std::vector<typename Triangulation::P
 {
   using Target = typename Traits::template Insertion_target_3<Triangulation>;
   using Hints = typename Traits::template Insertion_hints_3<Target, Graph>;
-  Target target(tr, points);
+  // s_i is points[plan.order[i]]. What is inserted one after the other then lies side by side; with
+  // the numbers of the mesh nearly every point and record would miss the cache.
+  const auto s = permuted(points, plan.order);
+  Target target(tr, s);
   Hints hints(target, subgraph);
-  const bool is_complete = insert_in_rounds(plan, target, hints, visitor);
-  return {target.take_vertices(), is_complete};
+  const bool is_complete = insert_in_rounds(plan.round_ends, target, hints, visitor);
+  return {permuted(target.take_vertices(), inverse(plan.order)), is_complete};
 }
 
 // Plan and subgraph from the surface, then the rounds; at last `write` is given the vertices of the
@@ -84,7 +90,8 @@ void insert_surface(Triangulation& tr, const std::vector<typename Triangulation:
   visitor.phase_begins(Phase::SUBGRAPH);
   Index_graph subgraph;
   if constexpr (Hints::uses_subgraph)
-    subgraph = index_graph(traits.surface_subgraph_object(), graph, index_map, points.size());
+    subgraph =
+        index_graph(traits.surface_subgraph_object(), graph, index_map, inverse(plan.order));
 
   if (tr.number_of_vertices() > 0) {
     write(insert_as_planned<Traits>(tr, points, plan, subgraph, visitor).vertices);

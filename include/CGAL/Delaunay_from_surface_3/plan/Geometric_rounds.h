@@ -25,7 +25,7 @@ draws a random order and cuts it into rounds that grow geometrically; each round
 along a Hilbert curve. This is a biased randomised insertion order \cgalCite{acr-icbr-03}: random
 enough for the expected size of the conflict zones, coherent enough for short walks and warm caches.
 
-O(n log n).
+O(n log n) expected.
 
 \cgalModels{InsertionPlan}
 */
@@ -33,10 +33,14 @@ class Geometric_rounds
 {
 public:
   /*!
+  makes the plan.
+
   \param seed draws the random order
-  \param ratio the size of everything before a round, divided by the size of everything up to its
-  end; 0 < `ratio` < 1
-  \param first_round rounds are cut off until at most so many points are left for the first; > 0
+  \param ratio the size of everything before a round, divided by the size of everything up to its end
+  \param first_round rounds are cut off until at most so many points are left for the first
+
+  \pre 0 < `ratio` < 1
+  \pre `first_round` > 0
   */
   explicit Geometric_rounds(unsigned int seed = 0, double ratio = 0.125,
                             std::size_t first_round = 64)
@@ -60,7 +64,7 @@ public:
     return plan;
   }
 
-  /// returns …, ⌊ratio² n⌋, ⌊ratio n⌋, n.
+  /// returns …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n; nothing for n = 0.
   std::vector<std::size_t> round_ends(std::size_t n) const
   {
     std::vector<std::size_t> ends;

@@ -19,9 +19,9 @@ namespace CGAL {
 takes the rounds of `Plan` and sorts each along a Hilbert curve. The sets of points that are
 inserted by the end of a round stay the same.
 
-The cost of `Plan` + O(n log n).
+The cost of `Plan`, plus O(n log n) expected.
 
-\tparam Plan a model of `InsertionPlan`
+\tparam Plan a model of `InsertionPlan`, constructible from a seed
 
 \cgalModels{InsertionPlan}
 */

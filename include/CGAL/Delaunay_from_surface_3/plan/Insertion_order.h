@@ -14,9 +14,10 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Plans
 
 is what an `InsertionPlan` returns: the order in which n points are inserted, and where its rounds
-end. It is the random order s_1, …, s_n of Choi 2002, §2, together with the N_h.
+end. It is the random order s_1, …, s_n of \cgalCite{choi-dtsm-02}, §2, together with the N_h.
 
-Round h inserts the points `order[k]` with `round_ends[h-1] <= k < round_ends[h]`.
+Round h, counted from 0, inserts the points `order[k]` with `round_ends[h-1] <= k < round_ends[h]`;
+the first begins at `k = 0`.
 */
 struct Insertion_order
 {

@@ -24,7 +24,15 @@ O(m) for m edges.
 class Full_graph
 {
 public:
-  /// writes all edges of `graph`. \tparam Graph a model of `boost::EdgeListGraph`
+  /*!
+  writes all edges of `graph`.
+
+  \tparam Graph a model of `boost::EdgeListGraph`
+  \tparam VertexIndexMap is not used
+  \tparam EdgeOutputIterator accepts edge descriptors of `Graph`
+
+  \return the output iterator past the last edge written
+  */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap, EdgeOutputIterator out) const
   {

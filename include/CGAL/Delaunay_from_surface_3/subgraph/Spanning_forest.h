@@ -25,7 +25,7 @@ namespace CGAL {
 writes the edges of a spanning forest, one tree per connected component: every edge that joins two
 components of those before it. It works for every graph and bounds no degree.
 
-O(m α(n)) for m edges.
+O(n + m α(n)) for n vertices and m edges. Memory: two integers per vertex.
 
 \cgalModels{SurfaceSubgraph}
 */
@@ -37,7 +37,13 @@ public:
 
   \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
-  \tparam EdgeOutputIterator accepts edge descriptors of `graph`
+  \tparam EdgeOutputIterator accepts edge descriptors of `Graph`
+
+  \param graph the surface
+  \param index_map the indices of its vertices
+  \param out receives the edges
+
+  \return the output iterator past the last edge written
   */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,

@@ -24,7 +24,7 @@ starts every insertion from a cell of the nearest surface neighbour that is alre
 point none of whose neighbours is inserted starts from the vertex inserted last: early rounds are
 that sparse, and the plans keep them coherent.
 
-O(degree) per point. No trace, no memory of its own.
+O(degree) distance comparisons per point. No trace, no memory of its own.
 
 \tparam Target a model of `InsertionTarget_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the indices of the points

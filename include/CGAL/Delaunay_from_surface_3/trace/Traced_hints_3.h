@@ -26,14 +26,18 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-starts every insertion where the last trace found the point (Choi, SoCG 2002, Fig. 1, lines 2a and
-2b), with a walk in the place of the paper's location structure Q. A trace traverses T depth first
-from inserted vertices outwards and locates every point not yet inserted from the cell of the
-neighbour just traced. In a component without an inserted vertex the first point starts from its
-last record.
+starts every insertion where the last trace found the point (\cgalCite{choi-dtsm-02}, Fig. 1, lines 2a
+and 2b), with a walk in the place of the paper's location structure Q. A trace traverses T depth
+first from inserted vertices outwards and locates every point not yet inserted from the cell of the
+neighbour in T that led to it. In a component without an inserted vertex the first point starts from
+its last record, or, if it has none, from the vertex inserted last.
 
-A trace takes O(n) expected time if T has bounded degree and consists of Delaunay edges (Theorem 3),
-plus O(n) for the traversal. Memory: a vertex handle and a byte per point.
+After a trace the record of a point is a finite vertex of the cell that contains it. A vertex never
+dies while points are only inserted; the cell does.
+
+A trace takes O(n) expected time if T has bounded degree and consists of Delaunay edges, and the
+triangulation has linear expected size (Theorem 3); O(n) of it is the traversal. Memory: a vertex
+handle and a byte per point, and during a trace at most an index and a cell handle per point.
 
 \tparam Target a model of `InsertionTarget_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the indices of the points: T
@@ -73,6 +77,7 @@ public:
   void after_update(std::size_t, Vertex v) { m_previous = v; }
 
   /// locates every point that is not yet inserted and returns their number.
+  /// \pre A point is inserted.
   std::size_t trace()
   {
     m_is_traced.assign(m_target.size(), false);

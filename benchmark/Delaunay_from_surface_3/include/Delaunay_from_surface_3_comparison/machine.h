@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_MACHINE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_MACHINE_H
+
+// What must be known of a machine and a build to judge the times measured there.
+
+#include <CGAL/version.h>
+
+#include <boost/config.hpp>
+#include <boost/version.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <thread>
+
+namespace comparison {
+
+// The value of the first line "key : value" of a file such as /proc/cpuinfo; "unknown" without.
+inline std::string value_in_file(const std::string& file_name, const std::string& key)
+{
+  std::ifstream file(file_name);
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(':');
+    if (line.compare(0, key.size(), key) == 0 && colon != std::string::npos) {
+      const std::size_t first = line.find_first_not_of(" \t", colon + 1);
+      return first == std::string::npos ? "" : line.substr(first);
+    }
+  }
+  return "unknown";
+}
+
+inline std::string date_today()
+{
+  const std::time_t now = std::time(nullptr);
+  char text[16] = {};
+  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+  return text;
+}
+
+// Processes that want to run, averaged over the last minute; negative where it cannot be told.
+inline double load_average()
+{
+  double load = -1;
+  return getloadavg(&load, 1) == 1 ? load : -1;
+}
+
+inline nlohmann::ordered_json describe_machine(const std::string& compiler_flags)
+{
+  return {{"cpu", value_in_file("/proc/cpuinfo", "model name")},
+          {"cpu_cache", value_in_file("/proc/cpuinfo", "cache size")},
+          {"cores", std::thread::hardware_concurrency()},
+          {"memory", value_in_file("/proc/meminfo", "MemTotal")},
+          {"compiler", BOOST_COMPILER},
+          {"flags", compiler_flags},
+          {"cgal", CGAL_VERSION_STR},
+          {"boost", BOOST_LIB_VERSION},
+          {"date", date_today()}};
+}
+
+} // namespace comparison
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_MACHINE_H
