@@ -191,15 +191,12 @@ BOOST_AUTO_TEST_CASE(plans_are_permutations_with_increasing_rounds)
 BOOST_AUTO_TEST_CASE(seeds_draw_the_order)
 {
   const std::vector<Point> points = surfaces::sphere(500, 0.1).points;
-  BOOST_TEST(
-      (order_by(CGAL::Log_star_rounds(1), points).order !=
-       order_by(CGAL::Log_star_rounds(2), points).order));
-  BOOST_TEST(
-      (order_by(CGAL::Geometric_rounds(1), points).order !=
-       order_by(CGAL::Geometric_rounds(2), points).order));
-  BOOST_TEST(
-      (order_by(CGAL::Spatial_sort_order(1), points).order ==
-       order_by(CGAL::Spatial_sort_order(2), points).order));
+  BOOST_TEST((order_by(CGAL::Log_star_rounds(1), points).order !=
+              order_by(CGAL::Log_star_rounds(2), points).order));
+  BOOST_TEST((order_by(CGAL::Geometric_rounds(1), points).order !=
+              order_by(CGAL::Geometric_rounds(2), points).order));
+  BOOST_TEST((order_by(CGAL::Spatial_sort_order(1), points).order ==
+              order_by(CGAL::Spatial_sort_order(2), points).order));
 }
 
 BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
@@ -249,7 +246,7 @@ BOOST_AUTO_TEST_CASE(spanning_forest_spans_without_cycles)
   Indexed_surface three = surfaces::copies(surfaces::genus_surface(1, 400), 3);
   three.points.resize(three.points.size() + 2, Point(9, 9, 9)); // isolated
   Graph graph = graph_of(three);
-  add_edge(0, 0, graph);                         // a loop
+  add_edge(0, 0, graph);                                 // a loop
   add_edge(three.faces[0][0], three.faces[0][1], graph); // a multiple edge
   const auto index_map = get(boost::vertex_index, graph);
 

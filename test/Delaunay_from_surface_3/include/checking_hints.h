@@ -172,8 +172,7 @@ public:
     BOOST_TEST(zone.size() == std::size_t(std::distance(first, last)));
     std::size_t in_conflict = 0;
     for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) {
-      const bool conflicts =
-          tr.side_of_sphere(c, m_target.point(i), true) == CGAL::ON_BOUNDED_SIDE;
+      const bool conflicts = tr.side_of_sphere(c, m_target.point(i), true) == CGAL::ON_BOUNDED_SIDE;
       in_conflict += conflicts;
       BOOST_TEST(conflicts == (zone.count(c) == 1));
       if (!conflicts)
