@@ -4,10 +4,6 @@
 
 function(add_package_program name)
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
-  if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp")
-    message(AUTHOR_WARNING "${name}.cpp is missing")
-    return()
-  endif()
   add_executable(${name} ${name}.cpp)
   target_link_libraries(${name} PRIVATE
     Delaunay_from_surface_3::Delaunay_from_surface_3 ${arg_LIBRARIES})

@@ -32,10 +32,6 @@ function(add_package_test name)
     message(FATAL_ERROR "add_package_test(${name}): LABELS missing or unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif()
 
-  if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp")
-    message(AUTHOR_WARNING "${name}.cpp is missing")
-    return()
-  endif()
   add_executable(${name} ${name}.cpp)
   target_link_libraries(${name} PRIVATE
     Delaunay_from_surface_3::Delaunay_from_surface_3 Boost::headers ${arg_LIBRARIES})

@@ -9,10 +9,12 @@
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
 
@@ -65,9 +67,10 @@ struct Surface_insertion_policies_3
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig. 1), with a walk in the place of Q: random
-order, rounds that end at N_h, and a trace of a spanning subgraph T at the end of each round but the
-last. T is a spanning forest here, whose degree has no bound. Round 1 follows a Hilbert order.
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in the place of Q:
+random order, rounds that end at N_h, and a trace of a spanning subgraph T at the end of each round
+but the last. T is a spanning forest here, whose degree has no bound. Round 1 follows a Hilbert
+order.
 
 The bound of O(n log* n) expected time is that of the paper's Q and of a T of bounded degree; it is
 not claimed for the walk.
@@ -98,15 +101,16 @@ struct Stock_order_traits_3
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the default: a biased randomised insertion order (\cgalCite{acr-icbr-03}), and each point starts at
-its nearest neighbour on the surface that is already inserted. Nothing is traced.
+is the default: a biased randomised insertion order (\cgalCite{acr-icbr-03}), and each point starts
+at the neighbour on the surface that was inserted last before it. Nothing is traced.
 
 O(n log n + m) for n points and m edges, plus what the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Surface_insertion_traits_3
-  : Surface_insertion_policies_3<Full_graph, Geometric_rounds, Neighbor_hints_3>
+  : Surface_insertion_policies_3<Full_graph, Neighbor_started_rounds<Geometric_rounds>,
+                                 Planned_hints_3>
 {
 };
 

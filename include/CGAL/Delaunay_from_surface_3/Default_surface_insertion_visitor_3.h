@@ -20,7 +20,7 @@ once, but not after a stop; `DONE` when nothing follows.
 enum class Surface_insertion_phase {
   PLAN,     ///< the order of the points and the rounds are made.
   SUBGRAPH, ///< the spanning subgraph T is made.
-  LOCATION, ///< a point is located (Choi 2002, Fig. 1, line 2b).
+  LOCATION, ///< a point is located (Choi 2002, Fig.\ 1, line 2b).
   UPDATE,   ///< a point is inserted (line 2c).
   TRACE,    ///< T is traced through the triangulation (line 2a).
   FINISH,   ///< the triangulation is handed over.

@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/internal/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
@@ -55,21 +56,22 @@ struct Inserted_points
   bool is_complete;
 };
 
-// `subgraph` joins the numbers of the order of insertion; the vertices come as `points` do.
+// numbers[i] is the place of points[i] in the order of insertion; `subgraph` joins these numbers.
+// What is inserted one after the other then lies side by side; with the numbers of the mesh nearly
+// every point and record would miss the cache. The vertices come back as `points` came.
 template <class Traits, class Triangulation, class Graph, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_as_planned(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
-                  const Insertion_order& plan, const Graph& subgraph, Visitor& visitor)
+                  const Insertion_order& plan, const std::vector<std::size_t>& numbers,
+                  const Graph& subgraph, Visitor& visitor)
 {
   using Target = typename Traits::template Insertion_target_3<Triangulation>;
   using Hints = typename Traits::template Insertion_hints_3<Target, Graph>;
-  // s_i is points[plan.order[i]]. What is inserted one after the other then lies side by side; with
-  // the numbers of the mesh nearly every point and record would miss the cache.
   const auto s = permuted(points, plan.order);
   Target target(tr, s);
-  Hints hints(target, subgraph);
+  Hints hints(target, subgraph, plan);
   const bool is_complete = insert_in_rounds(plan.round_ends, target, hints, visitor);
-  return {permuted(target.take_vertices(), inverse(plan.order)), is_complete};
+  return {permuted(target.take_vertices(), numbers), is_complete};
 }
 
 // Plan and subgraph from the surface, then the rounds; at last `write` is given the vertices of the
@@ -87,19 +89,19 @@ void insert_surface(Triangulation& tr, const std::vector<typename Triangulation:
   visitor.phase_begins(Phase::PLAN);
   const Insertion_order plan =
       traits.insertion_plan_object(seed)(points, tr.geom_traits(), graph, index_map);
+  const std::vector<std::size_t> numbers = inverse(plan.order);
   visitor.phase_begins(Phase::SUBGRAPH);
   Index_graph subgraph;
   if constexpr (Hints::uses_subgraph)
-    subgraph =
-        index_graph(traits.surface_subgraph_object(), graph, index_map, inverse(plan.order));
+    subgraph = index_graph(traits.surface_subgraph_object(), graph, index_map, numbers);
 
   if (tr.number_of_vertices() > 0) {
-    write(insert_as_planned<Traits>(tr, points, plan, subgraph, visitor).vertices);
+    write(insert_as_planned<Traits>(tr, points, plan, numbers, subgraph, visitor).vertices);
     visitor.phase_begins(Phase::DONE);
     return;
   }
   Triangulation aside(tr);
-  const auto inserted = insert_as_planned<Traits>(aside, points, plan, subgraph, visitor);
+  const auto inserted = insert_as_planned<Traits>(aside, points, plan, numbers, subgraph, visitor);
   if (inserted.is_complete)
     write(inserted.vertices);
   visitor.phase_begins(Phase::DONE);

@@ -10,6 +10,7 @@
 // are.
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -27,7 +28,7 @@ that sparse, and the plans keep them coherent.
 O(degree) distance comparisons per point. No trace, no memory of its own.
 
 \tparam Target a model of `InsertionTarget_3`
-\tparam Subgraph a model of `boost::AdjacencyGraph` on the indices of the points
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points
 
 \cgalModels{InsertionHints_3}
 */
@@ -40,8 +41,9 @@ public:
   /// `true`: the neighbours are those in the subgraph.
   static constexpr bool uses_subgraph = true;
 
-  /// keeps references to both.
-  Neighbor_hints_3(const Target& target, const Subgraph& subgraph)
+  /// keeps references to target and subgraph. The plan is not looked at.
+  Neighbor_hints_3(const Target& target, const Subgraph& subgraph,
+                   const Insertion_order& = Insertion_order())
     : m_target(target)
     , m_subgraph(subgraph)
   {

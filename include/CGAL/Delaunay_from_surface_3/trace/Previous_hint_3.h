@@ -9,6 +9,7 @@
 // insertion.
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <cstddef>
 
@@ -33,7 +34,8 @@ public:
   static constexpr bool uses_subgraph = false;
 
   /// keeps a reference to `target`.
-  Previous_hint_3(const Target& target, const Subgraph&)
+  explicit Previous_hint_3(const Target& target, const Subgraph& = Subgraph(),
+                           const Insertion_order& = Insertion_order())
     : m_target(target)
   {
   }

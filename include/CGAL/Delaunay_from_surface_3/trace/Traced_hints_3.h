@@ -14,6 +14,7 @@
 // Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -26,8 +27,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-starts every insertion where the last trace found the point (\cgalCite{choi-dtsm-02}, Fig. 1, lines 2a
-and 2b), with a walk in the place of the paper's location structure Q. A trace traverses T depth
+starts every insertion where the last trace found the point (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines
+2a and 2b), with a walk in the place of the paper's location structure Q. A trace traverses T depth
 first from inserted vertices outwards and locates every point not yet inserted from the cell of the
 neighbour in T that led to it. In a component without an inserted vertex the first point starts from
 its last record, or, if it has none, from the vertex inserted last.
@@ -40,7 +41,7 @@ triangulation has linear expected size (Theorem 3); O(n) of it is the traversal.
 handle and a byte per point, and during a trace at most an index and a cell handle per point.
 
 \tparam Target a model of `InsertionTarget_3`
-\tparam Subgraph a model of `boost::AdjacencyGraph` on the indices of the points: T
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
 
 \cgalModels{InsertionHints_3}
 */
@@ -54,8 +55,9 @@ public:
   /// `true`: the subgraph is what is traced.
   static constexpr bool uses_subgraph = true;
 
-  /// keeps references to both.
-  Traced_hints_3(const Target& target, const Subgraph& subgraph)
+  /// keeps references to target and subgraph. The plan is not looked at.
+  Traced_hints_3(const Target& target, const Subgraph& subgraph,
+                 const Insertion_order& = Insertion_order())
     : m_target(target)
     , m_subgraph(subgraph)
     , m_record(target.size())

@@ -1,0 +1,56 @@
+/*!
+\ingroup PkgDelaunayFromSurface3Concepts
+\cgalConcept
+
+An `InsertionPlan` is a function object that decides the order in which points are inserted, and
+where the rounds of the insertion end. A trace follows every round but the last
+(\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1).
+
+The triangulation is right for any order. A model has never heard of a cell.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Log_star_rounds}
+\cgalHasModels{CGAL::Geometric_rounds}
+\cgalHasModels{CGAL::Hilbert_sorted_rounds<Plan>}
+\cgalHasModels{CGAL::Neighbor_started_rounds<Plan>}
+\cgalHasModels{CGAL::Spatial_sort_order}
+\cgalHasModelsEnd
+
+\sa `CGAL::Insertion_order`
+\sa `SurfaceInsertionTraits_3`
+*/
+class InsertionPlan
+{
+public:
+  /*!
+  makes the plan from `seed`, which stands for all its random choices: plans with the same seed give
+  the same order for the same points. A plan without random choices ignores it.
+
+  Only `CGAL::Surface_insertion_policies_3` asks for this constructor. A traits class of one's own
+  may make its plan in another way.
+  */
+  explicit InsertionPlan(unsigned int seed);
+
+  /*!
+  returns the order of n points and the ends of the rounds.
+
+  \tparam Point the points of the triangulation
+  \tparam GeomTraits its geometric traits class, a model of `DelaunayTriangulationTraits_3`
+  \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, directed or not
+  \tparam VertexIndexMap a model of `boost::ReadablePropertyMap` from vertex descriptors of `Graph`
+  to an integer type
+
+  \param points the n points; all coordinates are finite, points may coincide
+  \param gt the geometric traits object of the triangulation
+  \param graph the surface graph F, not T
+  \param index_map maps the vertices of `graph` onto 0, …, n-1, one to one: the vertex with index i
+  stands for `points[i]`
+
+  \post The `order` returned is a permutation of 0, …, n-1. Its `round_ends` increase strictly, and
+  the last is n; there are none if and only if n is 0. Its `starting_places` are none, or one
+  for each place, before it.
+  */
+  template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
+  CGAL::Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
+                                   const Graph& graph, VertexIndexMap index_map) const;
+};

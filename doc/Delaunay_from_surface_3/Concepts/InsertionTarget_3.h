@@ -1,0 +1,120 @@
+/*!
+\ingroup PkgDelaunayFromSurface3Concepts
+\cgalConcept
+
+An `InsertionTarget_3` is what n points are inserted into. They are numbered 0, …, n-1 in the order
+of their insertion, whatever their numbers in the surface were (\cgalCite{choi-dtsm-02}, Fig.\ 1,
+line 2c). It also locates points by walking, which stands for the location structure Q of lines 2a
+and 2b.
+
+A target has never heard of a surface. A model is a class template with one parameter:
+`Triangulation`, a `CGAL::Delaunay_triangulation_3`.
+
+The complete insertion calls, in this order: the constructor; `locate()` and `insert()` for the
+points 0, …, n-1, with locations of points not yet inserted in between; `finish()`;
+`take_vertices()`. If it is stopped, `finish()` is left out. All functions declared `const` may be
+called at any time before `take_vertices()`.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Triangulation_target_3<Triangulation>}
+\cgalHasModelsEnd
+
+\sa `SurfaceInsertionTraits_3`
+*/
+class InsertionTarget_3
+{
+public:
+  /// \name Types
+  /// @{
+
+  /*!
+  a vertex: a model of `DefaultConstructible`, `CopyAssignable` and `EqualityComparable`, with
+  `!=` as well as `==`. `Vertex()` stands for none. A vertex stays valid while points are only
+  inserted.
+  */
+  using Vertex = unspecified_type;
+
+  /*!
+  a cell: a model of `DefaultConstructible` and `CopyAssignable`. An insertion may destroy it.
+  */
+  using Cell = unspecified_type;
+
+  /*!
+  the place of a point: a model of `CopyConstructible` with a public member `cell` of type
+  `Cell`. An insertion may make it invalid.
+  */
+  using Location = unspecified_type;
+
+  /// @}
+
+  /// \name Creation
+  /// @{
+
+  /*!
+  is to insert `points`, in this order, into `tr`, which may have vertices already. Both outlive
+  the target, so references to them may be kept.
+  */
+  InsertionTarget_3(Triangulation& tr, const std::vector<Triangulation::Point>& points);
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns n, the number of points.
+  std::size_t size() const;
+
+  /// returns the vertex of point `i`; none if the point is not inserted yet.
+  Vertex vertex(std::size_t i) const;
+
+  /// returns a cell of `v`; any cell from which `locate()` can start if `v` is none.
+  Cell cell(Vertex v) const;
+
+  /// @}
+
+  /// \name Location
+  /// @{
+
+  /// returns the place of point `i`, found by a walk from `start`. Point `i` may be inserted or
+  /// not.
+  Location locate(std::size_t i, Cell start) const;
+
+  /*!
+  returns a finite vertex of the cell of `location`, the nearest to point `i`.
+  \pre `location` is the place of point `i`, and nothing was inserted since it was found.
+  \pre There is a finite vertex.
+  */
+  Vertex nearest_vertex(std::size_t i, const Location& location) const;
+
+  /// returns whether `v` is closer to point `i` than `w`. Both are finite.
+  bool is_closer(std::size_t i, Vertex v, Vertex w) const;
+
+  /// @}
+
+  /// \name Insertion
+  /// @{
+
+  /*!
+  inserts point `i` and tells `observer`: `before_update()` where it applies, and
+  `after_update()` always. A point that is there already gets the vertex that is there.
+
+  \tparam Observer a model of `UpdateObserver_3`
+  \pre `location` is the place of point `i`, and nothing was inserted since it was found.
+  \post `vertex(i)` is not none.
+  */
+  template <class Observer>
+  void insert(std::size_t i, const Location& location, Observer& observer);
+
+  /*!
+  is called once, after the last insertion. From then on the triangulation is complete.
+  */
+  void finish();
+
+  /*!
+  gives the vertices of the points in the triangulation away, in the order of `points`: a
+  default-constructed handle for each point that was not inserted. It is called last.
+  */
+  std::vector<Triangulation::Vertex_handle> take_vertices();
+
+  /// @}
+};

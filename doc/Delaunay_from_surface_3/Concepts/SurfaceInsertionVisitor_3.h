@@ -1,0 +1,66 @@
+/*!
+\ingroup PkgDelaunayFromSurface3Concepts
+\cgalConcept
+
+A `SurfaceInsertionVisitor_3` is told what the insertion of a surface is doing, and can stop it.
+
+Visitors are copied; one passed by `std::ref()` keeps its state. A visitor may throw: an empty
+triangulation is then unchanged, and a non-empty one is the triangulation of its old points and
+those inserted so far.
+
+For points p, q, …, in two rounds, the calls come in this order:
+
+| call | |
+|---|---|
+| `surface_is_irregular(reason)` | only if it applies |
+| `phase_begins(PLAN)`, `phase_begins(SUBGRAPH)` | |
+| `round_begins(0, n_0)` | |
+| `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on for each point of the round |
+| `phase_begins(TRACE)`, `trace_ends(k)` | |
+| `round_begins(1, n_1)` | |
+| `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for q, and so on |
+| `phase_begins(FINISH)` | left out after a stop |
+| `phase_begins(DONE)` | |
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Default_surface_insertion_visitor_3}
+\cgalHasModels{CGAL::Metering_visitor_3<Meter>}
+\cgalHasModelsEnd
+*/
+class SurfaceInsertionVisitor_3
+{
+public:
+  /*!
+  is called before the first phase if the surface is not a manifold mesh of triangles. This is
+  no error: only the edges are used.
+
+  \param reason what was found, in words: how many faces are not triangles, or how many edges have
+  more than two faces
+  */
+  void surface_is_irregular(const std::string& reason);
+
+  /// is called when `phase` begins; the phase before it ends there.
+  void phase_begins(CGAL::Surface_insertion_phase phase);
+
+  /*!
+  is called before the first point of a round.
+
+  \param round the number of the round, counted from 0
+  \param number_of_points how many points the round is to insert; at least 1
+  */
+  void round_begins(std::size_t round, std::size_t number_of_points);
+
+  /*!
+  is called after the trace that ends a round; there is one after every round but the last.
+
+  \param number_of_located_points what `InsertionHints_3::trace()` returned
+  */
+  void trace_ends(std::size_t number_of_located_points);
+
+  /*!
+  is called before each insertion.
+
+  \return `false` to stop the work here
+  */
+  bool go_further();
+};

@@ -1,0 +1,47 @@
+/*!
+\ingroup PkgDelaunayFromSurface3Concepts
+\cgalConcept
+
+A `SurfaceSubgraph` is a function object that chooses the edges of T: the subgraph of the surface
+graph F that is traced through the triangulation, or whose edges say which points are neighbours
+(\cgalCite{choi-dtsm-02}, §3).
+
+The triangulation is right for any choice, an empty one included. The cost is not: the bound on a
+trace (Theorem 3 of the paper) asks for a subgraph that spans F, has bounded degree, and consists of
+Delaunay edges.
+
+A model has never heard of points or triangulations: it sees a graph.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Spanning_forest}
+\cgalHasModels{CGAL::Full_graph}
+\cgalHasModelsEnd
+
+\sa `SurfaceInsertionTraits_3`
+*/
+class SurfaceSubgraph
+{
+public:
+  /*!
+  writes edges of `graph` to `out`. The same graph gives the same edges in the same order.
+
+  An edge is taken in both directions, whichever way it is written. Loops and repeated edges are
+  harmless.
+
+  \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, directed or not. For
+  a mesh it is the mesh itself, and a model may ask for more of it, such as `HalfedgeGraph`.
+  \tparam VertexIndexMap a model of `boost::ReadablePropertyMap` from vertex descriptors of `Graph`
+  to an integer type
+  \tparam EdgeOutputIterator a model of `OutputIterator` that accepts edge descriptors of `Graph`
+
+  \param graph the surface as a graph F with n vertices. `num_vertices(graph)` may be larger than n
+  for a mesh with removed elements.
+  \param index_map maps the vertices of `graph` onto 0, …, n-1, one to one
+  \param out receives the edges of T
+
+  \return the output iterator past the last edge written
+  */
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
+  EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
+                                EdgeOutputIterator out) const;
+};

@@ -1,0 +1,43 @@
+/*!
+\ingroup PkgDelaunayFromSurface3Concepts
+\cgalConcept
+
+An `UpdateObserver_3` is told by an `InsertionTarget_3` what each insertion changes
+(\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2c). Points are known by their numbers in the target.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Null_update_observer}
+\cgalHasModels{all models of `InsertionHints_3`}
+\cgalHasModelsEnd
+*/
+class UpdateObserver_3
+{
+public:
+  /*!
+  says, at compile time, whether `before_update()` is to be called. If it is `false`, the target
+  need not know the conflict zone and may take its fastest way.
+  */
+  static constexpr bool observes_conflict_zone = unspecified_value;
+
+  /*!
+  is called before point `i` is inserted, if `observes_conflict_zone` is `true` and the target
+  knows the conflict zone. `CGAL::Triangulation_target_3` knows it in dimension 3, without
+  `Fast_location`, for points that are not there already.
+
+  \tparam CellIterator an input iterator with the value type `Cell` of the target
+  \param i the number of the point
+  \param first,last the cells that the insertion will destroy. They are still alive.
+  */
+  template <class CellIterator>
+  void before_update(std::size_t i, CellIterator first, CellIterator last);
+
+  /*!
+  is called after point `i` was inserted.
+
+  \tparam Vertex the type `Vertex` of the target
+  \param i the number of the point
+  \param v its vertex: a new one, or the one that was there already if the point is a duplicate
+  */
+  template <class Vertex>
+  void after_update(std::size_t i, Vertex v);
+};

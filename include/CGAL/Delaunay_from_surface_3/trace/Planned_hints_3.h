@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H
+
+// Beyond the paper: the plan already knows where a point starts, so that nothing need be searched or
+// stored while points are inserted.
+
+#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion from a cell of the point that the plan names in
+`Insertion_order::starting_places`; if the plan names none, from a cell of the vertex inserted last.
+
+O(1) per point. No trace, no subgraph, no memory of its own.
+
+\tparam Target a model of `InsertionTarget_3`
+\tparam Subgraph is not used
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Planned_hints_3 : public Null_update_observer
+{
+  using Vertex = typename Target::Vertex;
+
+public:
+  /// `false`: no subgraph need be computed.
+  static constexpr bool uses_subgraph = false;
+
+  /// keeps references to `target` and `plan`.
+  Planned_hints_3(const Target& target, const Subgraph&, const Insertion_order& plan)
+    : m_target(target)
+    , m_places(plan.starting_places)
+  {
+  }
+
+  /// returns a cell of the starting point that the plan names for point `i`, or of the vertex inserted
+  /// last.
+  typename Target::Cell start(std::size_t i) const
+  {
+    return m_target.cell(i == 0 || m_places.empty() ? m_previous : m_target.vertex(m_places[i]));
+  }
+
+  /// remembers `v`.
+  void after_update(std::size_t, Vertex v) { m_previous = v; }
+
+  /// does nothing, and returns 0: no point is located.
+  std::size_t trace() { return 0; }
+
+private:
+  const Target& m_target;
+  const std::vector<std::size_t>& m_places;
+  Vertex m_previous = {};
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H
