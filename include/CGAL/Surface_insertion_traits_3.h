@@ -67,9 +67,10 @@ struct Surface_insertion_policies_3
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in the place of Q: random
-order, rounds that end at N_h, and a trace of a spanning subgraph T at the end of each round but the
-last. T is a spanning forest here, whose degree has no bound. Round 1 follows a Hilbert order.
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in the place of Q:
+random order, rounds that end at N_h, and a trace of a spanning subgraph T at the end of each round
+but the last. T is a spanning forest here, whose degree has no bound. Round 1 follows a Hilbert
+order.
 
 The bound of O(n log* n) expected time is that of the paper's Q and of a T of bounded degree; it is
 not claimed for the walk.
@@ -100,8 +101,8 @@ struct Stock_order_traits_3
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the default: a biased randomised insertion order (\cgalCite{acr-icbr-03}), and each point starts at
-the neighbour on the surface that was inserted last before it. Nothing is traced.
+is the default: a biased randomised insertion order (\cgalCite{acr-icbr-03}), and each point starts
+at the neighbour on the surface that was inserted last before it. Nothing is traced.
 
 O(n log n + m) for n points and m edges, plus what the insertions take.
 

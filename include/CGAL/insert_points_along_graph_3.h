@@ -41,9 +41,10 @@ auto vertex_index_map(const Graph& graph, const NamedParameters& np)
 /*!
 \ingroup PkgDelaunayFromSurface3Ref
 
-inserts points that are joined by any graph: the edges of a soup, curves, nearest neighbours. This is
-the mesh-free core of `insert_surface_vertices_3()`. The result, and what holds after a stop or an
-exception, are the same; the visitor is not told that the surface is irregular, since there is none.
+inserts points that are joined by any graph: the edges of a soup, curves, nearest neighbours. This
+is the mesh-free core of `insert_surface_vertices_3()`. The result, and what holds after a stop or
+an exception, are the same; the visitor is not told that the surface is irregular, since there is
+none.
 
 <b>Complexity</b>: that of the parts of the traits, plus O(n) for n points.
 
@@ -59,7 +60,8 @@ edges does not matter, nor do loops and multiple edges
 \param points the points
 \param graph its vertex with index i stands for the i-th point. A wrong graph costs time, never the
 result.
-\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left out
+\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
+out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
 
@@ -73,8 +75,8 @@ below
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{the indices of the vertices of `graph`: 0, …, n-1}
-    \cgalParamType{a model of `ReadablePropertyMap` from `boost::graph_traits<Graph>::%vertex_descriptor`
-      to an integer type}
+    \cgalParamType{a model of `ReadablePropertyMap` from
+      `boost::graph_traits<Graph>::%vertex_descriptor` to an integer type}
     \cgalParamDefault{`boost::get(boost::vertex_index, graph)`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
@@ -83,14 +85,14 @@ below
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is passed by
-      `std::ref()`}
+    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
+      passed by `std::ref()`}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives a pair for every point inserted: its index and its handle in `tr`. It
-      is otherwise that of `insert_surface_vertices_3()`.}
+    \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
+      `tr`. It is otherwise that of `insert_surface_vertices_3()`.}
     \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd

@@ -40,7 +40,8 @@ is served sequentially. `Gt` must have exact predicates.
 \param tr the triangulation into which the points are inserted
 \param points the points, those in no face included
 \param faces the faces: for each the indices of its points in order
-\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left out
+\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
+out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
 
@@ -58,14 +59,14 @@ below
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is passed by
-      `std::ref()`}
+    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
+      passed by `std::ref()`}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives a pair for every point inserted: its index and its handle in `tr`. It
-      is otherwise that of `insert_surface_vertices_3()`.}
+    \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
+      `tr`. It is otherwise that of `insert_surface_vertices_3()`.}
     \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd

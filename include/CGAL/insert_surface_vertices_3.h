@@ -31,7 +31,7 @@ std::string irregularity_of_mesh(const FaceGraph& mesh)
   std::size_t non_triangles = 0;
   for (const auto f : faces(mesh))
     non_triangles += !is_triangle(halfedge(f, mesh), mesh);
-  return non_triangles == 0 ? "" : std::to_string(non_triangles) + " faces are not triangles";
+  return non_triangles == 0 ? "" : "faces that are not triangles: " + std::to_string(non_triangles);
 }
 
 } // namespace internal
@@ -64,7 +64,8 @@ is served sequentially. `Gt` must have exact predicates.
 
 \param tr the triangulation into which the vertices are inserted
 \param mesh the surface
-\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left out
+\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
+out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
 
@@ -72,16 +73,17 @@ below
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices of `mesh`}
     \cgalParamType{a model of `ReadablePropertyMap` from
-      `boost::graph_traits<FaceGraph>::%vertex_descriptor` to the points of `tr`, to a type convertible
-      to it, or to the points of another kernel. The latter go through `Cartesian_converter`: exactly
-      where the numbers of `Gt` can hold the coordinates, else rounded by `to_double()`.}
+      `boost::graph_traits<FaceGraph>::%vertex_descriptor` to the points of `tr`, to a type
+      convertible to it, or to the points of another kernel. The latter go through
+      `Cartesian_converter`: exactly where the numbers of `Gt` can hold the coordinates, else
+      rounded by `to_double()`.}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{an index for each vertex of `mesh`, different for different vertices}
     \cgalParamType{a model of `ReadablePropertyMap` from
-      `boost::graph_traits<FaceGraph>::%vertex_descriptor` to an integer type; indices are not negative,
-      and may have gaps; memory grows with the largest}
+      `boost::graph_traits<FaceGraph>::%vertex_descriptor` to an integer type; indices are not
+      negative, and may have gaps; memory grows with the largest}
     \cgalParamDefault{the index map of the mesh, or one made for the call}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
@@ -90,15 +92,15 @@ below
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is passed by
-      `std::ref()`}
+    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
+      passed by `std::ref()`}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives a pair for every vertex of `mesh` inserted: the vertex and its handle
-      in `tr`. Duplicates are paired with the same handle. After a stop nothing is written if `tr` was
-      empty, else the vertices inserted so far.}
+    \cgalParamDescription{receives a pair for every vertex of `mesh` inserted: the vertex and its
+      handle in `tr`. Duplicates are paired with the same handle. After a stop nothing is written if
+      `tr` was empty, else the vertices inserted so far.}
     \cgalParamType{a model of `OutputIterator` accepting
       `std::pair<boost::graph_traits<FaceGraph>::%vertex_descriptor, Vertex_handle>`}
     \cgalParamDefault{`Emptyset_iterator`}

@@ -42,7 +42,10 @@ const surfaces::Indexed_surface& surface()
   return instance;
 }
 
-Triangulation stock() { return Triangulation(surface().points.begin(), surface().points.end()); }
+Triangulation stock()
+{
+  return Triangulation(surface().points.begin(), surface().points.end());
+}
 
 void join_faces(tests::Graph_archetype& graph)
 {
@@ -117,8 +120,7 @@ BOOST_AUTO_TEST_CASE(visitor_archetype)
 // Ranges may be read once only, from the front.
 BOOST_AUTO_TEST_CASE(forward_ranges)
 {
-  const std::forward_list<Kernel::Point_3> points(surface().points.begin(),
-                                                  surface().points.end());
+  const std::forward_list<Kernel::Point_3> points(surface().points.begin(), surface().points.end());
   std::forward_list<std::forward_list<short>> faces;
   for (const auto& face : surface().faces)
     faces.push_front({short(face[0]), short(face[1]), short(face[2])});

@@ -57,9 +57,8 @@ Cost cost(std::size_t n)
   result.cells_per_located_point =
       double(visitor.total(Phase::LOCATION).cells_entered()) / double(surface.points.size());
   BOOST_TEST_MESSAGE(surface.points.size()
-                     << " points: cells entered per point: traced "
-                     << result.cells_per_traced_point << " (by round" << rounds << "), located "
-                     << result.cells_per_located_point);
+                     << " points: cells entered per point: traced " << result.cells_per_traced_point
+                     << " (by round" << rounds << "), located " << result.cells_per_located_point);
   return result;
 }
 

@@ -110,8 +110,7 @@ void check_mesh(const FaceGraph& mesh)
     using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
     std::vector<std::pair<Vertex, Vertex_handle>> map;
     const auto gained = CGAL::insert_surface_vertices_3(
-        tr, mesh, traits,
-        parameters::vertex_to_vertex_output_iterator(std::back_inserter(map)));
+        tr, mesh, traits, parameters::vertex_to_vertex_output_iterator(std::back_inserter(map)));
     BOOST_TEST(map.size() == points.size());
     std::set<Vertex> seen;
     for (const auto& [v, handle] : map) {
@@ -200,10 +199,10 @@ Watching_visitor watch(Triangulation& tr, Watching_visitor visitor = Watching_vi
                        Index_map* map = nullptr)
 {
   Index_map unused;
-  CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces, Traits(),
-                                parameters::visitor(std::ref(visitor))
-                                    .vertex_to_vertex_output_iterator(
-                                        std::back_inserter(map ? *map : unused)));
+  CGAL::insert_surface_points_3(
+      tr, torus().points, torus().surface.faces, Traits(),
+      parameters::visitor(std::ref(visitor))
+          .vertex_to_vertex_output_iterator(std::back_inserter(map ? *map : unused)));
   return visitor;
 }
 
@@ -247,7 +246,8 @@ template <class Traits>
 void check_stops()
 {
   const std::size_t n = torus().points.size();
-  for (const std::size_t stop_before : {std::size_t(0), std::size_t(1), std::size_t(3), n / 2, n - 1}) {
+  for (const std::size_t stop_before :
+       {std::size_t(0), std::size_t(1), std::size_t(3), n / 2, n - 1}) {
     check_stop_in_empty_triangulation<Traits>(stop_before);
     check_stop_in_other_triangulation<Traits>(stop_before);
   }
@@ -269,7 +269,8 @@ BOOST_AUTO_TEST_CASE(surface_mesh_with_removed_and_isolated_vertices)
 {
   Mesh mesh = surfaces::to_mesh<Mesh>(surfaces::lattice_surface(1, 600));
   for (std::size_t k = 0; k < 60; ++k)
-    CGAL::Euler::remove_center_vertex(mesh.halfedge(Mesh::Vertex_index(Mesh::size_type(7 * k))), mesh);
+    CGAL::Euler::remove_center_vertex(mesh.halfedge(Mesh::Vertex_index(Mesh::size_type(7 * k))),
+                                      mesh);
   mesh.add_vertex(Point(20, 20, 20));
   mesh.add_vertex(Point(20, 20, 20));
   BOOST_TEST_REQUIRE(mesh.has_garbage());
@@ -365,7 +366,10 @@ BOOST_AUTO_TEST_CASE(graphs_of_boost)
   check_graph(surfaces::to_mesh<Mesh>(torus().surface));
 }
 
-BOOST_AUTO_TEST_CASE(graph_without_edges) { check_graph(Graph(torus().points.size())); }
+BOOST_AUTO_TEST_CASE(graph_without_edges)
+{
+  check_graph(Graph(torus().points.size()));
+}
 
 BOOST_AUTO_TEST_CASE(graphs_that_have_nothing_to_do_with_the_points)
 {
@@ -407,8 +411,9 @@ BOOST_AUTO_TEST_CASE(soups_that_are_no_surface)
   BOOST_TEST(reasons_for({{0, 1, 2}, {1, 2, 3}}) == ""); // the orientation does not matter
   BOOST_TEST(reasons_for({{0, 1, 2, 3}, {4, 5, 6}, {}, {7}, {8, 9}}) ==
              "4 faces are not triangles, 0 edges have more than two faces");
-  BOOST_TEST(reasons_for({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {0, 1, 5}, {7, 8, 9}, {7, 8, 9}, {7, 8, 9}}) ==
-             "0 faces are not triangles, 4 edges have more than two faces");
+  BOOST_TEST(
+      reasons_for({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {0, 1, 5}, {7, 8, 9}, {7, 8, 9}, {7, 8, 9}}) ==
+      "0 faces are not triangles, 4 edges have more than two faces");
 }
 
 BOOST_AUTO_TEST_CASE(indices_of_any_integer_type)
@@ -483,10 +488,9 @@ BOOST_AUTO_TEST_CASE(numbers_too_large_for_the_triangulation_are_refused)
 BOOST_AUTO_TEST_CASE(indices_out_of_range_are_refused)
 {
   const auto check = [](const auto& faces, const std::string& face, const std::string& index) {
-    check_refused_input({face, index, std::to_string(torus().points.size())},
-                        [&](Triangulation& tr) {
-                          CGAL::insert_surface_points_3(tr, torus().points, faces);
-                        });
+    check_refused_input(
+        {face, index, std::to_string(torus().points.size())},
+        [&](Triangulation& tr) { CGAL::insert_surface_points_3(tr, torus().points, faces); });
   };
   const int n = int(torus().points.size());
   check(Faces{{0, 1, 2}, {1, n, 3}}, "face 1", std::to_string(n));
@@ -579,7 +583,10 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_in_the_order_documented)
     std::string log;
     void surface_is_irregular(const std::string&) { log += "irregular "; }
     void phase_begins(CGAL::Surface_insertion_phase phase) { log += "PSLUTFD"[int(phase)]; }
-    void round_begins(std::size_t h, std::size_t n) { log += " round " + std::to_string(h) + " of " + std::to_string(n) + ": "; }
+    void round_begins(std::size_t h, std::size_t n)
+    {
+      log += " round " + std::to_string(h) + " of " + std::to_string(n) + ": ";
+    }
     void trace_ends(std::size_t located) { log += " located " + std::to_string(located); }
     bool go_further() { return log += " go ", true; }
   } visitor;
@@ -587,7 +594,8 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_in_the_order_documented)
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   CGAL::insert_surface_points_3(tr, points, Faces{{0, 1}}, CGAL::Tracing_traits_3(),
                                 parameters::visitor(std::ref(visitor)));
-  BOOST_TEST(visitor.log == "irregular PS round 0 of 2:  go LU go LUT located 1 round 1 of 1:  go LUFD");
+  BOOST_TEST(visitor.log ==
+             "irregular PS round 0 of 2:  go LU go LUT located 1 round 1 of 1:  go LUFD");
 }
 
 BOOST_AUTO_TEST_CASE(visitor_by_value)
@@ -595,23 +603,24 @@ BOOST_AUTO_TEST_CASE(visitor_by_value)
   struct Stopping : CGAL::Default_surface_insertion_visitor_3
   {
     std::size_t* insertions;
-    explicit Stopping(std::size_t* n) : insertions(n) {}
+    explicit Stopping(std::size_t* n)
+      : insertions(n)
+    {
+    }
     bool go_further() const { return ++*insertions <= 10; }
   };
   std::size_t insertions = 0;
   Triangulation tr = cube_of_points();
   const std::size_t before = tr.number_of_vertices();
-  const auto gained =
-      CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces,
-                                    parameters::visitor(Stopping(&insertions)));
+  const auto gained = CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces,
+                                                    parameters::visitor(Stopping(&insertions)));
   BOOST_TEST(gained == 10);
   BOOST_TEST(insertions == 11u);
   BOOST_TEST(tr.number_of_vertices() == before + 10);
 
   Triangulation whole;
-  CGAL::insert_surface_points_3(
-      whole, torus().points, torus().surface.faces,
-      parameters::visitor(CGAL::Default_surface_insertion_visitor_3()));
+  CGAL::insert_surface_points_3(whole, torus().points, torus().surface.faces,
+                                parameters::visitor(CGAL::Default_surface_insertion_visitor_3()));
   BOOST_TEST((whole == torus().stock));
 }
 
@@ -654,10 +663,10 @@ BOOST_AUTO_TEST_CASE(exception_of_the_output_iterator)
       throw std::runtime_error("the output throws");
   });
   Triangulation tr;
-  BOOST_CHECK_THROW(CGAL::insert_surface_points_3(
-                        tr, torus().points, torus().surface.faces,
-                        parameters::vertex_to_vertex_output_iterator(throwing)),
-                    std::runtime_error);
+  BOOST_CHECK_THROW(
+      CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces,
+                                    parameters::vertex_to_vertex_output_iterator(throwing)),
+      std::runtime_error);
   BOOST_TEST(written == 100u);
   BOOST_TEST(tr.number_of_vertices() == 0u);
   BOOST_TEST(tr.is_valid());

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -96,11 +97,11 @@ void check_plan()
 
 // Inserts the surface with the given hints, twice: into an empty triangulation and into one that
 // holds half of the points.
-template <class Tr, template <class, class> class Hints>
+template <class Tr, template <class, class> class Hints, class Subgraph = CGAL::Spanning_forest,
+          class Plan = CGAL::Log_star_rounds>
 void insert_twice(const Named_surface& named, unsigned int seed)
 {
-  using Traits = CGAL::Surface_insertion_policies_3<CGAL::Spanning_forest, CGAL::Log_star_rounds,
-                                                    Hints, tests::Open_target>;
+  using Traits = CGAL::Surface_insertion_policies_3<Subgraph, Plan, Hints, tests::Open_target>;
   BOOST_TEST_CONTEXT(named.name << ", seed " << seed)
   {
     const std::vector<Point>& points = named.surface.points;
@@ -186,20 +187,18 @@ BOOST_AUTO_TEST_CASE(plans_are_permutations_with_increasing_rounds)
   check_plan<CGAL::Spatial_sort_order>();
   check_plan<CGAL::Hilbert_sorted_rounds<CGAL::Log_star_rounds>>();
   check_plan<CGAL::Hilbert_sorted_rounds<CGAL::Geometric_rounds>>();
+  check_plan<CGAL::Neighbor_started_rounds<CGAL::Geometric_rounds>>();
 }
 
 BOOST_AUTO_TEST_CASE(seeds_draw_the_order)
 {
   const std::vector<Point> points = surfaces::sphere(500, 0.1).points;
-  BOOST_TEST(
-      (order_by(CGAL::Log_star_rounds(1), points).order !=
-       order_by(CGAL::Log_star_rounds(2), points).order));
-  BOOST_TEST(
-      (order_by(CGAL::Geometric_rounds(1), points).order !=
-       order_by(CGAL::Geometric_rounds(2), points).order));
-  BOOST_TEST(
-      (order_by(CGAL::Spatial_sort_order(1), points).order ==
-       order_by(CGAL::Spatial_sort_order(2), points).order));
+  BOOST_TEST((order_by(CGAL::Log_star_rounds(1), points).order !=
+              order_by(CGAL::Log_star_rounds(2), points).order));
+  BOOST_TEST((order_by(CGAL::Geometric_rounds(1), points).order !=
+              order_by(CGAL::Geometric_rounds(2), points).order));
+  BOOST_TEST((order_by(CGAL::Spatial_sort_order(1), points).order ==
+              order_by(CGAL::Spatial_sort_order(2), points).order));
 }
 
 BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
@@ -220,6 +219,15 @@ BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
                          sorted.order.begin() + std::ptrdiff_t(N_1)));
 }
 
+// A starting point that comes later in the new order would be no start at all.
+BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_drop_starting_places)
+{
+  using Started = CGAL::Neighbor_started_rounds<CGAL::Log_star_rounds>;
+  const std::vector<Point> points = surfaces::sphere(500, 0.1).points;
+  BOOST_TEST(order_by(Started(5), points).starting_places.size() == points.size());
+  BOOST_TEST(order_by(CGAL::Hilbert_sorted_rounds<Started>(5), points).starting_places.empty());
+}
+
 BOOST_AUTO_TEST_CASE(spatial_sort_order_is_that_of_spatial_sort)
 {
   for (const std::size_t n : {5, 100, 5000}) {
@@ -235,12 +243,58 @@ BOOST_AUTO_TEST_CASE(spatial_sort_order_is_that_of_spatial_sort)
   }
 }
 
+// A path 0-1-2-3, a loop, and two points apart; the order is given.
+BOOST_AUTO_TEST_CASE(starting_points_by_hand)
+{
+  struct Given_order
+  {
+    explicit Given_order(unsigned int) {}
+    CGAL::Insertion_order operator()(const std::vector<Point>&, const Kernel&, const Graph&,
+                                     boost::property_map<Graph, boost::vertex_index_t>::const_type)
+        const
+    {
+      return {{4, 1, 3, 2, 5, 0}, {2, 6}, {}};
+    }
+  };
+  Graph graph(6);
+  for (const std::size_t i : {0, 1, 2})
+    add_edge(i, i + 1, graph);
+  add_edge(3, 3, graph);
+  const auto plan = CGAL::Neighbor_started_rounds<Given_order>()(
+      std::vector<Point>(6), Kernel(), graph, get(boost::vertex_index, std::as_const(graph)));
+  BOOST_TEST(plan.order == (Indices{4, 1, 3, 2, 5, 0}), boost::test_tools::per_element());
+  BOOST_TEST(plan.round_ends == (Indices{2, 6}), boost::test_tools::per_element());
+  // 0 after 1; 1 and 3 have no neighbour yet, nor has 5 ever; 2 after 1 and then 3; 4 is the first.
+  BOOST_TEST(plan.starting_points == (Indices{1, 4, 3, 1, 4, 2}), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(planned_starts_are_the_neighbors_inserted_last)
+{
+  using CGAL::Delaunay_from_surface_3::internal::Index_graph;
+  for (const Named_surface& named : small_surfaces())
+    insert_twice<Triangulation, tests::Checking_planned_hints, CGAL::Full_graph,
+                 CGAL::Neighbor_started_rounds<CGAL::Geometric_rounds>>(named, 1);
+  using Hints = tests::Checking_planned_hints<tests::Open_target<Triangulation>, Index_graph>;
+  BOOST_TEST(2 * Hints::number_of_neighbors > Hints::number_of_starts);
+  BOOST_TEST(Hints::number_of_starts > 300u);
+}
+
+// Without starting points in the plan every point starts from the one before it.
+BOOST_AUTO_TEST_CASE(hints_without_a_trace_lead_to_the_same_triangulation)
+{
+  for (const Named_surface& named : small_surfaces()) {
+    insert_twice<Triangulation, CGAL::Planned_hints_3>(named, 1);
+    insert_twice<Triangulation, CGAL::Neighbor_hints_3, CGAL::Full_graph>(named, 1);
+    insert_twice<Triangulation, CGAL::Previous_hint_3>(named, 1);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(spanning_forest_spans_without_cycles)
 {
   Indexed_surface three = surfaces::copies(surfaces::genus_surface(1, 400), 3);
   three.points.resize(three.points.size() + 2, Point(9, 9, 9)); // isolated
   Graph graph = graph_of(three);
-  add_edge(0, 0, graph);                         // a loop
+  add_edge(0, 0, graph);                                 // a loop
   add_edge(three.faces[0][0], three.faces[0][1], graph); // a multiple edge
   const auto index_map = get(boost::vertex_index, graph);
 

@@ -92,13 +92,13 @@ works(ARGS flat.off --compare --stats --output flat.vtu
 write(three_sheets.off OFF "5 3 0" "0 0 0" "0 0 1" "1 0 0" "-1 1 0" "-1 -1 0" "3 0 1 2" "3 0 1 3" "3 0 1 4")
 works(ARGS three_sheets.off --compare --stats
   PRINTS "\nsurface: +polygon soup\n" "\nDelaunay triangles: +3 of 3 " "\nequal: +yes\n"
-  NOTES "note: 0 faces are not triangles, 1 edges have more than two faces\n${soup_note}")
+  NOTES "note: faces that are not triangles: 0, edges with more than two faces: 1\n${soup_note}")
 
 write(polygons.off OFF "5 2 0" "0 0 0" "1 0 0" "1 1 0" "0 1 0" "2 0 1" "4 0 1 2 3" "3 1 4 2")
 works(ARGS polygons.off --compare --stats
   PRINTS "\nsurface: +polygon mesh\n" "\nDelaunay edges: +6 of 6 " "\nDelaunay triangles: +1 of 1 "
          "\npolygons: +1 [(]not counted as triangles[)]\n" "\nequal: +yes\n"
-  NOTES "note: 1 faces are not triangles\n")
+  NOTES "note: faces that are not triangles: 1\n")
 
 # Vertices 1 and 3, 2 and 4 are the same points: two triangles with one edge in common.
 write(seam.off OFF "7 2 0" "0 0 0" "1 0 0" "0 1 0" "1 0 0" "0 1 0" "1 1 0" "0 0 1" "3 0 1 2" "3 3 5 4")

@@ -77,16 +77,15 @@ template <class Tr>
 void check_non_empty_of_all_dimensions()
 {
   const std::vector<Point> on_surface = torus().points;
-  const std::vector<std::vector<Point>> olds = {
-      {},
-      {{5, 5, 5}},
-      {{5, 5, 5}, {6, 6, 6}},
-      {{5, 5, 5}, {6, 6, 6}, {7, 7, 7}},
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}},
-      {on_surface.begin(), on_surface.begin() + 300},
-      on_surface,
-      surfaces::sphere(300, 0.3).points};
+  const std::vector<std::vector<Point>> olds = {{},
+                                                {{5, 5, 5}},
+                                                {{5, 5, 5}, {6, 6, 6}},
+                                                {{5, 5, 5}, {6, 6, 6}, {7, 7, 7}},
+                                                {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
+                                                {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}},
+                                                {on_surface.begin(), on_surface.begin() + 300},
+                                                on_surface,
+                                                surfaces::sphere(300, 0.3).points};
   for (std::size_t k = 0; k < olds.size(); ++k)
     BOOST_TEST_CONTEXT("old points: case " << k)
     {
@@ -109,7 +108,8 @@ void check_kernels()
     const auto source = surfaces::to_mesh<CGAL::Surface_mesh<Point>>(surfaces::terrain(300));
     Mesh mesh;
     for (const auto v : source.vertices()) // by thirds: no double holds them exactly
-      mesh.add_vertex(CGAL::ORIGIN + (to_mesh(source.point(v)) - CGAL::ORIGIN) / typename MeshKernel::FT(3));
+      mesh.add_vertex(CGAL::ORIGIN +
+                      (to_mesh(source.point(v)) - CGAL::ORIGIN) / typename MeshKernel::FT(3));
     for (const auto f : source.faces()) {
       std::vector<typename Mesh::Vertex_index> corners;
       for (const auto v : vertices_around_face(source.halfedge(f), source))
@@ -233,7 +233,8 @@ BOOST_AUTO_TEST_CASE(parallel_tag)
   const Indexed_surface surface = surfaces::genus_surface(1, 4000, 0.05);
   Tr::Lock_data_structure locks(CGAL::Bbox_3(-9, -9, -9, 9, 9, 9), 20);
   const auto middle = surface.points.begin() + 2000;
-  Tr without_locks, with_locks(Epick(), &locks), half(surface.points.begin(), middle, Epick(), &locks);
+  Tr without_locks, with_locks(Epick(), &locks),
+      half(surface.points.begin(), middle, Epick(), &locks);
   const Tr stock(surface.points.begin(), surface.points.end());
   for (Tr* tr : {&without_locks, &with_locks, &half}) {
     const auto lock_structure = tr->get_lock_data_structure();

@@ -42,8 +42,8 @@ Mesh torus(int u, int v)
   for (int i = 0; i < u; ++i)
     for (int j = 0; j < v; ++j) {
       const double a = 6.283185307179586 * i / u, b = 6.283185307179586 * j / v;
-      vertex.push_back(mesh.add_vertex(Point((2 + std::cos(b)) * std::cos(a),
-                                             (2 + std::cos(b)) * std::sin(a), std::sin(b))));
+      vertex.push_back(mesh.add_vertex(
+          Point((2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a), std::sin(b))));
     }
   const auto at = [&](int i, int j) { return vertex[std::size_t(i % u * v + j % v)]; };
   for (int i = 0; i < u; ++i)

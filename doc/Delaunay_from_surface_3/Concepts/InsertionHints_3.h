@@ -3,8 +3,8 @@
 \cgalConcept
 
 An `InsertionHints_3` gives each point the cell from which its location starts
-(\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). It observes the insertions, and it may trace the
-surface through the triangulation at the end of a round.
+(\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). It observes the insertions, and it may trace
+the surface through the triangulation at the end of a round.
 
 A start is a hint: every cell is right, a near one is fast.
 
@@ -13,14 +13,15 @@ a cell does with the next insertion near it, and its memory may then hold anothe
 
 A model is a class template with two parameters: `Target`, a model of `InsertionTarget_3`, and
 `Subgraph`, a model of `boost::AdjacencyGraph` whose vertices are the numbers of the points, of type
-`std::size_t`, and in which every edge of T can be followed in both directions. Points are numbered in the
-order of their insertion, as in the target.
+`std::size_t`, and in which every edge of T can be followed in both directions. Points are numbered
+in the order of their insertion, as in the target.
 
 \cgalRefines{UpdateObserver_3}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Traced_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Neighbor_hints_3<Target\, Subgraph>}
+\cgalHasModels{CGAL::Planned_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Previous_hint_3<Target\, Subgraph>}
 \cgalHasModelsEnd
 
@@ -30,19 +31,23 @@ class InsertionHints_3
 {
 public:
   /*!
-  says, at compile time, whether T is needed. If it is `false`, T is not computed, and the graph that
-  the constructor gets is empty.
+  says, at compile time, whether T is needed. If it is `false`, T is not computed, and the graph
+  that the constructor gets is empty.
   */
   static constexpr bool uses_subgraph = unspecified_value;
 
   /*!
-  makes the hints for one insertion. Both objects outlive this one, so references to them may be kept.
+  makes the hints for one insertion. All three objects outlive this one, so references to them may
+  be kept.
 
   \param target what the points are inserted into; it has no vertices of points yet
-  \param subgraph the graph T on the numbers 0, …, `target.size()`-1 if `uses_subgraph` is `true`, else
-  an empty graph
+  \param subgraph the graph T on the numbers 0, …, `target.size()`-1 if `uses_subgraph` is `true`,
+  else an empty graph
+  \param plan the plan that was made; point i of `target` is the one at place i of its order, so that
+  `starting_places[i]` is the number of a point of `target`
   */
-  InsertionHints_3(const Target& target, const Subgraph& subgraph);
+  InsertionHints_3(const Target& target, const Subgraph& subgraph,
+                   const CGAL::Insertion_order& plan);
 
   /*!
   returns the cell from which the location of point `i` starts (line 2b). It is called once for each
@@ -53,7 +58,8 @@ public:
   Target::Cell start(std::size_t i);
 
   /*!
-  is called after each round but the last, when the last point of the round has been inserted (line 2a).
+  is called after each round but the last, when the last point of the round has been inserted
+  (line 2a).
 
   \return the number of points that were located; 0 if there is no trace
   */

@@ -12,6 +12,7 @@ The triangulation is right for any order. A model has never heard of a cell.
 \cgalHasModels{CGAL::Log_star_rounds}
 \cgalHasModels{CGAL::Geometric_rounds}
 \cgalHasModels{CGAL::Hilbert_sorted_rounds<Plan>}
+\cgalHasModels{CGAL::Neighbor_started_rounds<Plan>}
 \cgalHasModels{CGAL::Spatial_sort_order}
 \cgalHasModelsEnd
 
@@ -25,8 +26,8 @@ public:
   makes the plan from `seed`, which stands for all its random choices: plans with the same seed give
   the same order for the same points. A plan without random choices ignores it.
 
-  Only `CGAL::Surface_insertion_policies_3` asks for this constructor. A traits class of one's own may
-  make its plan in another way.
+  Only `CGAL::Surface_insertion_policies_3` asks for this constructor. A traits class of one's own
+  may make its plan in another way.
   */
   explicit InsertionPlan(unsigned int seed);
 
@@ -46,7 +47,8 @@ public:
   stands for `points[i]`
 
   \post The `order` returned is a permutation of 0, …, n-1. Its `round_ends` increase strictly, and
-  the last is n; there are none if and only if n is 0.
+  the last is n; there are none if and only if n is 0. Its `starting_places` are none, or one
+  for each place, before it.
   */
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   CGAL::Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,

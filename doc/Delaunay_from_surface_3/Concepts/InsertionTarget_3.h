@@ -2,18 +2,18 @@
 \ingroup PkgDelaunayFromSurface3Concepts
 \cgalConcept
 
-An `InsertionTarget_3` is what n points are inserted into. They are numbered 0, …, n-1 in the order of their
-insertion, whatever their numbers in the surface were
-(\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2c). It also locates points by walking, which stands for the
-location structure Q of lines 2a and 2b.
+An `InsertionTarget_3` is what n points are inserted into. They are numbered 0, …, n-1 in the order
+of their insertion, whatever their numbers in the surface were (\cgalCite{choi-dtsm-02}, Fig.\ 1,
+line 2c). It also locates points by walking, which stands for the location structure Q of lines 2a
+and 2b.
 
 A target has never heard of a surface. A model is a class template with one parameter:
 `Triangulation`, a `CGAL::Delaunay_triangulation_3`.
 
-The complete insertion calls, in this order: the constructor; `locate()` and `insert()` for the points 0, …,
-n-1, with locations of points not yet inserted in between; `finish()`; `take_vertices()`. If it is
-stopped, `finish()` is left out. All functions declared `const` may be called at any time before
-`take_vertices()`.
+The complete insertion calls, in this order: the constructor; `locate()` and `insert()` for the
+points 0, …, n-1, with locations of points not yet inserted in between; `finish()`;
+`take_vertices()`. If it is stopped, `finish()` is left out. All functions declared `const` may be
+called at any time before `take_vertices()`.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Triangulation_target_3<Triangulation>}
@@ -28,8 +28,9 @@ public:
   /// @{
 
   /*!
-  a vertex: a model of `DefaultConstructible`, `CopyAssignable` and `EqualityComparable`, with `!=` as well as
-  `==`. `Vertex()` stands for none. A vertex stays valid while points are only inserted.
+  a vertex: a model of `DefaultConstructible`, `CopyAssignable` and `EqualityComparable`, with
+  `!=` as well as `==`. `Vertex()` stands for none. A vertex stays valid while points are only
+  inserted.
   */
   using Vertex = unspecified_type;
 
@@ -39,8 +40,8 @@ public:
   using Cell = unspecified_type;
 
   /*!
-  the place of a point: a model of `CopyConstructible` with a public member `cell` of type `Cell`. An
-  insertion may make it invalid.
+  the place of a point: a model of `CopyConstructible` with a public member `cell` of type
+  `Cell`. An insertion may make it invalid.
   */
   using Location = unspecified_type;
 
@@ -50,8 +51,8 @@ public:
   /// @{
 
   /*!
-  is to insert `points`, in this order, into `tr`, which may have vertices already. Both outlive the target, so
-  references to them may be kept.
+  is to insert `points`, in this order, into `tr`, which may have vertices already. Both outlive
+  the target, so references to them may be kept.
   */
   InsertionTarget_3(Triangulation& tr, const std::vector<Triangulation::Point>& points);
 
@@ -74,7 +75,8 @@ public:
   /// \name Location
   /// @{
 
-  /// returns the place of point `i`, found by a walk from `start`. Point `i` may be inserted or not.
+  /// returns the place of point `i`, found by a walk from `start`. Point `i` may be inserted or
+  /// not.
   Location locate(std::size_t i, Cell start) const;
 
   /*!
@@ -93,8 +95,8 @@ public:
   /// @{
 
   /*!
-  inserts point `i` and tells `observer`: `before_update()` where it applies, and `after_update()` always.
-  A point that is there already gets the vertex that is there.
+  inserts point `i` and tells `observer`: `before_update()` where it applies, and
+  `after_update()` always. A point that is there already gets the vertex that is there.
 
   \tparam Observer a model of `UpdateObserver_3`
   \pre `location` is the place of point `i`, and nothing was inserted since it was found.

@@ -31,8 +31,8 @@ class SurfaceInsertionVisitor_3
 {
 public:
   /*!
-  is called before the first phase if the surface is not a manifold mesh of triangles. This is no error:
-  only the edges are used.
+  is called before the first phase if the surface is not a manifold mesh of triangles. This is
+  no error: only the edges are used.
 
   \param reason what was found, in words: how many faces are not triangles, or how many edges have
   more than two faces

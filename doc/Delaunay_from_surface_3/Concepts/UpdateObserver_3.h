@@ -14,15 +14,15 @@ class UpdateObserver_3
 {
 public:
   /*!
-  says, at compile time, whether `before_update()` is to be called. If it is `false`, the target need
-  not know the conflict zone and may take its fastest way.
+  says, at compile time, whether `before_update()` is to be called. If it is `false`, the target
+  need not know the conflict zone and may take its fastest way.
   */
   static constexpr bool observes_conflict_zone = unspecified_value;
 
   /*!
-  is called before point `i` is inserted, if `observes_conflict_zone` is `true` and the target knows
-  the conflict zone. `CGAL::Triangulation_target_3` knows it in dimension 3, without `Fast_location`,
-  for points that are not there already.
+  is called before point `i` is inserted, if `observes_conflict_zone` is `true` and the target
+  knows the conflict zone. `CGAL::Triangulation_target_3` knows it in dimension 3, without
+  `Fast_location`, for points that are not there already.
 
   \tparam CellIterator an input iterator with the value type `Cell` of the target
   \param i the number of the point

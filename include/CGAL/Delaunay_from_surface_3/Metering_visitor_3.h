@@ -58,8 +58,8 @@ public:
   {
   }
 
-  /// returns what came before the first round (plan and subgraph), and then round by round; `FINISH`
-  /// is in the last.
+  /// returns what came before the first round (plan and subgraph), and then round by round;
+  /// `FINISH` is in the last.
   const std::vector<Round>& rounds() const { return m_rounds; }
 
   /// returns the sum for `phase`, of all rounds and what came before the first.

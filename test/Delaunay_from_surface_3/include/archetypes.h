@@ -151,7 +151,7 @@ public:
   static constexpr bool observes_conflict_zone = false;
   static constexpr bool uses_subgraph = true;
 
-  Hints_archetype(const Target& target, const Subgraph&)
+  Hints_archetype(const Target& target, const Subgraph&, const CGAL::Insertion_order&)
     : m_target(target)
   {
   }

@@ -55,7 +55,8 @@ public:
   template <class Traits>
   void check(unsigned int seed = 0) const
   {
-    BOOST_TEST_CONTEXT(m_named.name << ", seed " << seed << ", " << boost::typeindex::type_id<Traits>().pretty_name())
+    BOOST_TEST_CONTEXT(m_named.name << ", seed " << seed << ", "
+                                    << boost::typeindex::type_id<Traits>().pretty_name())
     {
       Triangulation tr;
       std::vector<std::pair<std::size_t, Vertex_handle>> map;

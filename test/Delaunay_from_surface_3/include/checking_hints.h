@@ -8,6 +8,8 @@
 // Hint policies that check, while the package runs them, what the concepts promise.
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
 
@@ -92,8 +94,9 @@ public:
   static inline std::size_t number_of_starts = 0;
   static inline std::size_t number_of_traced_points = 0;
 
-  Checking_traced_hints(const Target& target, const Subgraph& subgraph)
-    : Base(target, subgraph)
+  Checking_traced_hints(const Target& target, const Subgraph& subgraph,
+                        const CGAL::Insertion_order& plan)
+    : Base(target, subgraph, plan)
     , m_target(target)
   {
   }
@@ -133,6 +136,49 @@ private:
   const Target& m_target;
 };
 
+// For a plan by Neighbor_started_rounds: what is planned must be what the graph tells by then.
+template <class Target, class Subgraph>
+class Checking_planned_hints : public CGAL::Planned_hints_3<Target, Subgraph>
+{
+  using Base = CGAL::Planned_hints_3<Target, Subgraph>;
+
+public:
+  static constexpr bool uses_subgraph = true;
+  static inline std::size_t number_of_neighbors = 0;
+  static inline std::size_t number_of_starts = 0;
+
+  Checking_planned_hints(const Target& target, const Subgraph& subgraph,
+                         const CGAL::Insertion_order& plan)
+    : Base(target, subgraph, plan)
+    , m_target(target)
+    , m_subgraph(subgraph)
+  {
+  }
+
+  typename Target::Cell start(std::size_t i) const
+  {
+    const typename Target::Cell cell = Base::start(i);
+    if (i == 0)
+      return cell;
+    std::size_t expected = i - 1;
+    bool is_neighbor = false;
+    for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u)
+      if (*u < i && (!is_neighbor || *u > expected)) {
+        expected = *u;
+        is_neighbor = true;
+      }
+    BOOST_TEST_REQUIRE((m_target.vertex(expected) != typename Target::Vertex()));
+    BOOST_TEST((cell == m_target.cell(m_target.vertex(expected))));
+    number_of_neighbors += is_neighbor;
+    ++number_of_starts;
+    return cell;
+  }
+
+private:
+  const Target& m_target;
+  const Subgraph& m_subgraph;
+};
+
 // Sees every conflict zone, and compares it with all cells in conflict and all cells destroyed.
 template <class Target, class Subgraph>
 class Zone_checking_hints : public CGAL::Previous_hint_3<Target, Subgraph>
@@ -147,8 +193,9 @@ public:
   static inline std::size_t number_of_updates_in_space = 0;
   static inline std::size_t number_of_updates = 0;
 
-  Zone_checking_hints(const Target& target, const Subgraph& subgraph)
-    : Base(target, subgraph)
+  Zone_checking_hints(const Target& target, const Subgraph& subgraph,
+                      const CGAL::Insertion_order& plan)
+    : Base(target, subgraph, plan)
     , m_target(target)
   {
   }
@@ -172,8 +219,7 @@ public:
     BOOST_TEST(zone.size() == std::size_t(std::distance(first, last)));
     std::size_t in_conflict = 0;
     for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) {
-      const bool conflicts =
-          tr.side_of_sphere(c, m_target.point(i), true) == CGAL::ON_BOUNDED_SIDE;
+      const bool conflicts = tr.side_of_sphere(c, m_target.point(i), true) == CGAL::ON_BOUNDED_SIDE;
       in_conflict += conflicts;
       BOOST_TEST(conflicts == (zone.count(c) == 1));
       if (!conflicts)

@@ -38,7 +38,8 @@ inline std::vector<Named_surface> ordinary_surfaces(std::size_t n)
 {
   std::vector<Named_surface> all;
   for (const std::size_t genus : {0, 1, 2, 3, 5})
-    all.push_back({"genus " + std::to_string(genus), surfaces::genus_surface(genus, n, 0.05, genus)});
+    all.push_back(
+        {"genus " + std::to_string(genus), surfaces::genus_surface(genus, n, 0.05, genus)});
   all.push_back({"noisy sphere", surfaces::sphere(n, 0.01)});
   all.push_back({"terrain with boundary", surfaces::terrain(n)});
   Indexed_surface holed = surfaces::genus_surface(1, n, 0.1, 7);
@@ -54,7 +55,8 @@ inline std::vector<Named_surface> degenerate_surfaces(std::size_t n)
 {
   std::vector<Named_surface> all;
   for (const std::size_t genus : {0, 1, 2, 3})
-    all.push_back({"lattice of genus " + std::to_string(genus), surfaces::lattice_surface(genus, n)});
+    all.push_back(
+        {"lattice of genus " + std::to_string(genus), surfaces::lattice_surface(genus, n)});
   all.push_back({"plate of genus 1", surfaces::plate_surface(1, (std::max)(n, std::size_t(1000)))});
   all.push_back({"thin plate", surfaces::thin_plate(n, 1e-9)});
   all.push_back({"sphere in rings", surfaces::sphere(n)});
@@ -82,8 +84,9 @@ inline std::vector<Named_surface> tiny_and_flat_surfaces()
   Indexed_surface isolated;
   isolated.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {2, 3, 4}};
   all.push_back({"six points in no face", isolated});
-  all.push_back({"tetrahedron", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}}});
+  all.push_back({"tetrahedron",
+                 {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                  {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}}});
   all.push_back({"collinear", surfaces::collinear(50)});
   Indexed_surface line = surfaces::collinear(40);
   surfaces::duplicate_points(line, 20, 1);
@@ -102,7 +105,8 @@ inline std::string path_of_mesh(const std::string& name)
   const std::string path = std::string(DELAUNAY_FROM_SURFACE_3_DATA_DIR) + "/" + name;
   if (std::ifstream(path))
     return path;
-  BOOST_TEST_MESSAGE("skipped: the mesh " << name << " is not in '" DELAUNAY_FROM_SURFACE_3_DATA_DIR "'");
+  BOOST_TEST_MESSAGE("skipped: the mesh " << name
+                                          << " is not in '" DELAUNAY_FROM_SURFACE_3_DATA_DIR "'");
   return "";
 }
 

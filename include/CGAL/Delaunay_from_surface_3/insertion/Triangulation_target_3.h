@@ -98,9 +98,9 @@ public:
   }
 
   /// inserts point `i` where it was just located, and tells `observer` (a model of
-  /// `UpdateObserver_3`). A point that is there already gets the vertex that is there.
-  /// Linear in the number of cells destroyed and created; with `Fast_location` the upper levels come
-  /// on top. After an exception of CGAL's insertion the triangulation may only be cleared or destroyed.
+  /// `UpdateObserver_3`). A point that is there already gets the vertex that is there. Linear in
+  /// the number of cells destroyed and created; with `Fast_location` the upper levels come on top.
+  /// After an exception of CGAL's insertion the triangulation may only be cleared or destroyed.
   template <class Observer>
   void insert(std::size_t i, const Location& location, Observer& observer)
   {

@@ -56,16 +56,6 @@ struct Inserted_points
   bool is_complete;
 };
 
-// The plan of the same insertions once the points are numbered in their order.
-inline Insertion_order renumbered(const Insertion_order& plan,
-                                  const std::vector<std::size_t>& numbers)
-{
-  Insertion_order result = {identity_order(plan.order.size()), plan.round_ends, {}};
-  if (!plan.starting_points.empty())
-    result.starting_points = permuted(numbers, permuted(plan.starting_points, plan.order));
-  return result;
-}
-
 // numbers[i] is the place of points[i] in the order of insertion; `subgraph` joins these numbers.
 // What is inserted one after the other then lies side by side; with the numbers of the mesh nearly
 // every point and record would miss the cache. The vertices come back as `points` came.
@@ -78,10 +68,9 @@ insert_as_planned(Triangulation& tr, const std::vector<typename Triangulation::P
   using Target = typename Traits::template Insertion_target_3<Triangulation>;
   using Hints = typename Traits::template Insertion_hints_3<Target, Graph>;
   const auto s = permuted(points, plan.order);
-  const Insertion_order plan_of_s = renumbered(plan, numbers);
   Target target(tr, s);
-  Hints hints(target, subgraph, plan_of_s);
-  const bool is_complete = insert_in_rounds(plan_of_s.round_ends, target, hints, visitor);
+  Hints hints(target, subgraph, plan);
+  const bool is_complete = insert_in_rounds(plan.round_ends, target, hints, visitor);
   return {permuted(target.take_vertices(), numbers), is_complete};
 }
 

@@ -62,8 +62,8 @@ Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
   Soup_graph soup = {
       Index_graph(boost::edges_are_sorted, edges.begin(), edges.end(), number_of_points), ""};
   if (non_triangles + non_manifold_edges > 0)
-    soup.irregularity = std::to_string(non_triangles) + " faces are not triangles, " +
-                        std::to_string(non_manifold_edges) + " edges have more than two faces";
+    soup.irregularity = "faces that are not triangles: " + std::to_string(non_triangles) +
+                        ", edges with more than two faces: " + std::to_string(non_manifold_edges);
   return soup;
 }
 

@@ -36,7 +36,8 @@ public:
   makes the plan.
 
   \param seed draws the random order
-  \param ratio the size of everything before a round, divided by the size of everything up to its end
+  \param ratio the size of everything before a round, divided by the size of everything up to its
+  end
   \param first_round rounds are cut off until at most so many points are left for the first
 
   \pre 0 < `ratio` < 1

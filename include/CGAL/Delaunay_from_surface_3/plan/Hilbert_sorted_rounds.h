@@ -17,7 +17,8 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Plans
 
 takes the rounds of `Plan` and sorts each along a Hilbert curve. The sets of points that are
-inserted by the end of a round stay the same.
+inserted by the end of a round stay the same. Starting places that `Plan` names are dropped: they
+belong to its order. `Neighbor_started_rounds<Hilbert_sorted_rounds<Plan>>` names others.
 
 The cost of `Plan`, plus O(n log n) expected.
 
@@ -43,6 +44,7 @@ public:
     Insertion_order plan = m_plan(points, gt, graph, index_map);
     Delaunay_from_surface_3::internal::hilbert_sort_rounds(points, gt, plan,
                                                            plan.round_ends.size());
+    plan.starting_places.clear(); // they came before their points in an order that is gone
     return plan;
   }
 

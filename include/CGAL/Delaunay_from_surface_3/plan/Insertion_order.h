@@ -27,9 +27,9 @@ struct Insertion_order
   /// strictly increasing; the last is n. Empty if and only if n is 0.
   std::vector<std::size_t> round_ends;
 
-  /// for every point a point that comes before it in `order` and is near, where its insertion may
-  /// start; for `order[0]` itself. Empty if the plan knows none.
-  std::vector<std::size_t> starting_points;
+  /// for every `k > 0` a `starting_places[k] < k`: the insertion of the point `order[k]` may start at
+  /// the point `order[starting_places[k]]`, which is near. Empty if the plan knows of none.
+  std::vector<std::size_t> starting_places;
 };
 
 } // namespace CGAL

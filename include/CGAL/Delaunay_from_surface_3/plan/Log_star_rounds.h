@@ -19,10 +19,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-is the plan of the paper (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1): a uniformly random order, and rounds
-that end at N_h = ⌈n / log⁽ʰ⁾ n⌉ (log to base 2, iterated h times) for h = 1, …, log* n, and at n.
-Here log* n is the largest h with log⁽ʰ⁾ n ≥ 1. Where two round ends coincide, or one is not less
-than n, the empty round is dropped.
+is the plan of the paper (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1): a uniformly random order, and
+rounds that end at N_h = ⌈n / log⁽ʰ⁾ n⌉ (log to base 2, iterated h times) for h = 1, …, log* n, and
+at n. Here log* n is the largest h with log⁽ʰ⁾ n ≥ 1. Where two round ends coincide, or one is not
+less than n, the empty round is dropped.
 
 The first round has no trace before it to start from. While points are located by walking it follows
 a Hilbert order instead of the random one: the set of its points is random all the same, and only

@@ -20,14 +20,14 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-takes the order of `Plan` and names for every point a starting point: the neighbour in the graph
+takes the order of `Plan` and names for every point a starting place: the neighbour in the graph
 that was inserted last before it, or, if none was, the point inserted just before. In a coherent
 order that neighbour is near, and what is known of it is still in the cache. To be used with
 `Planned_hints_3`.
 
-The cost of `Plan` + O(n + m) for m edges.
+The cost of `Plan`, plus O(n + m) for m edges.
 
-\tparam Plan a model of `InsertionPlan`
+\tparam Plan a model of `InsertionPlan`, constructible from a seed
 
 \cgalModels{InsertionPlan}
 */
@@ -41,7 +41,7 @@ public:
   {
   }
 
-  /// returns order, rounds and starting points of `points`.
+  /// returns order, rounds and starting places of `points`.
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
                              const Graph& graph, VertexIndexMap index_map) const
@@ -50,8 +50,9 @@ public:
     Insertion_order plan = m_plan(points, gt, graph, index_map);
     const std::vector<std::size_t> place = inverse(plan.order);
 
-    // For k > 0, start[k] = 1 + the last place < k that holds a neighbour of order[k], or 0.
-    std::vector<std::size_t> start(points.size(), 0);
+    // First 1 + the last place before k that holds a neighbour of order[k], or 0 if there is none.
+    std::vector<std::size_t>& start = plan.starting_places;
+    start.assign(points.size(), 0);
     for (auto [e, end] = edges(graph); e != end; ++e) {
       const std::size_t s = place[std::size_t(get(index_map, source(*e, graph)))];
       const std::size_t t = place[std::size_t(get(index_map, target(*e, graph)))];
@@ -59,12 +60,8 @@ public:
       if (s != t)
         latest = (std::max)(latest, (std::min)(s, t) + 1);
     }
-
-    plan.starting_points.resize(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const std::size_t before = k == 0 ? 0 : k - 1;
-      plan.starting_points[plan.order[k]] = plan.order[start[k] == 0 ? before : start[k] - 1];
-    }
+    for (std::size_t k = 1; k < start.size(); ++k)
+      start[k] = (start[k] == 0 ? k : start[k]) - 1;
     return plan;
   }
 

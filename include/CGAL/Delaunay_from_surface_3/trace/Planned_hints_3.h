@@ -5,14 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H
 
-// Beyond the paper: the plan already knows where a point starts. Surface_net_rounds inserts a net
-// before the points between its vertices, and each of these belongs to a net vertex that is its
-// neighbour in the graph of the level.
+// Beyond the paper: the plan already knows where a point starts, so that nothing need be searched or
+// stored while points are inserted.
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 
@@ -20,7 +20,7 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion from a cell of the point that the plan names in
-`Insertion_order::starting_points`; if the plan names none, from a cell of the vertex inserted last.
+`Insertion_order::starting_places`; if the plan names none, from a cell of the vertex inserted last.
 
 O(1) per point. No trace, no subgraph, no memory of its own.
 
@@ -41,16 +41,15 @@ public:
   /// keeps references to `target` and `plan`.
   Planned_hints_3(const Target& target, const Subgraph&, const Insertion_order& plan)
     : m_target(target)
-    , m_plan(plan)
+    , m_places(plan.starting_places)
   {
   }
 
-  /// returns a cell of the planned starting point of point `i`, or of the vertex inserted last.
+  /// returns a cell of the starting point that the plan names for point `i`, or of the vertex inserted
+  /// last.
   typename Target::Cell start(std::size_t i) const
   {
-    const Vertex planned =
-        m_plan.starting_points.empty() ? Vertex() : m_target.vertex(m_plan.starting_points[i]);
-    return m_target.cell(planned == Vertex() ? m_previous : planned);
+    return m_target.cell(i == 0 || m_places.empty() ? m_previous : m_target.vertex(m_places[i]));
   }
 
   /// remembers `v`.
@@ -61,7 +60,7 @@ public:
 
 private:
   const Target& m_target;
-  const Insertion_order& m_plan;
+  const std::vector<std::size_t>& m_places;
   Vertex m_previous = {};
 };
 
