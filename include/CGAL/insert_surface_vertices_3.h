@@ -34,6 +34,17 @@ std::string irregularity_of_mesh(const FaceGraph& mesh)
   return non_triangles == 0 ? "" : "faces that are not triangles: " + std::to_string(non_triangles);
 }
 
+// CGAL's helper is asked only where no map is given: its assertion wants one without gaps.
+template <class FaceGraph, class NamedParameters>
+auto vertex_index_map_of_mesh(const FaceGraph& mesh, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::vertex_index_t>::value)
+    return get_initialized_vertex_index_map(mesh);
+  else
+    return parameters::get_parameter(np, internal_np::vertex_index);
+}
+
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 
@@ -129,7 +140,7 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
 
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           get_const_property_map(vertex_point, mesh));
-  const auto sparse_map = get_initialized_vertex_index_map(mesh, np);
+  const auto sparse_map = vertex_index_map_of_mesh(mesh, np);
 
   const std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> descriptors(
       vertices(mesh).begin(), vertices(mesh).end());

@@ -534,6 +534,18 @@ BOOST_AUTO_TEST_CASE(index_maps_that_are_no_bijection_are_refused)
   check(std::uint32_t(-1), {"vertex 9", "index"});
 }
 
+// A mesh numbers its vertices with gaps where some were removed.
+BOOST_AUTO_TEST_CASE(mesh_with_removed_vertices_as_graph_is_refused_without_an_index_map)
+{
+  Mesh mesh = surfaces::to_mesh<Mesh>(torus().surface);
+  CGAL::Euler::remove_center_vertex(mesh.halfedge(Mesh::Vertex_index(3)), mesh);
+  std::vector<Point> points;
+  for (const auto v : mesh.vertices())
+    points.push_back(mesh.point(v));
+  check_refused_input(
+      {"index"}, [&](Triangulation& tr) { CGAL::insert_points_along_graph_3(tr, points, mesh); });
+}
+
 BOOST_AUTO_TEST_CASE(index_maps_of_meshes_that_are_not_one_to_one_are_refused)
 {
   const Mesh mesh = surfaces::to_mesh<Mesh>(torus().surface);
@@ -670,6 +682,31 @@ BOOST_AUTO_TEST_CASE(exception_of_the_output_iterator)
   BOOST_TEST(written == 100u);
   BOOST_TEST(tr.number_of_vertices() == 0u);
   BOOST_TEST(tr.is_valid());
+}
+
+BOOST_AUTO_TEST_CASE(triangulation_that_was_cleared)
+{
+  Triangulation tr = cube_of_points();
+  tr.clear();
+  CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces);
+  BOOST_TEST((tr == torus().stock));
+  tr.clear();
+  BOOST_TEST(CGAL::insert_surface_points_3(tr, std::vector<Point>(), Faces()) == 0);
+  BOOST_TEST((tr == Triangulation()));
+  BOOST_TEST(tr.is_valid());
+}
+
+// The second insertion finds every point there, and gains nothing.
+BOOST_AUTO_TEST_CASE(surface_inserted_twice)
+{
+  Triangulation tr;
+  Index_map first, second;
+  for (Index_map* map : {&first, &second})
+    CGAL::insert_surface_points_3(
+        tr, torus().points, torus().surface.faces,
+        parameters::vertex_to_vertex_output_iterator(std::back_inserter(*map)));
+  BOOST_TEST((tr == torus().stock));
+  BOOST_TEST((first == second));
 }
 
 BOOST_AUTO_TEST_CASE(duplicates_share_a_vertex)

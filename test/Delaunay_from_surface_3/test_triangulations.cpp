@@ -24,6 +24,8 @@
 
 #include <cstddef>
 #include <iterator>
+#include <limits>
+#include <stdexcept>
 #include <vector>
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -271,6 +273,31 @@ BOOST_AUTO_TEST_CASE(kernels_that_differ)
   check_kernels<CGAL::Simple_cartesian<CGAL::Exact_rational>, Epeck>();
 }
 
+BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_with_exact_kernels)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<std::vector<std::size_t>> no_faces;
+  for (const double x : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    CGAL::Delaunay_triangulation_3<Epeck> tr;
+    BOOST_CHECK_THROW(
+        insert_surface_points_3(tr, std::vector<Point>{{0, 0, 0}, {1, x, 0}}, no_faces),
+        CGAL::Surface_input_error);
+    BOOST_TEST(tr.number_of_vertices() == 0u);
+  }
+
+  // Larger than any double: good for an exact triangulation, refused by the other.
+  const Epeck::FT huge = Epeck::FT(1e200) * Epeck::FT(1e200);
+  const std::vector<Epeck::Point_3> points = {{0, 0, 0},     {huge, 0, 0}, {0, huge, 0},
+                                              {0, 0, -huge}, {1, 2, 3},    {huge, 1, 1}};
+  const CGAL::Delaunay_triangulation_3<Epeck> stock(points.begin(), points.end());
+  CGAL::Delaunay_triangulation_3<Epeck> exact;
+  Triangulation inexact;
+  insert_surface_points_3(exact, points, no_faces);
+  BOOST_TEST((exact == stock));
+  BOOST_CHECK_THROW(insert_surface_points_3(inexact, points, no_faces), CGAL::Surface_input_error);
+  BOOST_TEST(inexact.number_of_vertices() == 0u);
+}
+
 // A class such as Alpha_shape_3: it is served as the triangulation it is derived from, and its own
 // members are left alone.
 BOOST_AUTO_TEST_CASE(class_derived_from_a_triangulation)
@@ -319,6 +346,36 @@ BOOST_AUTO_TEST_CASE(stock_order_is_stock_insertion_by_insertion)
       BOOST_TEST(a.in_sphere == b.in_sphere);
       BOOST_TEST(a.other == b.other);
     }
+}
+
+BOOST_AUTO_TEST_CASE(stock_order_is_stock_in_a_triangulation_with_points)
+{
+  using Tr = CGAL::Delaunay_triangulation_3<tests::Recording_kernel>;
+  const auto& [points, faces] = torus();
+  const std::vector<Point> old_points = surfaces::sphere(200, 0.3).points;
+  Tr stock, tr;
+  stock.insert(old_points.begin(), old_points.end());
+  stock.insert(points.begin(), points.end());
+  tr.insert(old_points.begin(), old_points.end());
+  insert_surface_points_3(tr, points, faces, CGAL::Stock_order_traits_3());
+  BOOST_TEST((stock.geom_traits().calls() == tr.geom_traits().calls()));
+}
+
+BOOST_AUTO_TEST_CASE(exception_of_a_predicate_leaves_an_empty_triangulation_alone)
+{
+  using Tr = CGAL::Delaunay_triangulation_3<tests::Recording_kernel>;
+  const auto& [points, faces] = torus();
+  for (const std::size_t call : {0, 1, 10, 1000, 20000}) {
+    Tr tr;
+    const auto infinite = tr.infinite_vertex();
+    tr.geom_traits().fail_at_call(call);
+    BOOST_CHECK_THROW(insert_surface_points_3(tr, points, faces), std::runtime_error);
+    BOOST_TEST(tr.number_of_vertices() == 0u);
+    BOOST_TEST((tr.infinite_vertex() == infinite));
+    tr.geom_traits().fail_at_call(std::size_t(-1));
+    insert_surface_points_3(tr, points, faces);
+    BOOST_TEST((tr == Tr(points.begin(), points.end())));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_seed_determines_everything)

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(soup_graph_and_refusal)
   const Triangulation stock(points.begin(), points.end());
   Triangulation from_soup, along_graph, along_mesh;
   const std::vector<std::array<int, 3>> faces = {{0, 1, 2}, {2, 1, 3}};
-  CGAL::insert_surface_points_3(from_soup, points, faces);
+  CGAL::insert_surface_points_3(from_soup, points, faces, parameters::random_seed(3));
   CGAL::insert_points_along_graph_3(
       along_graph, points,
       boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>(points.size()));

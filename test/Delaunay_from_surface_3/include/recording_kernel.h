@@ -11,15 +11,22 @@
 
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace tests {
 
 // A user's traits class: it writes down every call of the two predicates that decide an insertion,
-// with the points, in one vector that all copies share.
+// with the points, in one record that all copies share. It can be told to fail at a call.
 class Recording_kernel : public CGAL::Exact_predicates_inexact_constructions_kernel
 {
   using Base = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+  struct Record
+  {
+    std::vector<std::size_t> calls;
+    std::size_t fails_at = std::size_t(-1);
+  };
 
   template <class Predicate>
   struct Recording
@@ -29,7 +36,9 @@ class Recording_kernel : public CGAL::Exact_predicates_inexact_constructions_ker
     {
       std::size_t call = sizeof(Predicate) + sizeof...(points);
       (add(call, points), ...);
-      calls->push_back(call);
+      if (record->calls.size() == record->fails_at)
+        throw std::runtime_error("a predicate fails");
+      record->calls.push_back(call);
       return predicate(points...);
     }
 
@@ -41,7 +50,7 @@ class Recording_kernel : public CGAL::Exact_predicates_inexact_constructions_ker
     }
 
     Predicate predicate;
-    std::vector<std::size_t>* calls;
+    Record* record;
   };
 
 public:
@@ -50,17 +59,18 @@ public:
 
   Orientation_3 orientation_3_object() const
   {
-    return {Base::orientation_3_object(), m_calls.get()};
+    return {Base::orientation_3_object(), m_record.get()};
   }
   Side_of_oriented_sphere_3 side_of_oriented_sphere_3_object() const
   {
-    return {Base::side_of_oriented_sphere_3_object(), m_calls.get()};
+    return {Base::side_of_oriented_sphere_3_object(), m_record.get()};
   }
 
-  const std::vector<std::size_t>& calls() const { return *m_calls; }
+  const std::vector<std::size_t>& calls() const { return m_record->calls; }
+  void fail_at_call(std::size_t number) const { m_record->fails_at = number; }
 
 private:
-  std::shared_ptr<std::vector<std::size_t>> m_calls = std::make_shared<std::vector<std::size_t>>();
+  std::shared_ptr<Record> m_record = std::make_shared<Record>();
 };
 
 } // namespace tests
