@@ -260,12 +260,35 @@ def draw_phases(reports, surfaces, file_name):
     svg.write(file_name, LEFT + COLUMNS * (PANEL_WIDTH + GAP_X), y + 6)
 
 
+def print_tables(surfaces):
+    """The ratios and the cells entered at every size, as the tables of the manual."""
+    methods = [m for m in used_methods(surfaces) if m != "stock"]
+    print("| surface | points | stock, CPU s | " + " | ".join(methods) + " |")
+    print("|---|--:|--:|" + "--:|" * len(methods))
+    for surface, by_size in surfaces.items():
+        for n, result in by_size.items():
+            ratios = [f'{method_of(result, m)["ratio_stock_to_method"]:.2f}' if method_of(result, m) else "–"
+                      for m in methods]
+            print(f'| {surface} | {size_name(n)} | {method_of(result, "stock")["median_cpu"]:.3f} | '
+                  + " | ".join(ratios) + " |")
+    print("\n| surface | points | " + " | ".join(methods) + " |")
+    print("|---|--:|" + "--:|" * len(methods))
+    for surface, by_size in surfaces.items():
+        for n, result in by_size.items():
+            cells = [f"{cells_entered(method_of(result, m)):.1f}" if method_of(result, m) else "–" for m in methods]
+            print(f"| {surface} | {size_name(n)} | " + " | ".join(cells) + " |")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="+", metavar="JSON", help="what compare_with_stock wrote")
     parser.add_argument("--output-dir", default=".", metavar="FOLDER", help="where the SVG files go")
+    parser.add_argument("--tables", action="store_true", help="print tables, draw nothing")
     arguments = parser.parse_args()
     reports, surfaces = read(arguments.files)
+    if arguments.tables:
+        print_tables(surfaces)
+        return
     for name, draw in (("ratio", draw_ratio), ("phases", draw_phases), ("cells", draw_cells)):
         draw(reports, surfaces, os.path.join(arguments.output_dir, f"performance_{name}.svg"))
 
