@@ -4,7 +4,8 @@
 //
 // The composition: from a rotation system to marks on the darts of a subgraph of bounded degree.
 //
-//     1. try the surface as one sphere or one disc: open a face, peel; reaching every vertex proves it connected
+//     1. try the surface as one sphere or one disc, if its counts are such: peel from one opened face, or from the one
+//        boundary loop; what is reached hangs together, so reaching every vertex proves the counts to be one component's
 //     2. else: search the triangles, prune to the cut graph, open along it, open a face of every sphere, peel
 //     3. for a tree: drop the cycles
 //
@@ -75,7 +76,7 @@ public:
 private:
   bool peel_as_one_piece()
   {
-    if (!m_count.is_sphere() && !m_count.is_disc())
+    if (!m_count.is_sphere() && !(m_count.is_disc() && boundary_is_one_loop()))
       return false;
     start();
     for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
@@ -84,6 +85,22 @@ private:
     if (m_count.is_sphere())
       open_face(first_vertex_with_edges());
     return peel() == 0;
+  }
+
+  bool boundary_is_one_loop() const
+  {
+    const std::vector<bool>& on_boundary = m_surface.on_boundary;
+    const Index first = static_cast<Index>(
+      std::find(on_boundary.begin(), on_boundary.end(), true) - on_boundary.begin());
+    std::size_t length = 0;
+    Index previous = first;
+    for (Index v = first; length == 0 || v != first; ++length) {
+      const Star<Index> star = m_surface.star(v);
+      const Index next = length > 0 && star[0] == previous ? star[star.size() - 1] : star[0];
+      previous = v;
+      v = next;
+    }
+    return length == m_count.boundary_vertices;
   }
 
   void cut_and_peel(Cut_candidate<Index> cut)

@@ -69,18 +69,19 @@ public:
     Check_triangles<Index>{surface}();
   }
 
-  // Writes the edge of every marked dart.
-  template <class Index, class OutputIterator>
-  OutputIterator
-  write(const Rotation_system<Index>& surface, const Dart_marks& marks, OutputIterator out) const
+  // Calls function(dart, edge) for every marked dart.
+  template <class Index, class Function>
+  void for_each_marked(const Rotation_system<Index>& surface, const Dart_marks& marks,
+                       const Function& function) const
   {
     for_each_vertex([&](Vertex v, std::size_t i) {
-      std::size_t dart = surface.first[i];
-      for (const auto& e : get(m_embedding, v))
-        if (marks[dart++])
-          *out++ = e;
+      Index dart = surface.first[i];
+      for (const auto& e : get(m_embedding, v)) {
+        if (marks[dart])
+          function(dart, e);
+        ++dart;
+      }
     });
-    return out;
   }
 
 private:

@@ -36,8 +36,8 @@ struct Euler_count
     return std::ptrdiff_t(vertices) - std::ptrdiff_t(darts / 2) + std::ptrdiff_t(corners / 3);
   }
 
-  // For a connected surface:
-  bool is_sphere() const { return characteristic() == 2; }
+  // What a connected surface with these counts is; a disc has one boundary loop.
+  bool is_sphere() const { return characteristic() == 2 && boundary_vertices == 0; }
   bool is_disc() const { return characteristic() == 1 && boundary_vertices > 0; }
 };
 

@@ -49,10 +49,10 @@ public:
     read_stars(surface);
   }
 
-  // Writes the edge of every marked dart.
-  template <class Index, class OutputIterator>
-  OutputIterator
-  write(const Rotation_system<Index>& surface, const Dart_marks& marks, OutputIterator out) const
+  // Calls function(dart, edge) for every marked dart.
+  template <class Index, class Function>
+  void for_each_marked(const Rotation_system<Index>& surface, const Dart_marks& marks,
+                       const Function& function) const
   {
     for (Vertex v : vertices(m_graph)) {
       const Index i = static_cast<Index>(get(m_index, v));
@@ -64,9 +64,8 @@ public:
       Halfedge h = surface.on_boundary[i] ? first_after_border(v) : halfedge(v, m_graph);
       for (; dart != end; ++dart, h = opposite(next(h, m_graph), m_graph))
         if (marks[dart])
-          *out++ = edge(h, m_graph);
+          function(dart, edge(h, m_graph));
     }
-    return out;
   }
 
 private:

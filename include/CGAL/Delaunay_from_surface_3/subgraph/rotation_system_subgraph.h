@@ -13,7 +13,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDelaunayFromSurface3Subgraph
+\ingroup PkgDelaunayFromSurface3Subgraphs
 
 writes the edges of a spanning subgraph of bounded degree of a triangulated surface that is given as a graph with the
 cyclic order of the edges around every vertex. Each component of the surface may be closed or have boundary, and be orientable or not.
@@ -67,7 +67,7 @@ bounded_degree_spanning_subgraph(const Graph& graph, Embedding embedding, EdgeOu
 }
 
 /*!
-\ingroup PkgDelaunayFromSurface3Subgraph
+\ingroup PkgDelaunayFromSurface3Subgraphs
 
 writes a spanning tree of `bounded_degree_spanning_subgraph()`, one per component: its cycles are dropped at the heaviest vertices.
 
@@ -91,7 +91,7 @@ bounded_degree_spanning_tree(const Graph& graph, Embedding embedding, EdgeOutput
 }
 
 /*!
-\ingroup PkgDelaunayFromSurface3Subgraph
+\ingroup PkgDelaunayFromSurface3Subgraphs
 
 writes the edges of a cut graph: removed from the surface, together with the boundary, they leave one open disc per
 component. No vertex that is not on the boundary has exactly one of them. On a sphere or disc nothing is written;

@@ -2,33 +2,26 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every public form comes down to: read, mark darts, write edges. A reader (Halfedge_graph_reader,
-// Embedding_reader) turns one kind of graph into a rotation system and marked darts back into its edges.
-// Indices have 32 bits wherever the number of edges allows.
+// What every public form comes down to: read, mark darts, write edges.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_WRITE_BOUNDED_DEGREE_SUBGRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_WRITE_BOUNDED_DEGREE_SUBGRAPH_H
 
 #include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_marks.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/with_rotation_system.h>
 
-#include <cstdint>
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Calls function(Rotation_system<Index>&) with the index type that fits.
-template <class Reader, class Function>
-auto with_rotation_system(const Reader& reader, const Function& function)
+template <class Reader, class Index, class OutputIterator>
+OutputIterator write_marked(const Reader& reader, const Rotation_system<Index>& surface,
+                            const Dart_marks& marks, OutputIterator out)
 {
-  if (reader.number_of_darts() < (std::size_t(1) << 31)) {
-    Rotation_system<std::uint32_t> surface;
-    reader.read(surface);
-    return function(surface);
-  }
-  Rotation_system<std::uint64_t> surface;
-  reader.read(surface);
-  return function(surface);
+  reader.for_each_marked(surface, marks, [&](Index, const auto& edge) { *out++ = edge; });
+  return out;
 }
 
 template <class Reader, class OutputIterator>
@@ -37,7 +30,7 @@ write_bounded_degree_subgraph(const Reader& reader, Subgraph_kind kind, OutputIt
 {
   return with_rotation_system(reader, [&](auto& surface) {
     using Index = typename std::decay_t<decltype(surface)>::Index;
-    return reader.write(surface, Bounded_degree_marks<Index>(surface, kind)(), out);
+    return write_marked(reader, surface, Bounded_degree_marks<Index>(surface, kind)(), out);
   });
 }
 
@@ -56,7 +49,7 @@ OutputIterator write_cut_graph(const Reader& reader, OutputIterator out)
           cut.marks[dart] = false;
       }
     }
-    return reader.write(surface, cut.marks, out);
+    return write_marked(reader, surface, cut.marks, out);
   });
 }
 
