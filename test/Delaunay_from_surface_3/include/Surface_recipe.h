@@ -65,7 +65,11 @@ inline Triangle_list cook(const Surface_recipe& recipe)
   Triangle_list s = one_component(recipe, random);
   for (int i = 0; i < recipe.field[Surface_recipe::COPIES]; ++i) {
     Surface_recipe other = recipe;
-    other.field[Surface_recipe::SHAPE] = (recipe.field[Surface_recipe::SHAPE] + i + 1) % 9;
+    const bool is_orientable = recipe.field[Surface_recipe::CROSS_CAPS] == 0 && recipe.field[Surface_recipe::SHAPE] / 2 != 3;
+    int& shape = other.field[Surface_recipe::SHAPE];
+    shape = (shape + i + 1) % 9;
+    if (is_orientable && (shape == 6 || shape == 7)) // these two are not
+      shape = 8;
     other.field[Surface_recipe::HANDLES] /= i + 2;
     s = disjoint_union(s, one_component(other, random));
   }
