@@ -50,7 +50,7 @@ have such), and no vertex is pinched. Isolated vertices are allowed.
 
 Complexity: linear time, without recursion, and at most about 40 bytes of memory per vertex besides `g`.
 
-The algorithm is that of \cgalCite{cgal:c-dtsm-02}, Section 3.2, with the corrections given in the user manual.
+The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given in the user manual.
 */
 template <class HalfedgeGraph, class EdgeOutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

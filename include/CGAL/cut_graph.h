@@ -40,7 +40,7 @@ EdgeOutputIterator cut_graph(const HalfedgeGraph& g, EdgeOutputIterator out,
 writes a system of loops of a closed triangulated surface: on every component of genus \f$g\f$, \f$2g\f$ closed walks through one
 base vertex such that the surface without them is an open disc.
 
-This is the kind of cut that \cgalCite{cgal:c-dtsm-02} uses; it is here for comparison. Each loop follows a breadth-first tree from the base
+This is the kind of cut that \cgalCite{choi-dtsm-02} uses; it is here for comparison. Each loop follows a breadth-first tree from the base
 vertex, crosses over one edge and follows the tree back; loops share the parts of the tree that lie near the base.
 
 \tparam LoopOutputIterator a model of `OutputIterator` that holds `std::vector<boost::graph_traits<HalfedgeGraph>::%edge_descriptor>`:

@@ -78,10 +78,7 @@ private:
       m_next_front.clear();
       for (Index v : m_front) {
         count.add(m_surface, v);
-        if (m_surface.on_boundary[v])
-          take_boundary_vertex(v, v == root);
-        else
-          take_inner_vertex(v, v == root);
+        take(v, v == root);
         m_is_taken[v] = true;
       }
       m_front.swap(m_next_front);
@@ -90,60 +87,36 @@ private:
       m_candidate.spheres.push_back(root);
   }
 
-  // Corner i of v is the triangle v, star[i], star[i+1].
-  void take_inner_vertex(Index v, bool is_root)
+  // Corner i of v is the triangle v, star[i], star[i+1]; edge i leads into it from corner i-1.
+  void take(Index v, bool is_root)
   {
     const Star<Index> star = m_surface.star(v);
     const Index degree = star.size();
-    const Index start = is_root ? 0 : find_taken(star);
-    bool was_taken = m_is_taken[star[start]];
-    // Walk once around; at each step `i` is the edge that leads from the triangle before it into corner i.
-    for (Index step = 0, i = start; step < degree; ++step) {
-      const Index following = i + 1 < degree ? i + 1 : 0;
-      const bool is_taken = was_taken;
-      was_taken = m_is_taken[star[following]];
-      const bool is_met = is_taken || was_taken || (is_root && step == 0);
-      if (is_met && !is_taken)
-        leave(v, star, i);
-      see(star[i]);
-      i = following;
+    const bool is_open = m_surface.on_boundary[v];
+    const auto at = [degree](Index i) { return i < degree ? i : i - degree; };
+    const auto is_met = [&](Index i) { return m_is_taken[star[i]] || m_is_taken[star[at(i + 1)]]; };
+    Index start = 0; // a triangle that has been met; at the root the first one counts as such
+    while (!is_root && !is_met(start))
+      ++start;
+    // From there on, edges `begin` .. i lead over the triangles that had not been met between two that had.
+    Index begin = start + 1;
+    for (Index i = begin; i < (is_open ? degree - 1 : start + degree + 1); ++i)
+      if (i == start + degree || is_met(at(i))) {
+        leave(v, star, at(begin + (i - begin) / 2));
+        begin = i + 1;
+      }
+    if (is_open) {
+      leave(v, star, 0);
+      leave(v, star, degree - 1);
     }
-  }
-
-  void take_boundary_vertex(Index v, bool is_root)
-  {
-    const Star<Index> star = m_surface.star(v);
-    const Index corners = star.size() - 1;
-    Index start = is_root ? 0 : find_taken(star);
-    if (start == corners)
-      --start;
-    for (Index i = start + 1; i < corners; ++i) // forwards, edge i leads into corner i
-      leave_if_met(v, star, i, i);
-    for (Index i = start; i > 0; --i) // backwards, edge i leads into corner i-1
-      leave_if_met(v, star, i, i - 1);
-    for (Index end : {Index(0), corners})
-      if (!m_is_taken[star[end]])
-        leave(v, star, end);
     for (Index u : star)
       see(u);
   }
 
-  void leave_if_met(Index v, const Star<Index>& star, Index edge, Index corner)
-  {
-    if (!m_is_taken[star[edge]] && (m_is_taken[star[corner]] || m_is_taken[star[corner + 1]]))
-      leave(v, star, edge);
-  }
-
-  Index find_taken(const Star<Index>& star) const
-  {
-    Index i = 0;
-    while (!m_is_taken[star[i]])
-      ++i;
-    return i;
-  }
-
   void leave(Index v, const Star<Index>& star, Index i)
   {
+    if (m_is_taken[star[i]])
+      return; // settled when that end was taken
     m_candidate.add_edge(v, star[i]);
     m_candidate.marks[m_surface.first[v] + i] = true;
   }

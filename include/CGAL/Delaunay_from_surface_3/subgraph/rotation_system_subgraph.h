@@ -49,7 +49,7 @@ Complexity: linear time (for the check of the lists: the sum over the edges of t
 genus). At most about 40 bytes of memory per vertex. Edges are not paired and need no index: in a
 simple graph two ends name the edge, and where the surface is cut its edges are paired by bucket, in time linear in the cut.
 
-The algorithm is that of \cgalCite{cgal:c-dtsm-02}, Section 3.2, with the corrections given in the user manual.
+The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given in the user manual.
 */
 template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
           class EdgeIsBoundaryMap>
