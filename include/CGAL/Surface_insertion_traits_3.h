@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
@@ -78,7 +79,7 @@ not claimed for the walk.
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Tracing_traits_3
-  : Surface_insertion_policies_3<Spanning_forest, Log_star_rounds, Traced_hints_3>
+  : Surface_insertion_policies_3<Bounded_degree_subgraph, Log_star_rounds, Traced_hints_3>
 {
 };
 

@@ -35,7 +35,8 @@ public:
   \throws Surface_input_error that names a vertex or an edge, if `graph` is not a simple triangulated surface. Nothing has been
   written then.
   */
-  template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator,
+            class = typename boost::graph_traits<Graph>::halfedge_descriptor>
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
                                 EdgeOutputIterator out) const
   {
@@ -59,7 +60,8 @@ class Bounded_degree_tree
 {
 public:
   /// writes edges of `graph` that are a spanning tree of every component. As `Bounded_degree_subgraph::operator()()`.
-  template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator,
+            class = typename boost::graph_traits<Graph>::halfedge_descriptor>
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
                                 EdgeOutputIterator out) const
   {

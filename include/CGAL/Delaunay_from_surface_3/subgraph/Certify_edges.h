@@ -8,11 +8,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_CERTIFY_EDGES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_CERTIFY_EDGES_H
 
+#include <CGAL/Delaunay_from_surface_3/subgraph/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_topology.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -69,32 +69,17 @@ class Component_count
 {
 public:
   explicit Component_count(std::size_t n)
-    : m_rank(n)
-    , m_parent(n)
-    , m_sets(m_rank.data(), m_parent.data())
+    : m_sets(n)
     , m_count(n)
   {
-    for (std::size_t v = 0; v < n; ++v)
-      m_sets.make_set(v);
   }
-  Component_count(const Component_count&) = delete;
-  Component_count& operator=(const Component_count&) = delete;
 
-  void join(std::size_t v, std::size_t w)
-  {
-    const std::size_t a = m_sets.find_set(v), b = m_sets.find_set(w);
-    if (a != b) {
-      m_sets.link(a, b);
-      --m_count;
-    }
-  }
+  void join(std::size_t v, std::size_t w) { m_count -= m_sets.unite(v, w); }
 
   std::size_t operator()() const { return m_count; }
 
 private:
-  std::vector<std::size_t> m_rank;
-  std::vector<std::size_t> m_parent;
-  boost::disjoint_sets<std::size_t*, std::size_t*> m_sets;
+  Disjoint_sets<std::size_t> m_sets;
   std::size_t m_count;
 };
 

@@ -14,9 +14,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_DROP_CYCLES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_DROP_CYCLES_H
 
+#include <CGAL/Delaunay_from_surface_3/subgraph/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Opened_surface.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -46,20 +45,10 @@ public:
   void operator()(const std::vector<Rim_edge<Index>>& rim_edges)
   {
     count_degrees();
-    std::vector<unsigned char> rank(m_degree.size());
-    std::vector<Index> parent(m_degree.size());
-    boost::disjoint_sets<unsigned char*, Index*> trees(rank.data(), parent.data());
-    for (const Rim_edge<Index>& edge : rim_edges) {
-      trees.make_set(edge.source);
-      trees.make_set(edge.target);
-    }
-    for (const Rim_edge<Index>& edge : light_edges_first(rim_edges)) {
-      const Index a = trees.find_set(edge.source), b = trees.find_set(edge.target);
-      if (a == b)
+    Disjoint_sets<Index> trees(m_degree.size());
+    for (const Rim_edge<Index>& edge : light_edges_first(rim_edges))
+      if (!trees.unite(edge.source, edge.target))
         m_subgraph[edge.dart] = false;
-      else
-        trees.link(a, b);
-    }
   }
 
 private:
