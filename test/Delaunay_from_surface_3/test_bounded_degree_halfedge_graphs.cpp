@@ -24,10 +24,12 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/OFF.h>
 
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/filtered_graph.hpp>
 
+#include <fstream>
 #include <iterator>
 #include <set>
 #include <string>
@@ -141,6 +143,25 @@ BOOST_AUTO_TEST_CASE(linear_cell_complex)
     recipe.field[Surface_recipe::ISOLATED] = 0;
     const std::string complaint = check_and_shrink(recipe, check_surface<Cell_complex>);
     BOOST_REQUIRE_MESSAGE(complaint.empty(), complaint);
+  }
+}
+
+// Scans and parts, with and without boundary, of one component and of several.
+BOOST_AUTO_TEST_CASE(real_meshes)
+{
+  for (const std::string name : {"bunny00.off", "elephant.off", "fandisk.off", "blobby_3cc.off", "cheese.off", "mesh_with_border.off",
+                                 "anchor.off", "knot1.off", "head.off"}) {
+    const std::string path = std::string(DELAUNAY_FROM_SURFACE_3_DATA_DIR) + "/" + name;
+    Surface_mesh mesh;
+    if (!std::ifstream(path)) {
+      BOOST_TEST_MESSAGE("skipped: the mesh " << name << " is not there");
+      continue;
+    }
+    BOOST_REQUIRE(CGAL::IO::read_OFF(path, mesh));
+    if (!CGAL::is_triangle_mesh(mesh))
+      check_refused(mesh, {"not a triangle"});
+    else
+      BOOST_TEST(check_mesh(mesh) == "", name);
   }
 }
 
