@@ -100,6 +100,7 @@ BOOST_AUTO_TEST_CASE(traits_archetypes)
   check_graph_archetype(With_subgraph_archetype());
   check_graph_archetype(With_target_archetype<CGAL::Traced_hints_3>());
   check_graph_archetype(With_target_archetype<CGAL::Neighbor_hints_3>());
+  check_graph_archetype(With_target_archetype<CGAL::Planned_hints_3>());
   check_graph_archetype(With_target_archetype<CGAL::Previous_hint_3>());
 }
 

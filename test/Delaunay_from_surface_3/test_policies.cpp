@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(spatial_sort_order_is_that_of_spatial_sort)
 }
 
 // A path 0-1-2-3, a loop, and two points apart; the order is given.
-BOOST_AUTO_TEST_CASE(starting_points_by_hand)
+BOOST_AUTO_TEST_CASE(starting_places_by_hand)
 {
   struct Given_order
   {
@@ -264,8 +264,8 @@ BOOST_AUTO_TEST_CASE(starting_points_by_hand)
       std::vector<Point>(6), Kernel(), graph, get(boost::vertex_index, std::as_const(graph)));
   BOOST_TEST(plan.order == (Indices{4, 1, 3, 2, 5, 0}), boost::test_tools::per_element());
   BOOST_TEST(plan.round_ends == (Indices{2, 6}), boost::test_tools::per_element());
-  // 0 after 1; 1 and 3 have no neighbour yet, nor has 5 ever; 2 after 1 and then 3; 4 is the first.
-  BOOST_TEST(plan.starting_points == (Indices{1, 4, 3, 1, 4, 2}), boost::test_tools::per_element());
+  // Point 0 after 1; 1 and 3 have no neighbour yet, nor has 5 ever; 2 after 3; 4 is the first.
+  BOOST_TEST(plan.starting_places == (Indices{0, 0, 1, 2, 3, 1}), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(planned_starts_are_the_neighbors_inserted_last)
@@ -279,7 +279,7 @@ BOOST_AUTO_TEST_CASE(planned_starts_are_the_neighbors_inserted_last)
   BOOST_TEST(Hints::number_of_starts > 300u);
 }
 
-// Without starting points in the plan every point starts from the one before it.
+// Without starting places in the plan every point starts from the one before it.
 BOOST_AUTO_TEST_CASE(hints_without_a_trace_lead_to_the_same_triangulation)
 {
   for (const Named_surface& named : small_surfaces()) {

@@ -9,6 +9,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/internal/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/internal/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <cstddef>
@@ -93,7 +94,8 @@ void insert_surface(Triangulation& tr, const std::vector<typename Triangulation:
   visitor.phase_begins(Phase::SUBGRAPH);
   Index_graph subgraph;
   if constexpr (Hints::uses_subgraph)
-    subgraph = index_graph(traits.surface_subgraph_object(), graph, index_map, numbers);
+    subgraph =
+        spanning_subgraph(traits.surface_subgraph_object(), graph, index_map, numbers, visitor);
 
   if (tr.number_of_vertices() > 0) {
     write(insert_as_planned<Traits>(tr, points, plan, numbers, subgraph, visitor).vertices);
