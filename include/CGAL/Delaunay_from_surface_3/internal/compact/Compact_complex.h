@@ -67,6 +67,8 @@ public:
     add_vertex({0, 0, 0});
   }
 
+  Cell* cells() { return m_cells.data(); }
+  Vertex* vertices() { return m_vertices.data(); }
   Cell& cell(std::size_t c) { return m_cells[c]; }
   const Cell& cell(std::size_t c) const { return m_cells[c]; }
   Vertex& vertex(std::size_t v) { return m_vertices[v]; }

@@ -23,6 +23,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -65,6 +66,7 @@ public:
 #endif
   {
     m_point_of.reserve(n + 1);
+    make_room();
   }
 
   Complex& complex() { return m_complex; }
@@ -220,39 +222,39 @@ private:
   template <class Filter>
   void dig(std::size_t i, const double* p, Id first)
   {
-    m_zone_size = m_number_of_facets = 0;
-    make_room();
-    m_zone[m_zone_size++] = first;
+    m_zone[0] = first;
+    m_zone_size = 1;
+    m_number_of_facets = 0;
     m_complex.cell(first).v[0] |= Complex::doomed;
     for (std::size_t k = 0; k < m_zone_size; ++k) {
-      make_room();
-      Cell cell = m_complex.cell(m_zone[k]);
-      cell.v[0] = Complex::first_vertex(cell);
-      dig_at<Filter>(cell, i, p);
+      if (m_zone.size() < m_zone_size + 4)
+        make_room();
+      dig_at<Filter>(m_complex.cell(m_zone[k]), i, p);
     }
+    m_counts.sphere_tests += m_zone_size - 1 + m_number_of_facets;
   }
 
   // Tests the neighbours of a cell in conflict.
   template <class Filter>
   void dig_at(const Cell& cell, std::size_t i, const double* p)
   {
+    const Cell* const cells = m_complex.cells();
+    const Compact_vertex<Id>* const vertices = m_complex.vertices();
     unsigned open = 0; // facets whose neighbours are not known to be in conflict
     bool has_infinite = Complex::is_infinite(cell);
     const double* opposite[4];
     for (unsigned k = 0; k < 4; ++k) {
-      const Cell& neighbor = m_complex.cell(cell.links[k] >> 2);
+      const Cell& neighbor = cells[cell.links[k] >> 2];
       const Id e = neighbor.v[cell.links[k] & 3] & Id(~Complex::doomed);
       open |= unsigned(!Complex::is_doomed(neighbor)) << k;
       has_infinite |= e == Complex::infinite;
-      opposite[k] = coordinates(e);
+      opposite[k] = vertices[e].coordinates;
     }
-    if (open == 0)
-      return;
-    m_counts.sphere_tests += (open & 1) + (open >> 1 & 1) + (open >> 2 & 1) + (open >> 3);
     unsigned inside;
     if (!has_infinite) {
-      const double* const v[4] = {coordinates(cell.v[0]), coordinates(cell.v[1]),
-                                  coordinates(cell.v[2]), coordinates(cell.v[3])};
+      const double* const v[4] = {
+          vertices[Complex::first_vertex(cell)].coordinates, vertices[cell.v[1]].coordinates,
+          vertices[cell.v[2]].coordinates, vertices[cell.v[3]].coordinates};
       const Sphere_signs signs = Filter::neighbors(v, opposite, p, open);
       inside = signs.inside & open;
       const unsigned left = open & ~(signs.inside | signs.outside);
@@ -299,31 +301,29 @@ private:
   // is cannot be predicted.
   void note(const Cell& cell, unsigned open, unsigned inside)
   {
-    Id* const zone = m_zone.data();
-    Hole_facet<Id>* const facets = m_facets.data();
-    std::size_t zone_size = m_zone_size, number_of_facets = m_number_of_facets;
+    Cell* const cells = m_complex.cells();
+    Id* zone = m_zone.data() + m_zone_size;
+    Hole_facet<Id>* facet = m_facets.data() + m_number_of_facets;
+    const Facets_of_cell<Id> facets(Complex::first_vertex(cell), cell);
+    const unsigned bounding = open & ~inside;
     for (unsigned k = 0; k < 4; ++k) {
-      const Id d = cell.links[k] >> 2;
-      const unsigned joins = inside >> k & 1, bounds = (open & ~inside) >> k & 1;
-      zone[zone_size] = d;
-      zone_size += joins;
-      m_complex.cell(d).v[0] |= joins ? Complex::doomed : Id(0);
-      facets[number_of_facets] = {cell.links[k],
-                                  {cell.v[facet_corners[k][0]], cell.v[facet_corners[k][1]],
-                                   cell.v[facet_corners[k][2]]}};
-      number_of_facets += bounds;
+      const Id link = cell.links[k];
+      const Id joins = Id(inside >> k & 1);
+      *zone = link >> 2;
+      zone += joins;
+      cells[link >> 2].v[0] |= Id(joins << (std::numeric_limits<Id>::digits - 1));
+      facets.write(k, link, *facet);
+      facet += bounding >> k & 1;
     }
-    m_zone_size = zone_size;
-    m_number_of_facets = number_of_facets;
+    m_zone_size = std::size_t(zone - m_zone.data());
+    m_number_of_facets = std::size_t(facet - m_facets.data());
   }
 
-  // For all that one cell can add.
+  // For what one cell can add. A zone of z cells has at most 2 z + 2 facets.
   void make_room()
   {
-    if (m_zone.size() < m_zone_size + 4)
-      m_zone.resize(2 * m_zone.size() + 256);
-    if (m_facets.size() < m_number_of_facets + 4)
-      m_facets.resize(2 * m_facets.size() + 256);
+    m_zone.resize(2 * m_zone.size() + 256);
+    m_facets.resize(2 * m_zone.size() + 8);
   }
 
   // --- line 2c: the star -----------------------------------------------------------------------
