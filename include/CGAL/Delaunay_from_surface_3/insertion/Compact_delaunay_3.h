@@ -219,8 +219,7 @@ private:
   Coordinates scaled(std::size_t i) const
   {
     const Point& p = m_points[i];
-    return {to_double(p.x()) * m_scale, to_double(p.y()) * m_scale,
-            to_double(p.z()) * m_scale};
+    return {to_double(p.x()) * m_scale, to_double(p.y()) * m_scale, to_double(p.z()) * m_scale};
   }
 
   Triangulation& m_tr;

@@ -14,8 +14,11 @@
 // shrink by a constant factor (about 4) and their edges with them: linear altogether. On other
 // graphs a level may keep nearly all its vertices; such a level ends the hierarchy.
 
+#include <CGAL/Delaunay_from_surface_3/internal/prefetch.h>
+
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -28,7 +31,7 @@ namespace internal {
 template <class Index>
 struct Lists
 {
-  std::vector<std::size_t> first;
+  std::vector<Index> first;
   std::vector<Index> items;
 
   std::size_t size() const { return first.size() - 1; }
@@ -36,11 +39,12 @@ struct Lists
   const Index* end(std::size_t i) const { return items.data() + first[i + 1]; }
 };
 
-// The neighbours of every vertex, by counting sort.
+// The neighbours of every vertex, by counting sort. Twice the number of edges must be an Index.
 template <class Index, class Graph, class VertexIndexMap>
 Lists<Index> neighbor_lists(const Graph& graph, VertexIndexMap index_map, std::size_t n)
 {
   std::vector<std::pair<Index, Index>> edge_list;
+  edge_list.reserve(std::size_t(num_edges(graph)));
   Lists<Index> lists;
   lists.first.assign(n + 2, 0);
   const auto range = edges(graph);
@@ -151,17 +155,22 @@ Lists<Index> contracted(const Lists<Index>& graph, const std::vector<Index>& clu
   coarse.first.push_back(0);
   const Index none = Index(clusters.size());
   std::vector<Index> last_met_by(clusters.size(), none);
+  const std::size_t last = clusters.items.size() - 1;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     last_met_by[c] = Index(c);
-    for (const Index *v = clusters.begin(c), *end = clusters.end(c); v != end; ++v)
-      for (const Index *u = graph.begin(*v), *last = graph.end(*v); u != last; ++u) {
+    for (std::size_t k = clusters.first[c]; k < clusters.first[c + 1]; ++k) {
+      prefetch(&graph.first[clusters.items[(std::min)(k + 16, last)]]);
+      prefetch(graph.begin(clusters.items[(std::min)(k + 8, last)]));
+      const Index v = clusters.items[k];
+      for (const Index *u = graph.begin(v), *end = graph.end(v); u != end; ++u) {
         const Index d = cluster_of[*u];
         if (last_met_by[d] == Index(c))
           continue;
         last_met_by[d] = Index(c);
         coarse.items.push_back(d);
       }
-    coarse.first.push_back(coarse.items.size());
+    }
+    coarse.first.push_back(Index(coarse.items.size()));
   }
   return coarse;
 }

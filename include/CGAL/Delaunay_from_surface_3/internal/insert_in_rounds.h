@@ -112,7 +112,8 @@ void insert_surface_into(Triangulation& tr,
     return;
   }
   Triangulation aside(tr);
-  const auto inserted = insert_as_planned<Target, Hints>(aside, points, plan, numbers, subgraph, visitor);
+  const auto inserted =
+      insert_as_planned<Target, Hints>(aside, points, plan, numbers, subgraph, visitor);
   if (inserted.is_complete)
     write(inserted.vertices);
   visitor.phase_begins(Phase::DONE);

@@ -19,6 +19,7 @@
 
 #include <boost/graph/adjacency_list.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -70,7 +71,8 @@ public:
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
                              const Graph& graph, VertexIndexMap index_map) const
   {
-    if (points.size() < (std::numeric_limits<std::uint32_t>::max)())
+    const std::size_t larger = (std::max)(points.size(), 2 * std::size_t(num_edges(graph)));
+    if (larger < (std::numeric_limits<std::uint32_t>::max)())
       return order<std::uint32_t>(points, gt, graph, index_map);
     return order<std::size_t>(points, gt, graph, index_map);
   }

@@ -36,9 +36,9 @@ struct Compact_counts
   std::size_t cells_tested_to_start = 0; // until one in conflict was found
   std::size_t cells_destroyed = 0;
   std::size_t cells_created = 0;
-  std::size_t sphere_tests = 0;       // of neighbours of cells in conflict
-  std::size_t first_failures = 0;     // sphere tests that the first filter left open
-  std::size_t second_failures = 0;    // and the second too
+  std::size_t sphere_tests = 0;    // of neighbours of cells in conflict
+  std::size_t first_failures = 0;  // sphere tests that the first filter left open
+  std::size_t second_failures = 0; // and the second too
 };
 
 // Id: an unsigned type for the numbers. Predicates: as Perturbed_predicates.
@@ -69,12 +69,24 @@ public:
     make_room();
   }
 
-  Complex& complex() { return m_complex; }
-  const Complex& complex() const { return m_complex; }
-  const Compact_counts& counts() const { return m_counts; }
+  Complex& complex()
+  {
+    return m_complex;
+  }
+  const Complex& complex() const
+  {
+    return m_complex;
+  }
+  const Compact_counts& counts() const
+  {
+    return m_counts;
+  }
 
   // The index of the point at vertex v, finite.
-  std::size_t point_of(std::size_t v) const { return m_point_of[v]; }
+  std::size_t point_of(std::size_t v) const
+  {
+    return m_point_of[v];
+  }
 
   // Begins with four points; a cell of them in this order is positively oriented.
   std::array<Id, 4> start(const std::array<std::size_t, 4>& points,
@@ -121,7 +133,10 @@ private:
     return v;
   }
 
-  const double* coordinates(Id v) const { return m_complex.vertex(v).coordinates; }
+  const double* coordinates(Id v) const
+  {
+    return m_complex.vertex(v).coordinates;
+  }
 
   // --- line 2b: a cell in conflict -------------------------------------------------------------
 
@@ -197,8 +212,8 @@ private:
 
   bool is_beyond_exactly(const Cell& cell, std::size_t i) const
   {
-    return m_predicates.is_beyond(m_point_of[Complex::first_vertex(cell)],
-                                  m_point_of[cell.v[1]], m_point_of[cell.v[2]], i);
+    return m_predicates.is_beyond(m_point_of[Complex::first_vertex(cell)], m_point_of[cell.v[1]],
+                                  m_point_of[cell.v[2]], i);
   }
 
   // What the first filter left open.
@@ -252,9 +267,9 @@ private:
     }
     unsigned inside;
     if (!has_infinite) {
-      const double* const v[4] = {
-          vertices[Complex::first_vertex(cell)].coordinates, vertices[cell.v[1]].coordinates,
-          vertices[cell.v[2]].coordinates, vertices[cell.v[3]].coordinates};
+      const double* const v[4] = {vertices[Complex::first_vertex(cell)].coordinates,
+                                  vertices[cell.v[1]].coordinates, vertices[cell.v[2]].coordinates,
+                                  vertices[cell.v[3]].coordinates};
       const Sphere_signs signs = Filter::neighbors(v, opposite, p, open);
       inside = signs.inside & open;
       const unsigned left = open & ~(signs.inside | signs.outside);

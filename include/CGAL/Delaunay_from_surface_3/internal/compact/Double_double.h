@@ -71,8 +71,7 @@ public:
   {
     const double product = opaque(s.m_high * t.m_high);
     const double error = error_of_product(s.m_high, t.m_high, product);
-    return normalized(product,
-                      error + (opaque(s.m_high * t.m_low) + opaque(s.m_low * t.m_high)));
+    return normalized(product, error + (opaque(s.m_high * t.m_low) + opaque(s.m_low * t.m_high)));
   }
 
   double high() const { return m_high; }

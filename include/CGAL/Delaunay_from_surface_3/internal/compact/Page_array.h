@@ -84,7 +84,10 @@ private:
   static constexpr std::size_t large_page = std::size_t(1) << 21;
 
   // Small arrays do not take a large page for themselves.
-  static std::size_t alignment(std::size_t bytes) { return bytes < 2 * large_page ? 64 : large_page; }
+  static std::size_t alignment(std::size_t bytes)
+  {
+    return bytes < 2 * large_page ? 64 : large_page;
+  }
 
   static void advise_large_pages(void* data, std::size_t bytes)
   {

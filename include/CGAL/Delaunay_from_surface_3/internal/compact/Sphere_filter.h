@@ -48,7 +48,10 @@ struct Row
 };
 
 // -1, 0 or 1; 0: not decided.
-inline int certified_sign(double value, double bound) { return (value > bound) - (value < -bound); }
+inline int certified_sign(double value, double bound)
+{
+  return (value > bound) - (value < -bound);
+}
 
 // |a b c| in columns x, y, z: positive if the cell (p, a, b, c) is.
 inline double determinant(const Row& a, const Row& b, const Row& c)
@@ -89,8 +92,8 @@ struct Sphere_signs
 // Where p is from a cell: in the sphere (sign), and beyond which facet.
 struct Cell_view
 {
-  int sphere;        // 1: inside, -1: outside, 0: not decided
-  double facets[4];  // > facet_bound: p is on the inner side; < -facet_bound: beyond
+  int sphere;       // 1: inside, -1: outside, 0: not decided
+  double facets[4]; // > facet_bound: p is on the inner side; < -facet_bound: beyond
   double facet_bound;
 };
 
@@ -107,8 +110,7 @@ struct Sphere_filter
     for (unsigned i = 0; i < 4; ++i) {
       if (!(wanted >> i & 1))
         continue;
-      const int sign =
-          sphere_sign(Row(opposite[i], p), rows[i ^ 1], rows[i ^ 2], rows[i ^ 3]);
+      const int sign = sphere_sign(Row(opposite[i], p), rows[i ^ 1], rows[i ^ 2], rows[i ^ 3]);
       signs.inside |= unsigned(sign > 0) << i;
       signs.outside |= unsigned(sign < 0) << i;
     }

@@ -49,8 +49,7 @@ struct Wide_rows
     x = _mm256_sub_pd(_mm256_permute2f128_pd(xz01, xz23, 0x20), _mm256_broadcast_sd(p));
     y = _mm256_sub_pd(_mm256_permute2f128_pd(y01, y23, 0x20), _mm256_broadcast_sd(p + 1));
     z = _mm256_sub_pd(_mm256_permute2f128_pd(xz01, xz23, 0x31), _mm256_broadcast_sd(p + 2));
-    w = _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(x, x), _mm256_mul_pd(y, y)),
-                      _mm256_mul_pd(z, z));
+    w = _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(x, x), _mm256_mul_pd(y, y)), _mm256_mul_pd(z, z));
   }
 };
 
@@ -75,22 +74,20 @@ struct Wide_sphere_filter
 {
   static bool is_supported() { return __builtin_cpu_supports("avx2"); }
 
-  __attribute__((target("avx2"))) static Sphere_signs neighbors(const double* const* vertices,
-                                                                const double* const* opposite,
-                                                                const double* p, unsigned)
+  __attribute__((target("avx2"))) static Sphere_signs
+  neighbors(const double* const* vertices, const double* const* opposite, const double* p, unsigned)
   {
     const Wide_rows rows(vertices, p), e(opposite, p);
     const Wide_column x(rows.x), y(rows.y), z(rows.z), w(rows.w);
     const Wide_minors xy(x, y), zw(z, w);
-    const __m256d value =
-        _mm256_add_pd(_mm256_sub_pd(_mm256_mul_pd(e.x, zw.times(y)),
-                                    _mm256_mul_pd(e.y, zw.times(x))),
-                      _mm256_sub_pd(_mm256_mul_pd(e.z, xy.times(w)),
-                                    _mm256_mul_pd(e.w, xy.times(z))));
+    const __m256d value = _mm256_add_pd(
+        _mm256_sub_pd(_mm256_mul_pd(e.x, zw.times(y)), _mm256_mul_pd(e.y, zw.times(x))),
+        _mm256_sub_pd(_mm256_mul_pd(e.z, xy.times(w)), _mm256_mul_pd(e.w, xy.times(z))));
     const __m256d m = _mm256_max_pd(_mm256_max_pd(e.w, w.a), _mm256_max_pd(w.b, w.c));
     const __m256d m52 = _mm256_mul_pd(_mm256_mul_pd(m, m), _mm256_sqrt_pd(m));
-    const __m256d bound = _mm256_add_pd(_mm256_mul_pd(m52, _mm256_set1_pd(80 * Filter_bounds::unit)),
-                                        _mm256_set1_pd(Filter_bounds::tiny));
+    const __m256d bound =
+        _mm256_add_pd(_mm256_mul_pd(m52, _mm256_set1_pd(80 * Filter_bounds::unit)),
+                      _mm256_set1_pd(Filter_bounds::tiny));
     const __m256d minus = _mm256_sub_pd(_mm256_setzero_pd(), bound);
     return {unsigned(_mm256_movemask_pd(_mm256_cmp_pd(value, bound, _CMP_GT_OQ))),
             unsigned(_mm256_movemask_pd(_mm256_cmp_pd(value, minus, _CMP_LT_OQ)))};
@@ -109,8 +106,8 @@ struct Wide_sphere_filter
     _mm256_storeu_pd(value, products);
     _mm256_storeu_pd(w, rows.w);
     const double m = (std::max)((std::max)(w[0], w[1]), (std::max)(w[2], w[3]));
-    view.sphere = certified_sign((value[0] + value[1]) + (value[2] + value[3]),
-                                 Filter_bounds::four_rows(m));
+    view.sphere =
+        certified_sign((value[0] + value[1]) + (value[2] + value[3]), Filter_bounds::four_rows(m));
     view.facet_bound = Filter_bounds::three_rows(m);
     return view;
   }

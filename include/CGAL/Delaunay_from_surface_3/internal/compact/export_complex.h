@@ -26,6 +26,34 @@ template <class Tr>
 std::true_type has_upper_levels(const Triangulation_hierarchy_3<Tr>*);
 std::false_type has_upper_levels(const void*);
 
+// The cells alone. Returns their handles by cell.
+template <class Tds, class Id, class Vertex>
+std::vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<Id>& complex,
+                                                    const std::vector<Vertex>& vertices)
+{
+  constexpr std::size_t release_interval = std::size_t(1) << 16;
+  std::vector<typename Tds::Cell_handle> cells(complex.cells_end());
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const Compact_cell<Id>& cell = complex.cell(c);
+    if (Compact_complex<Id>::is_doomed(cell))
+      continue;
+    const auto made = tds.create_cell(vertices[cell.v[0]], vertices[cell.v[1]], vertices[cell.v[2]],
+                                      vertices[cell.v[3]]);
+    cells[c] = made;
+    for (int i = 0; i < 4; ++i) {
+      const std::size_t d = cell.links[i] >> 2;
+      if (d < c) {
+        made->set_neighbor(i, cells[d]);
+        cells[d]->set_neighbor(int(cell.links[i] & 3), made);
+      }
+    }
+    if (c % release_interval == 0)
+      complex.release_cells_before(c);
+  }
+  complex.deallocate_cells();
+  return cells;
+}
+
 // Fills `tr`, empty, and gives up the memory of `complex`. `point(v)` is the point of vertex v.
 // Returns the handles by vertex, that of the infinite vertex first.
 template <class Triangulation, class Id, class PointOf>
@@ -39,37 +67,16 @@ export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& p
     vertices[v] = tds.create_vertex();
     vertices[v]->set_point(point(v));
   }
+  std::vector<Id> cell_of(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    cell_of[v] = complex.vertex(v).cell;
   complex.deallocate_vertices();
   tds.delete_cell(vertices[0]->cell()); // the only one, of the empty triangulation
   tds.set_dimension(3);
-  export_cells(tds, complex, vertices);
+  const auto cells = export_cells(tds, complex, vertices);
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    vertices[v]->set_cell(cells[cell_of[v]]);
   return vertices;
-}
-
-template <class Tds, class Id, class Vertex>
-void export_cells(Tds& tds, Compact_complex<Id>& complex, const std::vector<Vertex>& vertices)
-{
-  constexpr std::size_t release_interval = std::size_t(1) << 16;
-  std::vector<typename Tds::Cell_handle> cells(complex.cells_end());
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const Compact_cell<Id>& cell = complex.cell(c);
-    if (Compact_complex<Id>::is_doomed(cell))
-      continue;
-    const auto made = tds.create_cell(vertices[cell.v[0]], vertices[cell.v[1]],
-                                      vertices[cell.v[2]], vertices[cell.v[3]]);
-    cells[c] = made;
-    for (int i = 0; i < 4; ++i) {
-      vertices[cell.v[i]]->set_cell(made);
-      const std::size_t d = cell.links[i] >> 2;
-      if (d < c) {
-        made->set_neighbor(i, cells[d]);
-        cells[d]->set_neighbor(int(cell.links[i] & 3), made);
-      }
-    }
-    if (c % release_interval == 0)
-      complex.release_cells_before(c);
-  }
-  complex.deallocate_cells();
 }
 
 // Fills the upper levels of a triangulation with `Fast_location`: vertices that are inserted again
