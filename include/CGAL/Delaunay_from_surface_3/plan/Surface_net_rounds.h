@@ -36,7 +36,7 @@ chosen greedily in depth-first order; every other vertex joins the cluster of a 
 it. The clusters are contracted, and so on until a few dozen vertices are left. Rounds go from the
 coarsest net to the finest and grow about fourfold. Inside a round the points follow the clusters,
 children in the order of their parents: that is local on the surface, and so in space. Each point
-starts at the net vertex of its cluster (`Insertion_order::starting_points`).
+starts at the net vertex of its cluster (`Insertion_order::starting_places`).
 
 A level that keeps more than 90 % of its vertices (isolated vertices, stars, random graphs) ends the
 hierarchy; what is left then, and the last few dozen vertices, are ordered by `Geometric_rounds`.
@@ -62,7 +62,7 @@ public:
   }
 
   /*!
-  returns order, rounds and starting points.
+  returns order, rounds and starting places.
 
   \tparam Graph a model of `boost::EdgeListGraph`; loops and multiple edges do no harm
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
@@ -87,17 +87,25 @@ private:
                                     coarsest, stall);
     Insertion_order plan;
     plan.order.reserve(points.size());
-    plan.starting_points.resize(points.size());
-    std::vector<Index> sequence = order_coarsest(points, gt, nets, plan);
+    plan.starting_places.reserve(points.size());
+    std::vector<Placed<Index>> sequence = order_coarsest<Index>(points, gt, nets, plan);
     for (std::size_t l = nets.clusters.size(); l-- > 0;)
       sequence = append_round(nets, l, sequence, plan);
     return plan;
   }
 
+  // A vertex of a level, and the place of its point in the order.
+  template <class Index>
+  struct Placed
+  {
+    Index vertex;
+    Index place;
+  };
+
   // The first rounds: the vertices of the coarsest level. Returns them in their order.
-  template <class Point, class GeomTraits, class Nets>
-  auto order_coarsest(const std::vector<Point>& points, const GeomTraits& gt, const Nets& nets,
-                      Insertion_order& plan) const
+  template <class Index, class Point, class GeomTraits, class Nets>
+  std::vector<Placed<Index>> order_coarsest(const std::vector<Point>& points, const GeomTraits& gt,
+                                            const Nets& nets, Insertion_order& plan) const
   {
     const std::size_t level = nets.number_of_levels() - 1;
     std::vector<Point> coarse_points;
@@ -107,32 +115,33 @@ private:
 
     Insertion_order coarse = Geometric_rounds(m_seed)(coarse_points, gt, 0, 0);
     plan.round_ends = std::move(coarse.round_ends);
+    std::vector<Placed<Index>> sequence;
+    sequence.reserve(coarse.order.size());
     for (const std::size_t c : coarse.order) {
-      const std::size_t i = nets.point(level, c);
-      plan.starting_points[i] = plan.order.empty() ? i : plan.order.back();
-      plan.order.push_back(i);
+      const std::size_t place = plan.order.size();
+      sequence.push_back({static_cast<Index>(c), static_cast<Index>(place)});
+      plan.order.push_back(nets.point(level, c));
+      plan.starting_places.push_back(place == 0 ? 0 : place - 1);
     }
-    using Index = typename decltype(nets.clusters[0].items)::value_type;
-    return std::vector<Index>(coarse.order.begin(), coarse.order.end());
+    return sequence;
   }
 
   // The round of the vertices of level l that are not in its net. `parents` are those in the net,
   // in their order; returns all vertices of the level in theirs.
   template <class Nets, class Index>
-  static std::vector<Index> append_round(const Nets& nets, std::size_t l,
-                                         const std::vector<Index>& parents, Insertion_order& plan)
+  static std::vector<Placed<Index>> append_round(const Nets& nets, std::size_t l,
+                                                 const std::vector<Placed<Index>>& parents,
+                                                 Insertion_order& plan)
   {
-    std::vector<Index> sequence;
+    std::vector<Placed<Index>> sequence;
     sequence.reserve(nets.clusters[l].items.size());
-    for (const Index c : parents) {
+    for (const auto& [c, place_of_center] : parents) {
       const Index* member = nets.clusters[l].begin(c);
-      const std::size_t center = nets.point(l, *member);
-      sequence.push_back(*member);
+      sequence.push_back({*member, place_of_center});
       for (++member; member != nets.clusters[l].end(c); ++member) {
-        const std::size_t i = nets.point(l, *member);
-        plan.order.push_back(i);
-        plan.starting_points[i] = center;
-        sequence.push_back(*member);
+        sequence.push_back({*member, static_cast<Index>(plan.order.size())});
+        plan.order.push_back(nets.point(l, *member));
+        plan.starting_places.push_back(place_of_center);
       }
     }
     plan.round_ends.push_back(plan.order.size());
