@@ -16,12 +16,15 @@ endif()
 # The target `figures`: draws the manual's figures anew, into the source tree where they are kept.
 set(figures_dir "${PROJECT_SOURCE_DIR}/doc/Delaunay_from_surface_3/fig")
 if(PROJECT_IS_TOP_LEVEL)
-  foreach(program draw_steps draw_surface)
+  foreach(program draw_steps draw_surface draw_subgraph)
     add_executable(${program} EXCLUDE_FROM_ALL "${figures_dir}/${program}.cpp")
     target_link_libraries(${program} PRIVATE Delaunay_from_surface_3::Delaunay_from_surface_3)
+    target_include_directories(${program} PRIVATE
+      "${PROJECT_SOURCE_DIR}/benchmark/Delaunay_from_surface_3/include") # the generator
   endforeach()
   add_custom_target(figures
     COMMAND draw_steps "${figures_dir}"
+    COMMAND draw_subgraph "${figures_dir}"
     COMMAND draw_surface
       "${DELAUNAY_FROM_SURFACE_3_DATA_DIR}/elephant.off" "${figures_dir}/teaser.svg"
     COMMENT "Drawing the figures of the manual"
