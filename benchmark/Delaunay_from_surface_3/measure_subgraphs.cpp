@@ -98,27 +98,24 @@ ordered_json measure_times(const std::string& name, const std::string& order,
   const Mesh mesh = surfaces::to_mesh<Mesh>(surface);
   std::cerr << name << ", " << order << ", " << num_vertices(mesh) << " vertices\n";
   ordered_json result = {{"surface", name}, {"order", order}, {"vertices", num_vertices(mesh)}};
-  result["subgraph"] = measured(mesh, repetitions, [&](auto out) {
-    CGAL::bounded_degree_spanning_subgraph(mesh, out);
-  });
-  result["tree"] = measured(mesh, repetitions, [&](auto out) {
-    CGAL::bounded_degree_spanning_tree(mesh, out);
-  });
-  result["cut_graph"]["nanoseconds_per_vertex"] = nanoseconds_per_vertex(
-    mesh, repetitions, [&](auto out) { CGAL::cut_graph(mesh, out); });
+  result["subgraph"] = measured(
+      mesh, repetitions, [&](auto out) { CGAL::bounded_degree_spanning_subgraph(mesh, out); });
+  result["tree"] =
+      measured(mesh, repetitions, [&](auto out) { CGAL::bounded_degree_spanning_tree(mesh, out); });
+  result["cut_graph"]["nanoseconds_per_vertex"] =
+      nanoseconds_per_vertex(mesh, repetitions, [&](auto out) { CGAL::cut_graph(mesh, out); });
   if (num_vertices(mesh) > options.largest_for_others)
     return result;
-  result["minimum_spanning_tree"] = measured(mesh, repetitions, [&](auto out) {
-    subgraphs::minimum_spanning_tree(mesh, out);
-  });
-  result["depth_first_tree"] = measured(mesh, repetitions, [&](auto out) {
-    subgraphs::depth_first_tree(mesh, out);
-  });
+  result["minimum_spanning_tree"] =
+      measured(mesh, repetitions, [&](auto out) { subgraphs::minimum_spanning_tree(mesh, out); });
+  result["depth_first_tree"] =
+      measured(mesh, repetitions, [&](auto out) { subgraphs::depth_first_tree(mesh, out); });
   return result;
 }
 
 using Reader =
-  internal::Halfedge_graph_reader<Mesh, boost::property_map<Mesh, boost::vertex_index_t>::const_type>;
+    internal::Halfedge_graph_reader<Mesh,
+                                    boost::property_map<Mesh, boost::vertex_index_t>::const_type>;
 
 // The subgraph, cut along loops through one vertex instead of the cut graph.
 Edges subgraph_by_loops(const Mesh& mesh, internal::Subgraph_kind kind)
@@ -131,8 +128,8 @@ Edges subgraph_by_loops(const Mesh& mesh, internal::Subgraph_kind kind)
   internal::Prune_cut<std::uint32_t>(surface, cut)();
   Edges edges;
   internal::write_marked(
-    reader, surface, internal::Bounded_degree_marks<std::uint32_t>(surface, kind)(std::move(cut)),
-    std::back_inserter(edges));
+      reader, surface, internal::Bounded_degree_marks<std::uint32_t>(surface, kind)(std::move(cut)),
+      std::back_inserter(edges));
   return edges;
 }
 
@@ -197,7 +194,7 @@ ordered_json measure_all(const Options& options)
     }
     times.push_back(measure_times("disc", "coherent", surfaces::terrain(n, 1), options));
     times.push_back(
-      measure_times("genus 3", "coherent", surfaces::genus_surface(3, n, 0.05, 1), options));
+        measure_times("genus 3", "coherent", surfaces::genus_surface(3, n, 0.05, 1), options));
   }
   for (std::size_t genus : options.genera)
     by_genus.push_back(measure_degrees(genus, options.vertices_by_genus));
@@ -208,12 +205,14 @@ Options read_options(int argc, char** argv)
 {
   Options o;
   po::options_description options(
-    "Measures subgraphs of bounded degree on generated surfaces.\n\nOptions");
+      "Measures subgraphs of bounded degree on generated surfaces.\n\nOptions");
   auto add = options.add_options();
   add("help,h", "say this and stop");
-  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."), "numbers of vertices, for times");
+  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."),
+      "numbers of vertices, for times");
   add("genera", po::value(&o.genera)->multitoken()->value_name("G..."), "for degrees");
-  add("vertices,n", po::value(&o.vertices_by_genus)->value_name("N"), "of each surface, for degrees");
+  add("vertices,n", po::value(&o.vertices_by_genus)->value_name("N"),
+      "of each surface, for degrees");
   add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "the fastest counts");
   add("others-up-to", po::value(&o.largest_for_others)->value_name("N"),
       "minimum spanning and depth-first trees up to so many vertices");
@@ -234,7 +233,8 @@ Options read_options(int argc, char** argv)
 int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
-  ordered_json result = {{"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
+  ordered_json result = {
+      {"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
   result["machine"]["load_before"] = comparison::load_average();
   result["command"] = "measure_subgraphs";
   for (int i = 1; i < argc; ++i)

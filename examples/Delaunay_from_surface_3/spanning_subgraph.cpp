@@ -53,13 +53,14 @@ int main(int argc, char** argv)
               << " boundary loops: degree at most " << component.subgraph_degree_bound() << "\n";
 
   // Each edge that is written sets its entry in the property map.
-  Edge_map is_in_subgraph = mesh.add_property_map<Mesh::Edge_index, bool>("e:subgraph", false).first;
+  Edge_map is_in_subgraph =
+      mesh.add_property_map<Mesh::Edge_index, bool>("e:subgraph", false).first;
   std::vector<Mesh::Edge_index> edges;
   CGAL::bounded_degree_spanning_subgraph(
-    mesh, boost::make_function_output_iterator([&](Mesh::Edge_index e) {
-      put(is_in_subgraph, e, true);
-      edges.push_back(e);
-    }));
+      mesh, boost::make_function_output_iterator([&](Mesh::Edge_index e) {
+        put(is_in_subgraph, e, true);
+        edges.push_back(e);
+      }));
 
   const auto certificate = CGAL::certify_spanning_subgraph(mesh, edges);
   std::cout << certificate.number_of_edges << " of " << num_edges(mesh) << " edges, degree "
@@ -71,9 +72,9 @@ int main(int argc, char** argv)
   std::vector<std::size_t> distances(num_vertices(mesh), 0);
   const auto index = get(boost::vertex_index, mesh);
   boost::breadth_first_search(
-    subgraph, *vertices(mesh).first,
-    boost::vertex_index_map(index).visitor(boost::make_bfs_visitor(boost::record_distances(
-      boost::make_iterator_property_map(distances.begin(), index), boost::on_tree_edge()))));
+      subgraph, *vertices(mesh).first,
+      boost::vertex_index_map(index).visitor(boost::make_bfs_visitor(boost::record_distances(
+          boost::make_iterator_property_map(distances.begin(), index), boost::on_tree_edge()))));
   std::cout << "the farthest vertex is " << *std::max_element(distances.begin(), distances.end())
             << " edges away from the first\n";
   return certificate.is_valid_subgraph() ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -18,8 +18,8 @@
 #include <vector>
 
 using Graph =
-  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
-                        boost::property<boost::edge_index_t, std::size_t>>;
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                          boost::property<boost::edge_index_t, std::size_t>>;
 using Edge = boost::graph_traits<Graph>::edge_descriptor;
 
 int main()
@@ -27,8 +27,8 @@ int main()
   // A strip of triangles i, i+1, i+2. Its ends are joined with a twist, as n is odd.
   const std::size_t n = 101;
   Graph graph(n);
-  std::vector<Edge> steps, leaps;  // i to i+1, i to i+2
-  std::vector<char> is_boundary;   // by edge index
+  std::vector<Edge> steps, leaps; // i to i+1, i to i+2
+  std::vector<char> is_boundary;  // by edge index
   for (std::size_t i = 0; i < n; ++i) {
     steps.push_back(add_edge(i, (i + 1) % n, is_boundary.size(), graph).first);
     is_boundary.push_back(false);
@@ -44,7 +44,7 @@ int main()
   const auto index = get(boost::vertex_index, graph);
   const auto embedding = boost::make_iterator_property_map(around.begin(), index);
   const auto boundary =
-    boost::make_iterator_property_map(is_boundary.begin(), get(boost::edge_index, graph));
+      boost::make_iterator_property_map(is_boundary.begin(), get(boost::edge_index, graph));
 
   const auto topology = CGAL::surface_topology(graph, embedding, index, boundary);
   std::cout << (topology.is_orientable() ? "orientable" : "not orientable") << ", "

@@ -51,12 +51,14 @@ void add_surface(const Mesh& mesh, Coloured_soup& soup)
 }
 
 // A prism with three sides around every edge, an eighth or so of an edge thick.
-void add_edges(const Mesh& mesh, const Edges& edges, const char* colour, double thickness, Coloured_soup& soup)
+void add_edges(const Mesh& mesh, const Edges& edges, const char* colour, double thickness,
+               Coloured_soup& soup)
 {
   for (auto e : edges) {
     const K::Point_3 p = mesh.point(mesh.vertex(e, 0)), q = mesh.point(mesh.vertex(e, 1));
     const K::Vector_3 along = q - p;
-    const K::Vector_3 other = std::abs(along.x()) < std::abs(along.y()) ? K::Vector_3(1, 0, 0) : K::Vector_3(0, 1, 0);
+    const K::Vector_3 other =
+        std::abs(along.x()) < std::abs(along.y()) ? K::Vector_3(1, 0, 0) : K::Vector_3(0, 1, 0);
     K::Vector_3 u = CGAL::cross_product(along, other);
     if (u.squared_length() == 0)
       continue; // an edge of length 0
@@ -66,7 +68,8 @@ void add_edges(const Mesh& mesh, const Edges& edges, const char* colour, double 
     const double r = thickness * std::sqrt(along.squared_length());
     std::array<std::size_t, 6> corner;
     for (int i = 0; i < 3; ++i) {
-      const K::Vector_3 offset = r * (std::cos(2 * CGAL_PI * i / 3) * u + std::sin(2 * CGAL_PI * i / 3) * v);
+      const K::Vector_3 offset =
+          r * (std::cos(2 * CGAL_PI * i / 3) * u + std::sin(2 * CGAL_PI * i / 3) * v);
       corner[i] = soup.add(p + offset, colour);
       corner[i + 3] = soup.add(q + offset, colour);
     }

@@ -31,7 +31,7 @@ EdgeOutputIterator cut_graph(const HalfedgeGraph& g, EdgeOutputIterator out,
 {
   namespace internal = Delaunay_from_surface_3::internal;
   return internal::with_halfedge_graph_reader(
-    g, np, [&](const auto& reader) { return internal::write_cut_graph(reader, out); });
+      g, np, [&](const auto& reader) { return internal::write_cut_graph(reader, out); });
 }
 
 /*!

@@ -31,7 +31,8 @@ std::string refusal(const Embedded_graph& g)
 {
   std::vector<Embedded_graph::Edge> edges;
   try {
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(edges), g.index_map(), g.boundary_map());
+    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(edges),
+                                           g.index_map(), g.boundary_map());
   } catch (const CGAL::Surface_input_error& e) {
     BOOST_TEST(edges.empty());
     return e.what();
@@ -42,7 +43,8 @@ std::string refusal(const Embedded_graph& g)
 void check_says(const std::string& message, const std::vector<std::string>& words)
 {
   for (const std::string& word : words)
-    BOOST_TEST(message.find(word) != std::string::npos, "\"" << message << "\" does not say \"" << word << "\"");
+    BOOST_TEST(message.find(word) != std::string::npos,
+               "\"" << message << "\" does not say \"" << word << "\"");
 }
 
 } // namespace
@@ -171,12 +173,16 @@ BOOST_AUTO_TEST_CASE(random_damage_never_goes_unnoticed)
   int refused = 0;
   for (int seed = 0; seed < 3000; ++seed) {
     std::mt19937 random{unsigned(seed)};
-    Triangle_list s = seed % 3 == 0 ? grid_torus(3, 4) : seed % 3 == 1 ? projective_plane() : fan(5);
+    Triangle_list s = seed % 3 == 0   ? grid_torus(3, 4)
+                      : seed % 3 == 1 ? projective_plane()
+                                      : fan(5);
     insert_vertices(s, 5 + seed % 10, random);
     flip_edges(s, 20, random);
     Embedded_graph g = embed(s, random);
     auto& list = g.lists[std::uniform_int_distribution<std::size_t>(0, g.lists.size() - 1)(random)];
-    const auto pick = [&] { return std::uniform_int_distribution<std::size_t>(0, list.size() - 1)(random); };
+    const auto pick = [&] {
+      return std::uniform_int_distribution<std::size_t>(0, list.size() - 1)(random);
+    };
     std::swap(list[pick()], list[pick()]);
     const std::string message = refusal(g);
     if (!message.empty()) {
@@ -184,9 +190,12 @@ BOOST_AUTO_TEST_CASE(random_damage_never_goes_unnoticed)
       continue;
     }
     std::vector<Embedded_graph::Edge> edges;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(edges), g.index_map(), g.boundary_map());
-    const auto topology = CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
-    BOOST_REQUIRE(CGAL::certify_spanning_subgraph(g.graph, edges, topology, g.index_map()).is_valid_subgraph());
+    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(edges),
+                                           g.index_map(), g.boundary_map());
+    const auto topology =
+        CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    BOOST_REQUIRE(CGAL::certify_spanning_subgraph(g.graph, edges, topology, g.index_map())
+                      .is_valid_subgraph());
   }
   BOOST_TEST(refused > 1500);
 }

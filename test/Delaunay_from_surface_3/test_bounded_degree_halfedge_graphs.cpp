@@ -40,7 +40,8 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-using Cell_complex = CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
+using Cell_complex = CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
+    2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
 
 template <class Mesh>
 using Edges = std::vector<typename boost::graph_traits<Mesh>::edge_descriptor>;
@@ -101,7 +102,8 @@ void check_refused(const Mesh& mesh, const std::vector<std::string>& words)
   }
   BOOST_TEST(edges.empty());
   for (const std::string& word : words)
-    BOOST_TEST(message.find(word) != std::string::npos, "\"" << message << "\" does not say \"" << word << "\"");
+    BOOST_TEST(message.find(word) != std::string::npos,
+               "\"" << message << "\" does not say \"" << word << "\"");
 }
 
 Surface_mesh mesh_of(int n, const std::vector<std::vector<int>>& faces)
@@ -149,8 +151,9 @@ BOOST_AUTO_TEST_CASE(linear_cell_complex)
 // Scans and parts, with and without boundary, of one component and of several.
 BOOST_AUTO_TEST_CASE(real_meshes)
 {
-  for (const std::string name : {"bunny00.off", "elephant.off", "fandisk.off", "blobby_3cc.off", "cheese.off", "mesh_with_border.off",
-                                 "anchor.off", "knot1.off", "head.off"}) {
+  for (const std::string name :
+       {"bunny00.off", "elephant.off", "fandisk.off", "blobby_3cc.off", "cheese.off",
+        "mesh_with_border.off", "anchor.off", "knot1.off", "head.off"}) {
     const std::string path = std::string(DELAUNAY_FROM_SURFACE_3_DATA_DIR) + "/" + name;
     Surface_mesh mesh;
     if (!std::ifstream(path)) {
@@ -189,7 +192,8 @@ BOOST_AUTO_TEST_CASE(both_forms_agree)
         g.lists[v].push_back(twin[edge(i, mesh)]);
     }
     std::vector<Embedded_graph::Edge> expected, found;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(expected), g.index_map(), g.boundary_map());
+    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(expected),
+                                           g.index_map(), g.boundary_map());
     for (auto e : subgraph_of(mesh))
       found.push_back(twin[e]);
     BOOST_REQUIRE(found == expected);
@@ -214,20 +218,26 @@ BOOST_AUTO_TEST_CASE(a_user_s_index_map_is_used)
   std::vector<std::size_t> reversed(n);
   for (std::size_t i = 0; i < n; ++i)
     reversed[i] = n - 1 - i;
-  const auto map = boost::make_iterator_property_map(reversed.begin(), get(boost::vertex_index, mesh));
+  const auto map =
+      boost::make_iterator_property_map(reversed.begin(), get(boost::vertex_index, mesh));
   Edges<Surface_mesh> edges;
-  CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(edges), CGAL::parameters::vertex_index_map(map));
-  BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, edges, CGAL::parameters::vertex_index_map(map)).is_valid_subgraph());
+  CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(edges),
+                                         CGAL::parameters::vertex_index_map(map));
+  BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, edges, CGAL::parameters::vertex_index_map(map))
+                 .is_valid_subgraph());
   reversed[3] = reversed[4];
-  BOOST_CHECK_THROW(CGAL::Bounded_degree_subgraph()(mesh, map, std::back_inserter(edges)), CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(CGAL::Bounded_degree_subgraph()(mesh, map, std::back_inserter(edges)),
+                    CGAL::Surface_input_error);
   reversed[3] = n;
-  BOOST_CHECK_THROW(CGAL::Bounded_degree_subgraph()(mesh, map, std::back_inserter(edges)), CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(CGAL::Bounded_degree_subgraph()(mesh, map, std::back_inserter(edges)),
+                    CGAL::Surface_input_error);
 }
 
 BOOST_AUTO_TEST_CASE(edges_filter_the_graph)
 {
   Surface_mesh mesh = to_halfedge_mesh<Surface_mesh>(grid_torus(10, 10));
-  auto is_in = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:is_in_subgraph", false).first;
+  auto is_in =
+      mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:is_in_subgraph", false).first;
   for (auto e : subgraph_of(mesh))
     put(is_in, e, true);
   struct Filter
@@ -237,7 +247,9 @@ BOOST_AUTO_TEST_CASE(edges_filter_the_graph)
   };
   const boost::filtered_graph<Surface_mesh, Filter> filtered(mesh, Filter{is_in});
   std::vector<int> component(num_vertices(mesh));
-  BOOST_TEST(boost::connected_components(filtered, boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, mesh))) == 1);
+  BOOST_TEST(boost::connected_components(
+                 filtered, boost::make_iterator_property_map(component.begin(),
+                                                             get(boost::vertex_index, mesh))) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(topology_of_known_surfaces)
@@ -283,11 +295,14 @@ BOOST_AUTO_TEST_CASE(a_system_of_loops_cuts_as_well)
       std::set<Surface_mesh::Vertex_index> on_cut;
       for (auto e : cut)
         on_cut.insert({source(e, mesh), target(e, mesh)});
-      const std::ptrdiff_t characteristic = std::ptrdiff_t(num_faces(mesh)) - std::ptrdiff_t(num_edges(mesh) - cut.size()) +
+      const std::ptrdiff_t characteristic = std::ptrdiff_t(num_faces(mesh)) -
+                                            std::ptrdiff_t(num_edges(mesh) - cut.size()) +
                                             std::ptrdiff_t(num_vertices(mesh) - on_cut.size());
       BOOST_TEST(characteristic == (genus == 0 ? 2 : 1));
     }
-  BOOST_CHECK_THROW(CGAL::system_of_loops(to_halfedge_mesh<Surface_mesh>(fan(4)), CGAL::Emptyset_iterator()), CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(
+      CGAL::system_of_loops(to_halfedge_mesh<Surface_mesh>(fan(4)), CGAL::Emptyset_iterator()),
+      CGAL::Surface_input_error);
 }
 
 BOOST_AUTO_TEST_CASE(empty_and_isolated)
@@ -328,7 +343,8 @@ BOOST_AUTO_TEST_CASE(pinched_vertices_are_refused_by_name)
 {
   check_refused(mesh_of(5, {{0, 1, 2}, {0, 3, 4}}), {"vertex 0 is pinched"});
   // Two tetrahedra that share a vertex: two fans without boundary.
-  Surface_mesh mesh = mesh_of(8, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {4, 5, 6}, {4, 6, 7}, {4, 7, 5}, {5, 7, 6}});
+  Surface_mesh mesh = mesh_of(
+      8, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {4, 5, 6}, {4, 6, 7}, {4, 7, 5}, {5, 7, 6}});
   for (auto h : CGAL::halfedges_around_target(mesh.halfedge(Surface_mesh::Vertex_index(4)), mesh))
     mesh.set_target(h, Surface_mesh::Vertex_index(0));
   mesh.set_halfedge(Surface_mesh::Vertex_index(4), Surface_mesh::null_halfedge());

@@ -74,18 +74,21 @@ Counted count(const Triangle_list& s)
       vertices.insert(a);
       const int direction = a < b ? 1 : -1;
       const auto found = first.emplace(ends(a, b), std::make_pair(i, direction));
-      if (!found.second && !sets.join(i, found.first->second.first, -direction * found.first->second.second))
+      if (!found.second &&
+          !sets.join(i, found.first->second.first, -direction * found.first->second.second))
         result.is_orientable = false;
     }
   for (int i = 0; i < int(s.triangles.size()); ++i)
     result.components += sets.parent[i] == i ? 1 : 0;
-  result.characteristic = std::ptrdiff_t(vertices.size()) - std::ptrdiff_t(first.size()) + std::ptrdiff_t(s.triangles.size());
+  result.characteristic = std::ptrdiff_t(vertices.size()) - std::ptrdiff_t(first.size()) +
+                          std::ptrdiff_t(s.triangles.size());
   return result;
 }
 
 // Without the cut edges the triangles of each component must still hang together, and their count of edges
 // must be that of discs.
-std::string check_cut(const Triangle_list& s, const Embedded_graph& g, const Edges& cut, std::size_t components)
+std::string check_cut(const Triangle_list& s, const Embedded_graph& g, const Edges& cut,
+                      std::size_t components)
 {
   std::set<std::pair<int, int>> is_cut;
   std::map<int, int> degree;
@@ -115,7 +118,8 @@ std::string check_cut(const Triangle_list& s, const Embedded_graph& g, const Edg
   if (pieces != components)
     return "the cut divides a component";
   for (std::size_t v = 0; v < g.lists.size(); ++v) {
-    const bool on_boundary = !g.lists[v].empty() && g.is_boundary[get(boost::edge_index, g.graph, g.lists[v].front())];
+    const bool on_boundary =
+        !g.lists[v].empty() && g.is_boundary[get(boost::edge_index, g.graph, g.lists[v].front())];
     if (degree.count(int(v)) && degree[int(v)] == 1 && !on_boundary)
       return "the cut is not pruned";
   }
@@ -123,7 +127,8 @@ std::string check_cut(const Triangle_list& s, const Embedded_graph& g, const Edg
 }
 
 // Inner vertices - inner edges + triangles of the open pieces: 1 for an open disc, 2 for a sphere that is not cut.
-std::ptrdiff_t open_characteristic(const Triangle_list& s, const Embedded_graph& g, const Edges& cut)
+std::ptrdiff_t open_characteristic(const Triangle_list& s, const Embedded_graph& g,
+                                   const Edges& cut)
 {
   std::set<int> rim, all;
   std::size_t rim_edges = cut.size();
@@ -138,7 +143,8 @@ std::ptrdiff_t open_characteristic(const Triangle_list& s, const Embedded_graph&
   for (const Triangle& t : s.triangles)
     all.insert(t.begin(), t.end());
   return std::ptrdiff_t(all.size()) - std::ptrdiff_t(rim.size()) -
-         (std::ptrdiff_t(num_edges(g.graph)) - std::ptrdiff_t(rim_edges)) + std::ptrdiff_t(s.triangles.size());
+         (std::ptrdiff_t(num_edges(g.graph)) - std::ptrdiff_t(rim_edges)) +
+         std::ptrdiff_t(s.triangles.size());
 }
 
 std::string check_surface(const Surface_recipe& recipe)
@@ -147,28 +153,35 @@ std::string check_surface(const Surface_recipe& recipe)
   std::mt19937 random(unsigned(recipe.field[Surface_recipe::SEED]));
   const Embedded_graph g = embed(s, random);
   try {
-    const auto topology = CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    const auto topology =
+        CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
     const Counted counted = count(s);
-    if (topology.euler_characteristic() != counted.characteristic || topology.components.size() != counted.components ||
+    if (topology.euler_characteristic() != counted.characteristic ||
+        topology.components.size() != counted.components ||
         topology.is_orientable() != counted.is_orientable)
       return "the topology is wrong";
 
     Edges subgraph, tree, cut;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph), g.index_map(), g.boundary_map());
-    const auto certificate = CGAL::certify_spanning_subgraph(g.graph, subgraph, topology, g.index_map());
+    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
+                                           g.index_map(), g.boundary_map());
+    const auto certificate =
+        CGAL::certify_spanning_subgraph(g.graph, subgraph, topology, g.index_map());
     if (!certificate.is_valid_subgraph())
       return "the subgraph is not certified";
-    CGAL::bounded_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(tree), g.index_map(), g.boundary_map());
+    CGAL::bounded_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(tree),
+                                       g.index_map(), g.boundary_map());
     if (!CGAL::certify_spanning_subgraph(g.graph, tree, topology, g.index_map()).is_valid_tree())
       return "the tree is not certified";
 
-    CGAL::cut_graph(g.graph, g.embedding(), std::back_inserter(cut), g.index_map(), g.boundary_map());
+    CGAL::cut_graph(g.graph, g.embedding(), std::back_inserter(cut), g.index_map(),
+                    g.boundary_map());
     std::size_t spheres = 0, cycles = 0;
     for (const auto& component : topology.components) {
       const bool is_sphere = component.euler_characteristic() == 2;
       spheres += is_sphere ? 1 : 0;
       cycles += is_sphere ? 1 : component.euler_genus() + component.number_of_boundary_loops;
-      if (topology.components.size() == 1 && component.euler_genus() == 0 && component.number_of_boundary_loops <= 1 && !cut.empty())
+      if (topology.components.size() == 1 && component.euler_genus() == 0 &&
+          component.number_of_boundary_loops <= 1 && !cut.empty())
         return "a sphere or disc is cut";
     }
     if (certificate.number_of_independent_cycles != cycles)
@@ -184,12 +197,14 @@ std::string check_surface(const Surface_recipe& recipe)
 void check_many(int first, int last, bool is_orientable)
 {
   for (int seed = first; seed < last; ++seed) {
-    const std::string complaint = check_and_shrink(random_recipe(seed, is_orientable), check_surface);
+    const std::string complaint =
+        check_and_shrink(random_recipe(seed, is_orientable), check_surface);
     BOOST_REQUIRE_MESSAGE(complaint.empty(), complaint);
   }
 }
 
-Surface_recipe recipe(int shape, int size, int handles = 0, int cross_caps = 0, int inserted = 0, int flips = 0, int punctures = 0)
+Surface_recipe recipe(int shape, int size, int handles = 0, int cross_caps = 0, int inserted = 0,
+                      int flips = 0, int punctures = 0)
 {
   Surface_recipe result;
   result.field = {shape, size, handles, cross_caps, inserted, flips, punctures, 0, 0, 1};
@@ -224,7 +239,8 @@ BOOST_AUTO_TEST_CASE(families)
   }
   check(recipe(1, 998)); // 3000 vertices
   for (int i = 0; i < 400; ++i) {
-    Surface_recipe stacked = recipe(0, 0, 0, 0, 5 + i, 0), flipped = recipe(0, 0, 0, 0, 5 + i, 10 * i);
+    Surface_recipe stacked = recipe(0, 0, 0, 0, 5 + i, 0),
+                   flipped = recipe(0, 0, 0, 0, 5 + i, 10 * i);
     stacked.field[Surface_recipe::SEED] = flipped.field[Surface_recipe::SEED] = i;
     check(stacked);
     check(flipped);
@@ -247,9 +263,12 @@ BOOST_AUTO_TEST_CASE(bounds_are_met_and_never_exceeded)
     std::mt19937 random(1);
     const Embedded_graph g = embed(s, random);
     Edges subgraph;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph), g.index_map(), g.boundary_map());
-    const auto topology = CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
-    const auto certificate = CGAL::certify_spanning_subgraph(g.graph, subgraph, topology, g.index_map());
+    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
+                                           g.index_map(), g.boundary_map());
+    const auto topology =
+        CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    const auto certificate =
+        CGAL::certify_spanning_subgraph(g.graph, subgraph, topology, g.index_map());
     auto& most = largest[topology.is_orientable() ? "torus" : "projective plane"];
     most = (std::max)(most, certificate.maximum_degree);
   }
@@ -265,5 +284,6 @@ BOOST_AUTO_TEST_CASE(shrinking_finds_the_smallest_recipe)
     return std::string(r.field[Surface_recipe::HANDLES] >= 2 ? "two handles" : "");
   };
   const std::string complaint = check_and_shrink(recipe(5, 17, 9, 3, 40, 200, 4), no_handles);
-  BOOST_TEST(complaint == "two handles on {shape 0, size 0, handles 2, cross_caps 0, inserted 0, flips 0, punctures 0, copies 0, isolated 0, seed 1}");
+  BOOST_TEST(complaint == "two handles on {shape 0, size 0, handles 2, cross_caps 0, inserted 0, "
+                          "flips 0, punctures 0, copies 0, isolated 0, seed 1}");
 }

@@ -133,9 +133,12 @@ CGAL::Spanning_subgraph_certificate certified_subgraph(const Triangle_list& s)
   std::mt19937 random(1);
   const Embedded_graph g = embed(s, random);
   std::vector<Embedded_graph::Edge> subgraph;
-  CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph), g.index_map(), g.boundary_map());
+  CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
+                                         g.index_map(), g.boundary_map());
   return CGAL::certify_spanning_subgraph(
-    g.graph, subgraph, CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map()), g.index_map());
+      g.graph, subgraph,
+      CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map()),
+      g.index_map());
 }
 
 // Only the ears 1, 3 and 5 have no chord; peeling an ear makes a chord an edge of the cycle, which must free its ends.
@@ -183,7 +186,8 @@ BOOST_AUTO_TEST_CASE(deadlocks_on_random_discs)
     ours += deadlocks(disc, Bookkeeping::ONE_AT_A_TIME) ? 1 : 0;
     BOOST_REQUIRE(certified_subgraph(disc).is_valid_subgraph());
   }
-  BOOST_TEST_MESSAGE("deadlocks on 300 random discs: one-way marks " << marks << ", all at once " << all_at_once);
+  BOOST_TEST_MESSAGE("deadlocks on 300 random discs: one-way marks " << marks << ", all at once "
+                                                                     << all_at_once);
   BOOST_TEST(marks > 150);
   BOOST_TEST(all_at_once > 150);
   BOOST_TEST(ours == 0);
@@ -193,10 +197,12 @@ BOOST_AUTO_TEST_CASE(deadlocks_on_random_discs)
 BOOST_AUTO_TEST_CASE(several_components_with_the_counts_of_one)
 {
   const Triangle_list annulus = grid_band(3, 6, false);
-  for (const Triangle_list& s : {disjoint_union(fan(5), fan(3)), disjoint_union(fan(5), annulus), disjoint_union(annulus, fan(5)),
-                                 disjoint_union(tetrahedron(), grid_torus(4, 4)), disjoint_union(grid_torus(4, 4), tetrahedron()),
-                                 disjoint_union(fan(3), grid_torus(4, 4)), disjoint_union(projective_plane(), fan(1)),
-                                 disjoint_union(projective_plane(), projective_plane())})
+  for (const Triangle_list& s :
+       {disjoint_union(fan(5), fan(3)), disjoint_union(fan(5), annulus),
+        disjoint_union(annulus, fan(5)), disjoint_union(tetrahedron(), grid_torus(4, 4)),
+        disjoint_union(grid_torus(4, 4), tetrahedron()), disjoint_union(fan(3), grid_torus(4, 4)),
+        disjoint_union(projective_plane(), fan(1)),
+        disjoint_union(projective_plane(), projective_plane())})
     BOOST_TEST(certified_subgraph(s).is_valid_subgraph());
 }
 
@@ -212,7 +218,8 @@ BOOST_AUTO_TEST_CASE(a_million_triangles_around_one_vertex)
 // Two triangles on the same three vertices are the smallest simple sphere.
 BOOST_AUTO_TEST_CASE(smallest_surfaces)
 {
-  for (const Triangle_list& s : {Triangle_list{3, {{0, 1, 2}}}, tetrahedron(), projective_plane(), Triangle_list{0, {}}, Triangle_list{5, {}}})
+  for (const Triangle_list& s : {Triangle_list{3, {{0, 1, 2}}}, tetrahedron(), projective_plane(),
+                                 Triangle_list{0, {}}, Triangle_list{5, {}}})
     BOOST_TEST(certified_subgraph(s).is_valid_subgraph());
 
   Embedded_graph::Graph g(3);
@@ -221,12 +228,15 @@ BOOST_AUTO_TEST_CASE(smallest_surfaces)
   std::vector<std::vector<Embedded_graph::Edge>> lists(3);
   for (int v = 0; v < 3; ++v)
     lists[v].assign(out_edges(v, g).first, out_edges(v, g).second);
-  const auto embedding = boost::make_iterator_property_map(lists.begin(), get(boost::vertex_index, g));
+  const auto embedding =
+      boost::make_iterator_property_map(lists.begin(), get(boost::vertex_index, g));
   const auto never = boost::make_static_property_map<Embedded_graph::Edge>(false);
   std::vector<Embedded_graph::Edge> subgraph;
-  CGAL::bounded_degree_spanning_subgraph(g, embedding, std::back_inserter(subgraph), get(boost::vertex_index, g), never);
+  CGAL::bounded_degree_spanning_subgraph(g, embedding, std::back_inserter(subgraph),
+                                         get(boost::vertex_index, g), never);
   BOOST_TEST(subgraph.size() == 3u);
-  BOOST_TEST(CGAL::surface_topology(g, embedding, get(boost::vertex_index, g), never).euler_characteristic() == 2);
+  BOOST_TEST(CGAL::surface_topology(g, embedding, get(boost::vertex_index, g), never)
+                 .euler_characteristic() == 2);
 }
 
 // The index type for more edges than 32 bits can number, on a surface that has far fewer.
@@ -240,13 +250,15 @@ BOOST_AUTO_TEST_CASE(wide_indices_give_the_same_subgraph)
   const auto embedding = g.embedding();
   const auto index = g.index_map();
   const auto boundary = g.boundary_map();
-  using Reader = internal::Embedding_reader<Embedded_graph::Graph, std::decay_t<decltype(embedding)>,
-                                            std::decay_t<decltype(index)>, std::decay_t<decltype(boundary)>>;
+  using Reader =
+      internal::Embedding_reader<Embedded_graph::Graph, std::decay_t<decltype(embedding)>,
+                                 std::decay_t<decltype(index)>, std::decay_t<decltype(boundary)>>;
   const Reader reader(g.graph, embedding, index, boundary);
   internal::Rotation_system<std::uint32_t> narrow;
   internal::Rotation_system<std::uint64_t> wide;
   reader.read(narrow);
   reader.read(wide);
-  BOOST_TEST((internal::Bounded_degree_marks<std::uint32_t>(narrow, internal::Subgraph_kind::TREE)() ==
-              internal::Bounded_degree_marks<std::uint64_t>(wide, internal::Subgraph_kind::TREE)()));
+  BOOST_TEST(
+      (internal::Bounded_degree_marks<std::uint32_t>(narrow, internal::Subgraph_kind::TREE)() ==
+       internal::Bounded_degree_marks<std::uint64_t>(wide, internal::Subgraph_kind::TREE)()));
 }

@@ -38,15 +38,18 @@ using Edges = std::vector<Mesh::Edge_index>;
 using Segments = std::vector<std::vector<Place>>;
 
 const char* const style =
-  ".e{fill:none;stroke:#d5d5d0;stroke-width:.8}.h{fill:none;stroke:#1b5fa8;stroke-width:1.6;stroke-linecap:round}"
-  ".c{fill:none;stroke:#d23b45;stroke-width:2.6;stroke-linecap:round}.g{fill:none;stroke:#c98a1b;stroke-width:1.4}"
-  ".v{fill:#fff;stroke:#333;stroke-width:1}.z{fill:#d23b45}.l{fill:#eef2f6;stroke:none}"
-  "text{font:14px sans-serif;fill:#333;text-anchor:middle}.s{stroke-width:.3;stroke:#b9b9b4}";
+    ".e{fill:none;stroke:#d5d5d0;stroke-width:.8}.h{fill:none;stroke:#1b5fa8;stroke-width:1.6;"
+    "stroke-linecap:round}"
+    ".c{fill:none;stroke:#d23b45;stroke-width:2.6;stroke-linecap:round}.g{fill:none;stroke:#c98a1b;"
+    "stroke-width:1.4}"
+    ".v{fill:#fff;stroke:#333;stroke-width:1}.z{fill:#d23b45}.l{fill:#eef2f6;stroke:none}"
+    "text{font:14px sans-serif;fill:#333;text-anchor:middle}.s{stroke-width:.3;stroke:#b9b9b4}";
 
 // --- a surface of genus 3 ---
 
 constexpr double tilt = 0.75, zoom = 78;
-const Vector right(1, 0, 0), up(0, std::cos(tilt), std::sin(tilt)), back(0, -std::sin(tilt), std::cos(tilt));
+const Vector right(1, 0, 0), up(0, std::cos(tilt), std::sin(tilt)),
+    back(0, -std::sin(tilt), std::cos(tilt));
 
 Place place(const Indexed_surface::Point_3& p, double top)
 {
@@ -55,7 +58,8 @@ Place place(const Indexed_surface::Point_3& p, double top)
 }
 
 // The far parts first; an edge right after the farther of the faces at it, so that nearer parts hide it.
-void draw_surface_with(Svg& svg, const Mesh& mesh, const Edges& edges, const std::string& edge_style, double top)
+void draw_surface_with(Svg& svg, const Mesh& mesh, const Edges& edges,
+                       const std::string& edge_style, double top)
 {
   std::vector<bool> is_drawn(num_edges(mesh), false);
   for (auto e : edges)
@@ -70,19 +74,26 @@ void draw_surface_with(Svg& svg, const Mesh& mesh, const Edges& edges, const std
   std::vector<Face> faces;
   for (auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    const auto a = mesh.point(mesh.source(h)), b = mesh.point(mesh.target(h)), c = mesh.point(mesh.target(mesh.next(h)));
+    const auto a = mesh.point(mesh.source(h)), b = mesh.point(mesh.target(h)),
+               c = mesh.point(mesh.target(mesh.next(h)));
     const Vector normal = CGAL::normal(a, b, c);
     if (normal * back <= 0)
       continue;
     const Vector light = back + 0.6 * up - 0.4 * right;
-    const double brightness = normal * light / std::sqrt(normal.squared_length() * light.squared_length());
-    Face face = {(CGAL::centroid(a, b, c) - CGAL::ORIGIN) * back, int(200 + 52 * (std::max)(brightness, 0.)), {place(a, top), place(b, top), place(c, top)}, {}};
+    const double brightness =
+        normal * light / std::sqrt(normal.squared_length() * light.squared_length());
+    Face face = {(CGAL::centroid(a, b, c) - CGAL::ORIGIN) * back,
+                 int(200 + 52 * (std::max)(brightness, 0.)),
+                 {place(a, top), place(b, top), place(c, top)},
+                 {}};
     for (auto i : CGAL::halfedges_around_face(h, mesh))
       if (is_drawn[mesh.edge(i)])
-        face.edges.push_back({place(mesh.point(mesh.source(i)), top), place(mesh.point(mesh.target(i)), top)});
+        face.edges.push_back(
+            {place(mesh.point(mesh.source(i)), top), place(mesh.point(mesh.target(i)), top)});
     faces.push_back(face);
   }
-  std::sort(faces.begin(), faces.end(), [](const Face& x, const Face& y) { return x.depth < y.depth; });
+  std::sort(faces.begin(), faces.end(),
+            [](const Face& x, const Face& y) { return x.depth < y.depth; });
   for (const Face& face : faces) {
     svg.polygon("s f" + std::to_string(face.grey / 4), face.corners);
     if (!face.edges.empty())
@@ -98,7 +109,8 @@ void draw_genus_3(const std::string& file_name)
   CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
   std::string greys;
   for (int i = 50; i <= 63; ++i)
-    greys += ".f" + std::to_string(i) + "{fill:rgb(" + std::to_string(4 * i) + "," + std::to_string(4 * i) + "," + std::to_string(4 * i - 6) + ")}";
+    greys += ".f" + std::to_string(i) + "{fill:rgb(" + std::to_string(4 * i) + "," +
+             std::to_string(4 * i) + "," + std::to_string(4 * i - 6) + ")}";
   Svg svg(720, 500, style + greys);
   draw_surface_with(svg, mesh, cut, "c", 0);
   draw_surface_with(svg, mesh, subgraph, "h", 240);
@@ -125,8 +137,10 @@ Flat_torus flat_torus()
   for (int r = 0; r < grid; ++r)
     for (int c = 0; c < grid; ++c) {
       torus.places.push_back({(c + 0.5 + shift(random)) / grid, (r + 0.5 + shift(random)) / grid});
-      for (const auto& [dr, dc] : {std::pair(0, 1), std::pair(1, 1), std::pair(1, 0), std::pair(0, -1), std::pair(-1, -1), std::pair(-1, 0)})
-        torus.surface.neighbor.push_back(std::uint32_t((r + dr + grid) % grid * grid + (c + dc + grid) % grid));
+      for (const auto& [dr, dc] : {std::pair(0, 1), std::pair(1, 1), std::pair(1, 0),
+                                   std::pair(0, -1), std::pair(-1, -1), std::pair(-1, 0)})
+        torus.surface.neighbor.push_back(
+            std::uint32_t((r + dr + grid) % grid * grid + (c + dc + grid) % grid));
       torus.surface.first.push_back(std::uint32_t(torus.surface.neighbor.size()));
     }
   return torus;
@@ -143,7 +157,8 @@ Segments segments(const Flat_torus& torus, const internal::Dart_marks& marks, do
       if (!marks[dart])
         continue;
       const Place p = torus.places[v], q = torus.places[torus.surface.neighbor[dart]];
-      const Place from_p = {near_one(q.x, p.x), near_one(q.y, p.y)}, from_q = {near_one(p.x, q.x), near_one(p.y, q.y)};
+      const Place from_p = {near_one(q.x, p.x), near_one(q.y, p.y)},
+                  from_q = {near_one(p.x, q.x), near_one(p.y, q.y)};
       result.push_back({on_sheet(p), on_sheet(from_p)});
       if (std::abs(from_p.x - q.x) + std::abs(from_p.y - q.y) > 0.5)
         result.push_back({on_sheet(q), on_sheet(from_q)});
@@ -156,18 +171,21 @@ void draw_torus(const std::string& file_name)
   Flat_torus torus = flat_torus();
   const internal::Dart_marks all(torus.surface.number_of_darts(), true);
   internal::Cut_candidate<std::uint32_t> candidate(torus.surface);
-  internal::Search_triangles<std::uint32_t> (torus.surface, candidate)();
+  internal::Search_triangles<std::uint32_t>(torus.surface, candidate)();
   const internal::Dart_marks uncrossed = candidate.marks;
   internal::Prune_cut<std::uint32_t>(torus.surface, candidate)();
   internal::Dart_marks cut = candidate.marks;
   for (std::uint32_t v = 0; v < torus.surface.number_of_vertices(); ++v)
     if (candidate.degree[v] == 0)
-      std::fill(cut.begin() + torus.surface.first[v], cut.begin() + torus.surface.first[v + 1], false);
+      std::fill(cut.begin() + torus.surface.first[v], cut.begin() + torus.surface.first[v + 1],
+                false);
   internal::Rotation_system<std::uint32_t> copy = torus.surface; // opening changes it
-  const internal::Dart_marks subgraph = internal::Bounded_degree_marks<std::uint32_t>(copy, internal::Subgraph_kind::SUBGRAPH)();
+  const internal::Dart_marks subgraph =
+      internal::Bounded_degree_marks<std::uint32_t>(copy, internal::Subgraph_kind::SUBGRAPH)();
 
   Svg svg(720, 276, style);
-  const char* const words[] = {"edges that the search leaves", "pruned: the cut graph", "the subgraph"};
+  const char* const words[] = {"edges that the search leaves", "pruned: the cut graph",
+                               "the subgraph"};
   for (int panel = 0; panel < 3; ++panel) {
     const double left = 8 + 237 * panel;
     svg.begin_clip("panel" + std::to_string(panel), {left, 10}, 230, 230);
@@ -235,14 +253,20 @@ private:
   static constexpr int radius = 4;
   using Cell = std::pair<int, int>;
 
-  static int ring(Cell c) { return (std::max)({std::abs(c.first), std::abs(c.second), std::abs(c.first + c.second)}); }
+  static int ring(Cell c)
+  {
+    return (std::max)({std::abs(c.first), std::abs(c.second), std::abs(c.first + c.second)});
+  }
 
   // In the order in which they stand around v.
   std::vector<std::size_t> neighbors(std::size_t v) const
   {
     std::vector<std::size_t> result;
-    for (const Cell& d : {Cell(1, 0), Cell(0, 1), Cell(-1, 1), Cell(-1, 0), Cell(0, -1), Cell(1, -1)}) {
-      const auto found = std::find(m_vertices.begin(), m_vertices.end(), Cell(m_vertices[v].first + d.first, m_vertices[v].second + d.second));
+    for (const Cell& d :
+         {Cell(1, 0), Cell(0, 1), Cell(-1, 1), Cell(-1, 0), Cell(0, -1), Cell(1, -1)}) {
+      const auto found =
+          std::find(m_vertices.begin(), m_vertices.end(),
+                    Cell(m_vertices[v].first + d.first, m_vertices[v].second + d.second));
       if (found != m_vertices.end())
         result.push_back(std::size_t(found - m_vertices.begin()));
     }
@@ -255,16 +279,21 @@ private:
     m_stack.pop_back();
     const auto around = neighbors(z);
     const auto is_inside = [&](std::size_t v) { return !m_cycle.count(v) && !m_peeled.count(v); };
-    if (!m_cycle.count(z) || std::count_if(around.begin(), around.end(), [&](std::size_t v) { return m_cycle.count(v) != 0; }) != 2)
+    if (!m_cycle.count(z) || std::count_if(around.begin(), around.end(), [&](std::size_t v) {
+                               return m_cycle.count(v) != 0;
+                             }) != 2)
       return false;
     // The live fan starts where an inner vertex follows one that is not.
     std::size_t begin = 0;
-    while (begin < around.size() && !(is_inside(around[begin]) && !is_inside(around[(begin + around.size() - 1) % around.size()])))
+    while (begin < around.size() &&
+           !(is_inside(around[begin]) &&
+             !is_inside(around[(begin + around.size() - 1) % around.size()])))
       ++begin;
     m_cycle.erase(z);
     m_peeled.insert(z);
     std::size_t previous = z;
-    for (std::size_t i = 0; begin < around.size() && is_inside(around[(begin + i) % around.size()]); ++i) {
+    for (std::size_t i = 0; begin < around.size() && is_inside(around[(begin + i) % around.size()]);
+         ++i) {
       const std::size_t w = around[(begin + i) % around.size()];
       m_subgraph.push_back({previous, w});
       m_cycle.insert(w);
@@ -292,7 +321,8 @@ void draw_peeling(const std::string& file_name)
 {
   Svg svg(720, 276, style);
   Slow_peeling peeling;
-  const char* const words[] = {"the rim, before the first step", "after 5 steps", "no vertex is inside"};
+  const char* const words[] = {"the rim, before the first step", "after 5 steps",
+                               "no vertex is inside"};
   for (int panel = 0; panel < 3; ++panel) {
     peeling.draw(svg, 8 + 237 * panel);
     svg.text("", {123. + 237 * panel, 262}, words[panel]);

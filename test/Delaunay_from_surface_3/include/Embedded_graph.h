@@ -17,8 +17,9 @@
 
 struct Embedded_graph
 {
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
-                                      boost::property<boost::edge_index_t, int>>;
+  using Graph =
+      boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                            boost::property<boost::edge_index_t, int>>;
   using Edge = boost::graph_traits<Graph>::edge_descriptor;
 
   Graph graph;
@@ -41,7 +42,8 @@ Embedded_graph embed(const Triangle_list& s, Random& random)
 {
   Embedded_graph result;
   result.graph = Embedded_graph::Graph(std::size_t(s.n));
-  std::map<std::pair<int, int>, std::pair<Embedded_graph::Edge, int>> edge; // and its number of triangles
+  std::map<std::pair<int, int>, std::pair<Embedded_graph::Edge, int>>
+      edge; // and its number of triangles
   std::vector<std::multimap<int, int>> link(s.n);
   for (const Triangle& t : s.triangles)
     for (int k = 0; k < 3; ++k) {
@@ -78,7 +80,10 @@ Embedded_graph embed(const Triangle_list& s, Random& random)
       walk.push_back(next);
     }
     if (!is_open)
-      std::rotate(walk.begin(), walk.begin() + std::uniform_int_distribution<std::ptrdiff_t>(0, std::ptrdiff_t(walk.size()) - 1)(random), walk.end());
+      std::rotate(walk.begin(),
+                  walk.begin() + std::uniform_int_distribution<std::ptrdiff_t>(
+                                     0, std::ptrdiff_t(walk.size()) - 1)(random),
+                  walk.end());
     if (std::uniform_int_distribution<int>(0, 1)(random))
       std::reverse(walk.begin(), walk.end());
     for (int u : walk)

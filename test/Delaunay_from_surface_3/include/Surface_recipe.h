@@ -17,13 +17,26 @@
 
 struct Surface_recipe
 {
-  enum Field { SHAPE, SIZE, HANDLES, CROSS_CAPS, INSERTED, FLIPS, PUNCTURES, COPIES, ISOLATED, SEED, FIELDS };
+  enum Field {
+    SHAPE,
+    SIZE,
+    HANDLES,
+    CROSS_CAPS,
+    INSERTED,
+    FLIPS,
+    PUNCTURES,
+    COPIES,
+    ISOLATED,
+    SEED,
+    FIELDS
+  };
   std::array<int, FIELDS> field{};
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Surface_recipe& recipe)
 {
-  static const char* const name[] = {"shape", "size", "handles", "cross_caps", "inserted", "flips", "punctures", "copies", "isolated", "seed"};
+  static const char* const name[] = {"shape", "size",      "handles", "cross_caps", "inserted",
+                                     "flips", "punctures", "copies",  "isolated",   "seed"};
   for (int i = 0; i < Surface_recipe::FIELDS; ++i)
     out << (i ? ", " : "{") << name[i] << " " << recipe.field[i];
   return out << "}";
@@ -33,15 +46,24 @@ inline Triangle_list base_shape(const Surface_recipe& recipe, std::mt19937& rand
 {
   const int size = recipe.field[Surface_recipe::SIZE];
   switch (recipe.field[Surface_recipe::SHAPE]) {
-  case 0: return tetrahedron();
-  case 1: return nested_triangles(2 + size);
-  case 2: return double_wheel(3 + size);
-  case 3: return polygon_with_chords(3 + size, random);
-  case 4: return fan(1 + size);
-  case 5: return grid_torus(3 + size / 4, 3);
-  case 6: return projective_plane();
-  case 7: return grid_band(2 + size / 4, 3 + size / 4, true);
-  default: return grid_band(2 + size / 4, 3 + size / 4, false);
+  case 0:
+    return tetrahedron();
+  case 1:
+    return nested_triangles(2 + size);
+  case 2:
+    return double_wheel(3 + size);
+  case 3:
+    return polygon_with_chords(3 + size, random);
+  case 4:
+    return fan(1 + size);
+  case 5:
+    return grid_torus(3 + size / 4, 3);
+  case 6:
+    return projective_plane();
+  case 7:
+    return grid_band(2 + size / 4, 3 + size / 4, true);
+  default:
+    return grid_band(2 + size / 4, 3 + size / 4, false);
   }
 }
 
@@ -65,7 +87,8 @@ inline Triangle_list cook(const Surface_recipe& recipe)
   Triangle_list s = one_component(recipe, random);
   for (int i = 0; i < recipe.field[Surface_recipe::COPIES]; ++i) {
     Surface_recipe other = recipe;
-    const bool is_orientable = recipe.field[Surface_recipe::CROSS_CAPS] == 0 && recipe.field[Surface_recipe::SHAPE] / 2 != 3;
+    const bool is_orientable = recipe.field[Surface_recipe::CROSS_CAPS] == 0 &&
+                               recipe.field[Surface_recipe::SHAPE] / 2 != 3;
     int& shape = other.field[Surface_recipe::SHAPE];
     shape = (shape + i + 1) % 9;
     if (is_orientable && (shape == 6 || shape == 7)) // these two are not

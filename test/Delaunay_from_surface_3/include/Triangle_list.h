@@ -40,7 +40,16 @@ inline Triangle_list tetrahedron()
 inline Triangle_list projective_plane()
 {
   return {6,
-          {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}}};
+          {{0, 1, 2},
+           {0, 2, 3},
+           {0, 3, 4},
+           {0, 4, 5},
+           {0, 5, 1},
+           {1, 2, 4},
+           {2, 3, 5},
+           {3, 4, 1},
+           {4, 5, 2},
+           {5, 1, 3}}};
 }
 
 inline Triangle_list grid_torus(int rows, int columns)
@@ -127,7 +136,8 @@ template <class Random>
 Triangle_list connected_sum(Triangle_list a, Triangle_list b, Random& random)
 {
   const auto take = [&](Triangle_list& s) {
-    const std::size_t i = std::uniform_int_distribution<std::size_t>(0, s.triangles.size() - 1)(random);
+    const std::size_t i =
+        std::uniform_int_distribution<std::size_t>(0, s.triangles.size() - 1)(random);
     const Triangle t = s.triangles[i];
     s.triangles.erase(s.triangles.begin() + std::ptrdiff_t(i));
     return t;
@@ -157,7 +167,8 @@ template <class Random>
 void insert_vertices(Triangle_list& s, int count, Random& random)
 {
   for (; count > 0; --count) {
-    const std::size_t i = std::uniform_int_distribution<std::size_t>(0, s.triangles.size() - 1)(random);
+    const std::size_t i =
+        std::uniform_int_distribution<std::size_t>(0, s.triangles.size() - 1)(random);
     const Triangle t = s.triangles[i];
     s.triangles[i] = {t[0], t[1], s.n};
     s.triangles.push_back({t[1], t[2], s.n});
@@ -186,9 +197,11 @@ void flip_edges(Triangle_list& s, int count, Random& random)
   for (std::size_t i = 0; i < s.triangles.size(); ++i)
     link(i);
   for (; count > 0; --count) {
-    const std::size_t i = std::uniform_int_distribution<std::size_t>(0, s.triangles.size() - 1)(random);
+    const std::size_t i =
+        std::uniform_int_distribution<std::size_t>(0, s.triangles.size() - 1)(random);
     const int k = std::uniform_int_distribution<int>(0, 2)(random);
-    const int a = s.triangles[i][k], b = s.triangles[i][(k + 1) % 3], c = s.triangles[i][(k + 2) % 3];
+    const int a = s.triangles[i][k], b = s.triangles[i][(k + 1) % 3],
+              c = s.triangles[i][(k + 2) % 3];
     const auto& pair = at_edge[ends(a, b)];
     if (pair.size() != 2)
       continue;
@@ -231,13 +244,16 @@ bool puncture(Triangle_list& s, Random& random)
       continue;
     // What is left must still be a surface: every vertex of the hole keeps a triangle.
     std::vector<Triangle> rest;
-    std::copy_if(order.begin(), order.end(), std::back_inserter(rest), [&](const Triangle& t) { return !is_hole(t); });
+    std::copy_if(order.begin(), order.end(), std::back_inserter(rest),
+                 [&](const Triangle& t) { return !is_hole(t); });
     std::vector<int> kept(std::size_t(s.n), 0);
     for (const Triangle& t : rest)
       for (int v : t)
         ++kept[v];
     const bool is_surface = std::all_of(order.begin(), order.end(), [&](const Triangle& t) {
-      return !is_hole(t) || std::all_of(t.begin(), t.end(), [&](int v) { return kept[v] > 0 || (whole_star && v == seed[0]); });
+      return !is_hole(t) || std::all_of(t.begin(), t.end(), [&](int v) {
+        return kept[v] > 0 || (whole_star && v == seed[0]);
+      });
     });
     if (!is_surface)
       continue;

@@ -65,7 +65,8 @@ Mesh to_halfedge_mesh(Triangle_list s)
   for (int v = 0; v < s.n; ++v)
     vertex.push_back(add_vertex(mesh));
   for (const Triangle& t : s.triangles) {
-    const std::array<typename boost::graph_traits<Mesh>::vertex_descriptor, 3> corners{vertex[t[0]], vertex[t[1]], vertex[t[2]]};
+    const std::array<typename boost::graph_traits<Mesh>::vertex_descriptor, 3> corners{
+        vertex[t[0]], vertex[t[1]], vertex[t[2]]};
     if (CGAL::Euler::add_face(corners, mesh) == boost::graph_traits<Mesh>::null_face())
       throw std::invalid_argument("the triangles do not form a mesh");
   }

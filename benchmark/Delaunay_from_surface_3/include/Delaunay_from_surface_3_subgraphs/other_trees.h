@@ -23,11 +23,13 @@ void minimum_spanning_tree(const Mesh& mesh, EdgeOutputIterator out)
 {
   std::vector<double> lengths(num_edges(mesh));
   for (auto e : edges(mesh))
-    lengths[e.idx()] = CGAL::squared_distance(mesh.point(source(e, mesh)), mesh.point(target(e, mesh)));
+    lengths[e.idx()] =
+        CGAL::squared_distance(mesh.point(source(e, mesh)), mesh.point(target(e, mesh)));
   boost::kruskal_minimum_spanning_tree(
-    mesh, out,
-    boost::weight_map(boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh)))
-      .vertex_index_map(get(boost::vertex_index, mesh)));
+      mesh, out,
+      boost::weight_map(
+          boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh)))
+          .vertex_index_map(get(boost::vertex_index, mesh)));
 }
 
 template <class EdgeOutputIterator>
@@ -37,7 +39,8 @@ struct Tree_edge_writer : boost::default_dfs_visitor
 
   explicit Tree_edge_writer(EdgeOutputIterator o)
     : out(o)
-  {}
+  {
+  }
 
   template <class HalfedgeDescriptor, class Mesh>
   void tree_edge(HalfedgeDescriptor h, const Mesh& mesh)
@@ -52,8 +55,8 @@ void depth_first_tree(const Mesh& mesh, EdgeOutputIterator out)
 {
   std::vector<boost::default_color_type> colors(num_vertices(mesh));
   boost::depth_first_search(
-    mesh, Tree_edge_writer<EdgeOutputIterator>(out),
-    boost::make_iterator_property_map(colors.begin(), get(boost::vertex_index, mesh)));
+      mesh, Tree_edge_writer<EdgeOutputIterator>(out),
+      boost::make_iterator_property_map(colors.begin(), get(boost::vertex_index, mesh)));
 }
 
 } // namespace subgraphs

@@ -26,7 +26,8 @@ inline void plot_times(const nlohmann::ordered_json& times, const std::string& f
   double least_n = 1e300, most_n = 0, most_time = 0;
   for (const auto& row : times) {
     const double n = row["vertices"], time = row["subgraph"]["nanoseconds_per_vertex"];
-    curves[row["surface"].get<std::string>() + ", " + row["order"].get<std::string>()].emplace_back(n, time);
+    curves[row["surface"].get<std::string>() + ", " + row["order"].get<std::string>()].emplace_back(
+        n, time);
     least_n = (std::min)(least_n, n), most_n = (std::max)(most_n, n);
     most_time = (std::max)(most_time, time);
   }
@@ -34,15 +35,17 @@ inline void plot_times(const nlohmann::ordered_json& times, const std::string& f
   const double top = 100 * std::ceil(most_time / 100);
   const auto x = [&](double n) { return 70 + 400 * std::log10(n / least_n) / span; };
   const auto y = [&](double time) { return 330 - 290 * time / top; };
-  static const char* const colors[] = {"#1b6ca8", "#d1495b", "#2e8b57", "#8a6d3b", "#6a4c93", "#444444"};
+  static const char* const colors[] = {"#1b6ca8", "#d1495b", "#2e8b57",
+                                       "#8a6d3b", "#6a4c93", "#444444"};
 
   std::ofstream svg(file_name);
-  svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 660 390\" width=\"660\" height=\"390\">\n"
+  svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 660 390\" width=\"660\" "
+         "height=\"390\">\n"
          "<style>text{font:13px sans-serif;fill:#333}.axis{stroke:#bbb;fill:none}</style>\n"
          "<rect width=\"660\" height=\"390\" fill=\"#fff\"/>\n";
   for (double time = 0; time <= top; time += top / 5)
-    svg << "<path class=\"axis\" d=\"M70 " << y(time) << "H470\"/><text x=\"62\" y=\"" << y(time) + 4
-        << "\" text-anchor=\"end\">" << time << "</text>\n";
+    svg << "<path class=\"axis\" d=\"M70 " << y(time) << "H470\"/><text x=\"62\" y=\""
+        << y(time) + 4 << "\" text-anchor=\"end\">" << time << "</text>\n";
   for (double n = std::pow(10, std::ceil(std::log10(least_n) - 0.01)); n <= 1.1 * most_n; n *= 10)
     svg << "<path class=\"axis\" d=\"M" << x(n) << " 330v5\"/><text x=\"" << x(n)
         << "\" y=\"352\" text-anchor=\"middle\">10^" << std::lround(std::log10(n)) << "</text>\n";

@@ -90,8 +90,8 @@ private:
   bool boundary_is_one_loop() const
   {
     const std::vector<bool>& on_boundary = m_surface.on_boundary;
-    const Index first = static_cast<Index>(
-      std::find(on_boundary.begin(), on_boundary.end(), true) - on_boundary.begin());
+    const Index first = static_cast<Index>(std::find(on_boundary.begin(), on_boundary.end(), true) -
+                                           on_boundary.begin());
     std::size_t length = 0;
     Index previous = first;
     for (Index v = first; length == 0 || v != first; ++length) {

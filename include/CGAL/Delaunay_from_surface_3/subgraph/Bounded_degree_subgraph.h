@@ -42,8 +42,8 @@ public:
   {
     namespace internal = Delaunay_from_surface_3::internal;
     return internal::write_bounded_degree_subgraph(
-      internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
-      internal::Subgraph_kind::SUBGRAPH, out);
+        internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
+        internal::Subgraph_kind::SUBGRAPH, out);
   }
 };
 
@@ -67,8 +67,8 @@ public:
   {
     namespace internal = Delaunay_from_surface_3::internal;
     return internal::write_bounded_degree_subgraph(
-      internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
-      internal::Subgraph_kind::TREE, out);
+        internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
+        internal::Subgraph_kind::TREE, out);
   }
 };
 

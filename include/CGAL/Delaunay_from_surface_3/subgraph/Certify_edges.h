@@ -34,12 +34,12 @@ struct Spanning_subgraph_certificate
   std::size_t number_of_repeated_edges = 0;      ///< edges that are there once before
   std::size_t number_of_graph_components = 0;    ///< isolated vertices included
   std::size_t number_of_subgraph_components = 0; ///< isolated vertices included
-  std::size_t number_of_independent_cycles = 0;  ///< edges − vertices + components of the subgraph
+  std::size_t number_of_independent_cycles = 0; ///< edges − vertices + components of the subgraph
   std::size_t maximum_degree = 0;
-  std::size_t vertex_of_maximum_degree = 0;       ///< its index
+  std::size_t vertex_of_maximum_degree = 0;              ///< its index
   std::vector<std::size_t> number_of_vertices_of_degree; ///< a histogram of the degrees
-  std::size_t largest_degree_bound = 0; ///< the largest of the components' own bounds
-  bool respects_degree_bounds = true;   ///< no degree exceeds the bound of its own component
+  std::size_t largest_degree_bound = 0;    ///< the largest of the components' own bounds
+  bool respects_degree_bounds = true;      ///< no degree exceeds the bound of its own component
   bool respects_tree_degree_bounds = true; ///< the same with the bounds for trees
 
   /// returns whether the vertices of every component of the surface are connected by the edges.
@@ -83,12 +83,12 @@ private:
   std::size_t m_count;
 };
 
-inline void certify_degrees(const std::vector<std::size_t>& degree, const Surface_topology& topology,
-                            Spanning_subgraph_certificate& result)
+inline void certify_degrees(const std::vector<std::size_t>& degree,
+                            const Surface_topology& topology, Spanning_subgraph_certificate& result)
 {
   for (const Surface_component_topology& component : topology.components)
     result.largest_degree_bound =
-      (std::max)(result.largest_degree_bound, component.subgraph_degree_bound());
+        (std::max)(result.largest_degree_bound, component.subgraph_degree_bound());
   for (std::size_t v = 0; v < degree.size(); ++v) {
     if (degree[v] >= result.number_of_vertices_of_degree.size())
       result.number_of_vertices_of_degree.resize(degree[v] + 1, 0);
@@ -135,8 +135,8 @@ certify_spanning_subgraph(const Graph& graph, const EdgeRange& subgraph_edges,
   Spanning_subgraph_certificate result;
   const auto end_points = [&](const auto& e) {
     return std::pair<std::size_t, std::size_t>(
-      std::minmax({std::size_t(get(vertex_index_map, source(e, graph))),
-                   std::size_t(get(vertex_index_map, target(e, graph)))}));
+        std::minmax({std::size_t(get(vertex_index_map, source(e, graph))),
+                     std::size_t(get(vertex_index_map, target(e, graph)))}));
   };
 
   internal::Component_count of_graph(n), of_subgraph(n);
@@ -155,7 +155,7 @@ certify_spanning_subgraph(const Graph& graph, const EdgeRange& subgraph_edges,
   std::sort(sorted.begin(), sorted.end());
   result.number_of_edges = sorted.size();
   result.number_of_repeated_edges =
-    std::size_t(std::distance(std::unique(sorted.begin(), sorted.end()), sorted.end()));
+      std::size_t(std::distance(std::unique(sorted.begin(), sorted.end()), sorted.end()));
   result.number_of_graph_components = of_graph();
   result.number_of_subgraph_components = of_subgraph();
   result.number_of_independent_cycles = result.number_of_edges + of_subgraph() - n;

@@ -89,7 +89,8 @@ private:
   {
     for (Index u : surface.star(v))
       if (surface.degree(u) != 2 || surface.on_boundary[u])
-        refuse("inconsistent lists: " + vertex_name(v) + " has two edges and none is marked as boundary");
+        refuse("inconsistent lists: " + vertex_name(v) +
+               " has two edges and none is marked as boundary");
   }
 
   [[noreturn]] void refuse_lonely_corner() const

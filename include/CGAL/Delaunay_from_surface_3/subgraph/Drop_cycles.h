@@ -40,7 +40,8 @@ public:
   Drop_cycles(const Opened_surface<Index>& opened, Dart_marks& subgraph)
     : m_opened(opened)
     , m_subgraph(subgraph)
-  {}
+  {
+  }
 
   void operator()(const std::vector<Rim_edge<Index>>& rim_edges)
   {

@@ -43,7 +43,8 @@ public:
     , m_embedding(embedding)
     , m_index(index)
     , m_is_boundary(is_boundary)
-  {}
+  {
+  }
 
   std::size_t number_of_darts() const { return 2 * std::size_t(num_edges(m_graph)); }
 
@@ -150,8 +151,8 @@ private:
     std::vector<Ends> darts, edges_of_graph;
     for_each_vertex([&](Vertex v, std::size_t i) {
       for (const auto& e : get(m_embedding, v))
-        darts.emplace_back(i, get(m_index, source(e, m_graph) == v ? target(e, m_graph)
-                                                                     : source(e, m_graph)));
+        darts.emplace_back(
+            i, get(m_index, source(e, m_graph) == v ? target(e, m_graph) : source(e, m_graph)));
     });
     std::sort(darts.begin(), darts.end());
     const auto twice = std::adjacent_find(darts.begin(), darts.end());

@@ -33,7 +33,8 @@ public:
     , m_is_seen(surface.number_of_vertices(), false)
     , m_is_turned(surface.number_of_vertices(), false)
     , m_is_on_loop(surface.number_of_vertices(), false)
-  {}
+  {
+  }
 
   Surface_topology operator()()
   {
@@ -88,8 +89,7 @@ private:
         m_is_seen[w] = true;
         m_is_turned[w] = turn;
         m_stack.push_back(w);
-      }
-      else if (m_is_turned[w] != turn)
+      } else if (m_is_turned[w] != turn)
         fits = false;
     }
     return fits;

@@ -38,7 +38,8 @@ public:
   Halfedge_graph_reader(const Graph& g, VertexIndexMap index)
     : m_graph(g)
     , m_index(index)
-  {}
+  {
+  }
 
   std::size_t number_of_darts() const { return num_halfedges(m_graph); } // or more
 
@@ -125,7 +126,8 @@ private:
   template <class Index>
   void read_stars(Rotation_system<Index>& surface) const
   {
-    std::vector<Index> last_seen_by(surface.number_of_vertices(), (std::numeric_limits<Index>::max)());
+    std::vector<Index> last_seen_by(surface.number_of_vertices(),
+                                    (std::numeric_limits<Index>::max)());
     std::array<Walk<Index>, 8> walks;
     std::size_t size = 0;
     const auto range = vertices(m_graph);

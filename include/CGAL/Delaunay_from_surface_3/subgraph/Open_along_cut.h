@@ -34,7 +34,8 @@ public:
     , m_opened(opened)
     , m_surface(opened.surface)
     , m_slot(std::move(scratch))
-  {}
+  {
+  }
 
   // The rim gets the copies and the boundary vertices that need none. Spheres are opened elsewhere.
   void operator()()

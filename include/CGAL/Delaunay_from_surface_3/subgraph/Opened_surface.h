@@ -33,7 +33,8 @@ struct Opened_surface
 
   explicit Opened_surface(Rotation_system<Index>& s)
     : surface(s)
-  {}
+  {
+  }
 
   Index number_of_surface_vertices() const { return surface.number_of_vertices(); }
   Index number_of_copies() const { return static_cast<Index>(copy_origin.size()); }

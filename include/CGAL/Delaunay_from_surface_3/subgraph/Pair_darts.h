@@ -28,7 +28,8 @@ std::vector<Index> pair_darts(const Rotation_system<Index>& surface)
     Index source;
     Index dart;
   };
-  std::vector<Incoming> incoming(surface.number_of_darts()); // grouped by target, as the lists are by source
+  std::vector<Incoming> incoming(
+      surface.number_of_darts()); // grouped by target, as the lists are by source
   std::vector<Index> place(surface.first);
   for (Index v = 0; v < n; ++v)
     for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)

@@ -39,7 +39,8 @@ public:
     : m_discs(discs)
     , m_subgraph(subgraph)
     , m_state(discs.number_of_vertices(), Index(inside))
-  {}
+  {
+  }
 
   // Peels until no vertex is inside or none can be peeled; returns how many vertices were not reached.
   std::size_t operator()(std::size_t number_of_inner_vertices)

@@ -31,7 +31,8 @@ public:
   Prune_cut(const Rotation_system<Index>& surface, Cut_candidate<Index>& candidate)
     : m_surface(surface)
     , m_candidate(candidate)
-  {}
+  {
+  }
 
   void operator()()
   {

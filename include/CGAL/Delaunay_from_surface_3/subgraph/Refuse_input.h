@@ -40,7 +40,8 @@ inline std::string edge_name(std::size_t v, std::size_t w)
 
 // Names two edges with the same ends by their places in the range edges(g).
 template <class Graph, class VertexIndexMap>
-[[noreturn]] void refuse_multi_edge(const Graph& g, VertexIndexMap index, std::size_t v, std::size_t w)
+[[noreturn]] void refuse_multi_edge(const Graph& g, VertexIndexMap index, std::size_t v,
+                                    std::size_t w)
 {
   std::string places;
   std::size_t place = 0, found = 0;

@@ -39,7 +39,8 @@ struct Cut_candidate
     : degree(surface.number_of_vertices(), 0)
     , xor_of_neighbors(surface.number_of_vertices(), 0)
     , marks(surface.number_of_darts(), false)
-  {}
+  {
+  }
 
   void add_edge(Index v, Index w)
   {
@@ -59,7 +60,8 @@ public:
     , m_candidate(candidate)
     , m_is_seen(surface.number_of_vertices(), false)
     , m_is_taken(surface.number_of_vertices(), false)
-  {}
+  {
+  }
 
   void operator()()
   {

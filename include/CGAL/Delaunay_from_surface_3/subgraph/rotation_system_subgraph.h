@@ -53,17 +53,16 @@ The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the correcti
 */
 template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
           class EdgeIsBoundaryMap>
-EdgeOutputIterator
-bounded_degree_spanning_subgraph(const Graph& graph, Embedding embedding, EdgeOutputIterator out,
-                                 VertexIndexMap vertex_index_map,
-                                 EdgeIsBoundaryMap edge_is_boundary_map)
+EdgeOutputIterator bounded_degree_spanning_subgraph(const Graph& graph, Embedding embedding,
+                                                    EdgeOutputIterator out,
+                                                    VertexIndexMap vertex_index_map,
+                                                    EdgeIsBoundaryMap edge_is_boundary_map)
 {
   namespace internal = Delaunay_from_surface_3::internal;
-  using Reader =
-    internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
+  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
   return internal::write_bounded_degree_subgraph(
-    Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
-    internal::Subgraph_kind::SUBGRAPH, out);
+      Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
+      internal::Subgraph_kind::SUBGRAPH, out);
 }
 
 /*!
@@ -77,17 +76,16 @@ Complexity: nearly linear time, \f$O(n\,\alpha(n))\f$.
 */
 template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
           class EdgeIsBoundaryMap>
-EdgeOutputIterator
-bounded_degree_spanning_tree(const Graph& graph, Embedding embedding, EdgeOutputIterator out,
-                             VertexIndexMap vertex_index_map,
-                             EdgeIsBoundaryMap edge_is_boundary_map)
+EdgeOutputIterator bounded_degree_spanning_tree(const Graph& graph, Embedding embedding,
+                                                EdgeOutputIterator out,
+                                                VertexIndexMap vertex_index_map,
+                                                EdgeIsBoundaryMap edge_is_boundary_map)
 {
   namespace internal = Delaunay_from_surface_3::internal;
-  using Reader =
-    internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
+  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
   return internal::write_bounded_degree_subgraph(
-    Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
-    internal::Subgraph_kind::TREE, out);
+      Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
+      internal::Subgraph_kind::TREE, out);
 }
 
 /*!
@@ -107,10 +105,9 @@ EdgeOutputIterator cut_graph(const Graph& graph, Embedding embedding, EdgeOutput
                              EdgeIsBoundaryMap edge_is_boundary_map)
 {
   namespace internal = Delaunay_from_surface_3::internal;
-  using Reader =
-    internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
-  return internal::write_cut_graph(
-    Reader(graph, embedding, vertex_index_map, edge_is_boundary_map), out);
+  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
+  return internal::write_cut_graph(Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
+                                   out);
 }
 
 } // namespace CGAL

@@ -30,13 +30,12 @@ Surface_topology surface_topology(const Graph& graph, Embedding embedding,
                                   EdgeIsBoundaryMap edge_is_boundary_map)
 {
   namespace internal = Delaunay_from_surface_3::internal;
-  using Reader =
-    internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
+  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
   return internal::with_rotation_system(
-    Reader(graph, embedding, vertex_index_map, edge_is_boundary_map), [](auto& surface) {
-      using Index = typename std::decay_t<decltype(surface)>::Index;
-      return internal::Find_topology<Index>(surface)();
-    });
+      Reader(graph, embedding, vertex_index_map, edge_is_boundary_map), [](auto& surface) {
+        using Index = typename std::decay_t<decltype(surface)>::Index;
+        return internal::Find_topology<Index>(surface)();
+      });
 }
 
 } // namespace CGAL

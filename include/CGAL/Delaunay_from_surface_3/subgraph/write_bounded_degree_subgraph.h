@@ -25,8 +25,8 @@ OutputIterator write_marked(const Reader& reader, const Rotation_system<Index>& 
 }
 
 template <class Reader, class OutputIterator>
-OutputIterator
-write_bounded_degree_subgraph(const Reader& reader, Subgraph_kind kind, OutputIterator out)
+OutputIterator write_bounded_degree_subgraph(const Reader& reader, Subgraph_kind kind,
+                                             OutputIterator out)
 {
   return with_rotation_system(reader, [&](auto& surface) {
     using Index = typename std::decay_t<decltype(surface)>::Index;

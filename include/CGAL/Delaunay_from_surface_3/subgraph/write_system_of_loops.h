@@ -41,7 +41,7 @@ OutputIterator write_system_of_loops(const Reader& reader, OutputIterator out)
       for (Index dart : loop)
         loop_of_edges.push_back(std::lower_bound(edge_of_dart.begin(), edge_of_dart.end(),
                                                  std::make_pair(dart, Edge()), is_before)
-                                  ->second);
+                                    ->second);
       *out++ = std::move(loop_of_edges);
     }
     return out;
