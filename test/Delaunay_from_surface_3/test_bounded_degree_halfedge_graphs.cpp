@@ -29,6 +29,7 @@
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/filtered_graph.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -196,6 +197,8 @@ BOOST_AUTO_TEST_CASE(both_forms_agree)
                                            g.index_map(), g.boundary_map());
     for (auto e : subgraph_of(mesh))
       found.push_back(twin[e]);
+    std::sort(found.begin(), found.end());
+    std::sort(expected.begin(), expected.end());
     BOOST_REQUIRE(found == expected);
   }
 }
