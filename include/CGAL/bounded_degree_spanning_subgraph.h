@@ -18,8 +18,8 @@ boundary, with one component or several.
 
 The degree of every vertex is at most
 - 3 on a component that is a sphere or a disc,
-- \f$8g\f$ on a closed component of genus \f$g > 0\f$,
-- \f$8g + 2b + 1\f$ on a component of genus \f$g\f$ with \f$b\f$ boundary loops.
+- 8g on a closed component of genus g > 0,
+- 8g + 2b + 1 on a component of genus g with b boundary loops.
 
 The subgraph contains the graph along which the surface was cut open (see `cut_graph()`) and the boundary; the rest hangs
 on these as trees.
@@ -70,10 +70,10 @@ bounded_degree_spanning_subgraph(const HalfedgeGraph& g, EdgeOutputIterator out,
 writes the edges of a spanning tree of bounded degree of every component of a triangulated surface: the subgraph of
 `bounded_degree_spanning_subgraph()`, from which cycles have been dropped at the heaviest vertices.
 
-The degree of every vertex is at most \f$\max(3, 6g + 2b)\f$ on a component of genus \f$g\f$ with \f$b\f$ boundary loops.
+The degree of every vertex is at most max(3, 6g + 2b) on a component of genus g with b boundary loops.
 
 The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
-Complexity: \f$O(n\,\alpha(n))\f$ time.
+Complexity: O(n α(n)) time.
 */
 template <class HalfedgeGraph, class EdgeOutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

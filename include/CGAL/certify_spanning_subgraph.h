@@ -25,7 +25,7 @@ bounds that follow from the surface's own Euler characteristic. It shares nothin
 `bounded_degree_spanning_subgraph()`
 
 The preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
-Complexity: \f$O(n \log n)\f$.
+Complexity: O(n log n).
 */
 template <class HalfedgeGraph, class EdgeRange,
           class NamedParameters = parameters::Default_named_parameters>

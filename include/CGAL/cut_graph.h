@@ -18,8 +18,8 @@ writes the edges of a cut graph of a triangulated surface: removed from the surf
 open disc per component.
 
 The cut graph is pruned: no vertex inside the surface has exactly one of its edges. Together with the boundary its degrees
-satisfy \f$\sum(\deg - 2) = 2(1 - \chi)\f$, so a closed surface of genus \f$g\f$ falls apart into at most
-\f$4g\f$ corners at any vertex. On a sphere or a disc nothing is written, and boundary edges never are.
+satisfy Σ(deg − 2) = 2(1 − χ), so a closed surface of genus g falls apart into at most
+4g corners at any vertex. On a sphere or a disc nothing is written, and boundary edges never are.
 
 The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
 Complexity: linear time, for any genus.
@@ -37,7 +37,7 @@ EdgeOutputIterator cut_graph(const HalfedgeGraph& g, EdgeOutputIterator out,
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes a system of loops of a closed triangulated surface: on every component of genus \f$g\f$, \f$2g\f$ closed walks through one
+writes a system of loops of a closed triangulated surface: on every component of genus g, 2g closed walks through one
 base vertex such that the surface without them is an open disc.
 
 This is the kind of cut that \cgalCite{choi-dtsm-02} uses; it is here for comparison. Each loop follows a breadth-first tree from the base
@@ -48,7 +48,7 @@ the edges of a loop in order, starting and ending at the base vertex. An edge th
 
 The other parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
 \pre `g` is closed.
-Complexity: linear time plus the length of the loops, \f$O(gn)\f$; about 120 bytes of memory per vertex.
+Complexity: linear time plus the length of the loops, O(gn); about 120 bytes of memory per vertex.
 */
 template <class HalfedgeGraph, class LoopOutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

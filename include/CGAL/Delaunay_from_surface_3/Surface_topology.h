@@ -21,20 +21,20 @@ boundary loops, its Euler characteristic and whether it is orientable.
 */
 struct Surface_component_topology
 {
-  std::size_t number_of_vertices = 0;
-  std::size_t number_of_edges = 0;
-  std::size_t number_of_triangles = 0;
-  std::size_t number_of_boundary_loops = 0; ///< \f$b\f$
-  bool is_orientable = true;
+  std::size_t number_of_vertices = 0;       ///< of this component
+  std::size_t number_of_edges = 0;          ///< boundary edges included
+  std::size_t number_of_triangles = 0;      ///< of this component
+  std::size_t number_of_boundary_loops = 0; ///< b
+  bool is_orientable = true;                ///< whether its triangles can be turned alike
 
-  /// returns \f$\chi\f$: vertices − edges + triangles.
+  /// returns χ: vertices − edges + triangles.
   std::ptrdiff_t euler_characteristic() const
   {
     return std::ptrdiff_t(number_of_vertices) - std::ptrdiff_t(number_of_edges) +
            std::ptrdiff_t(number_of_triangles);
   }
 
-  /// returns \f$h = 2 - \chi - b\f$: twice the genus of an orientable surface, the genus of another.
+  /// returns h = 2 − χ − b: twice the genus of an orientable surface, the genus of another.
   std::size_t euler_genus() const
   {
     return std::size_t(2 - euler_characteristic() - std::ptrdiff_t(number_of_boundary_loops));
@@ -75,7 +75,7 @@ struct Surface_topology
   /// for every vertex index the place of its component in `components`, or `components.size()` for an isolated vertex.
   std::vector<std::size_t> component_of_vertex;
 
-  std::size_t number_of_isolated_vertices = 0;
+  std::size_t number_of_isolated_vertices = 0; ///< vertices without edges, in no component
 
   /// returns the sum over `components`.
   std::ptrdiff_t euler_characteristic() const

@@ -30,13 +30,13 @@ is what `certify_spanning_subgraph()` finds out about a set of edges.
 */
 struct Spanning_subgraph_certificate
 {
-  std::size_t number_of_edges = 0;
+  std::size_t number_of_edges = 0;               ///< repeated ones included
   std::size_t number_of_repeated_edges = 0;      ///< edges that are there once before
   std::size_t number_of_graph_components = 0;    ///< isolated vertices included
   std::size_t number_of_subgraph_components = 0; ///< isolated vertices included
   std::size_t number_of_independent_cycles = 0; ///< edges − vertices + components of the subgraph
-  std::size_t maximum_degree = 0;
-  std::size_t vertex_of_maximum_degree = 0;              ///< its index
+  std::size_t maximum_degree = 0;               ///< among all vertices
+  std::size_t vertex_of_maximum_degree = 0;     ///< its index
   std::vector<std::size_t> number_of_vertices_of_degree; ///< a histogram of the degrees
   std::size_t largest_degree_bound = 0;    ///< the largest of the components' own bounds
   bool respects_degree_bounds = true;      ///< no degree exceeds the bound of its own component
@@ -123,7 +123,7 @@ This form needs Boost only; include `CGAL/Delaunay_from_surface_3/subgraph/Certi
 \param topology what `surface_topology()` says of `graph`
 \param vertex_index_map a bijection onto `0`, …, `num_vertices(graph) - 1`
 
-Complexity: \f$O(m \log m)\f$ for \f$m\f$ edges.
+Complexity: O(m log m) for m edges.
 */
 template <class Graph, class EdgeRange, class VertexIndexMap>
 Spanning_subgraph_certificate

@@ -42,8 +42,8 @@ edge, and the three lists of a triangle agree. An isolated vertex, with an empty
 \throws Surface_input_error that names a vertex or an edge, if a precondition is violated. Nothing has been written then.
 
 The degree is at most 3 on spheres and discs. On a component with Euler characteristic
-\f$\chi = 2 - h - b\f$ and \f$b\f$ boundary loops (\f$h\f$ is twice the genus if it is orientable, else the non-orientable
-genus) it is at most \f$4h\f$ if \f$b = 0\f$ and \f$4h + 2b + 1\f$ otherwise.
+χ = 2 − h − b and b boundary loops (h is twice the genus if it is orientable, else the non-orientable
+genus) it is at most 4h if b = 0 and 4h + 2b + 1 otherwise.
 
 Complexity: linear time (for the check of the lists: the sum over the edges of the smaller degree of the two ends, which is linear for bounded
 genus). At most about 40 bytes of memory per vertex. Edges are not paired and need no index: in a
@@ -71,8 +71,8 @@ EdgeOutputIterator bounded_degree_spanning_subgraph(const Graph& graph, Embeddin
 writes a spanning tree of `bounded_degree_spanning_subgraph()`, one per component: its cycles are dropped at the heaviest vertices.
 
 The parameters, preconditions and exceptions are those of
-`bounded_degree_spanning_subgraph()`. The degree is at most \f$\max(3, 3h + 2b)\f$, and 4 on the projective plane.
-Complexity: nearly linear time, \f$O(n\,\alpha(n))\f$.
+`bounded_degree_spanning_subgraph()`. The degree is at most max(3, 3h + 2b), and 4 on the projective plane.
+Complexity: nearly linear time, O(n α(n)).
 */
 template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
           class EdgeIsBoundaryMap>
