@@ -5,12 +5,15 @@
 #ifndef CGAL_SURFACE_INSERTION_TRAITS_3_H
 #define CGAL_SURFACE_INSERTION_TRAITS_3_H
 
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
@@ -78,7 +81,7 @@ not claimed for the walk.
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Tracing_traits_3
-  : Surface_insertion_policies_3<Spanning_forest, Log_star_rounds, Traced_hints_3>
+  : Surface_insertion_policies_3<Bounded_degree_subgraph, Log_star_rounds, Traced_hints_3>
 {
 };
 
@@ -101,16 +104,18 @@ struct Stock_order_traits_3
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the default: a biased randomised insertion order (\cgalCite{acr-icbr-03}), and each point starts
-at the neighbour on the surface that was inserted last before it. Nothing is traced.
+is the default, what measured fastest: rounds and starting points from nets of the surface, inserted
+into a compact triangulation that is written into the user's at the end. Where that cannot serve,
+CGAL's own insertion does. Nothing is traced.
 
-O(n log n + m) for n points and m edges, plus what the insertions take.
+O(n) for n points on a surface of fixed genus, O(n log n + m) for any graph with m edges, plus what
+the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Surface_insertion_traits_3
-  : Surface_insertion_policies_3<Full_graph, Neighbor_started_rounds<Geometric_rounds>,
-                                 Planned_hints_3>
+  : Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3,
+                                 Compact_delaunay_3>
 {
 };
 

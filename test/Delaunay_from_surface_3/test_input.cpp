@@ -410,10 +410,10 @@ BOOST_AUTO_TEST_CASE(soups_that_are_no_surface)
   BOOST_TEST(reasons_for({{0, 1, 2}, {2, 1, 3}}) == "");
   BOOST_TEST(reasons_for({{0, 1, 2}, {1, 2, 3}}) == ""); // the orientation does not matter
   BOOST_TEST(reasons_for({{0, 1, 2, 3}, {4, 5, 6}, {}, {7}, {8, 9}}) ==
-             "4 faces are not triangles, 0 edges have more than two faces");
+             "faces that are not triangles: 4, edges with more than two faces: 0");
   BOOST_TEST(
       reasons_for({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {0, 1, 5}, {7, 8, 9}, {7, 8, 9}, {7, 8, 9}}) ==
-      "0 faces are not triangles, 4 edges have more than two faces");
+      "faces that are not triangles: 0, edges with more than two faces: 4");
 }
 
 BOOST_AUTO_TEST_CASE(indices_of_any_integer_type)
@@ -443,8 +443,38 @@ BOOST_AUTO_TEST_CASE(polygon_mesh_is_told_to_the_visitor)
   CGAL::Euler::join_face(halfedge(*edges(mesh).first, mesh), mesh);
   CGAL::insert_surface_vertices_3(of_polygons, mesh, parameters::visitor(std::ref(visitor)));
   BOOST_TEST_REQUIRE(visitor.reasons.size() == 1u);
-  BOOST_TEST(visitor.reasons[0] == "1 faces are not triangles");
+  BOOST_TEST(visitor.reasons[0] == "faces that are not triangles: 1");
   BOOST_TEST((of_polygons == torus().stock));
+}
+
+// Serves meshes only, and even these not all of them.
+struct Refusing_subgraph
+{
+  template <class Surface, class VertexIndexMap, class EdgeOutputIterator,
+            class = typename boost::graph_traits<Surface>::halfedge_descriptor>
+  EdgeOutputIterator operator()(const Surface&, VertexIndexMap, EdgeOutputIterator) const
+  {
+    throw CGAL::Surface_input_error("vertex 7 is not to my liking");
+  }
+};
+
+BOOST_AUTO_TEST_CASE(spanning_forest_where_the_subgraph_refuses_the_surface)
+{
+  struct Traits : CGAL::Surface_insertion_policies_3<Refusing_subgraph, CGAL::Log_star_rounds,
+                                                     CGAL::Traced_hints_3>
+  {
+  };
+  Watching_visitor on_mesh, on_graph;
+  Triangulation of_mesh, of_graph;
+  CGAL::insert_surface_vertices_3(of_mesh, surfaces::to_mesh<Mesh>(torus().surface), Traits(),
+                                  parameters::visitor(std::ref(on_mesh)));
+  CGAL::insert_points_along_graph_3(of_graph, torus().points, Graph(torus().points.size()),
+                                    Traits(), parameters::visitor(std::ref(on_graph)));
+  BOOST_TEST((of_mesh == torus().stock && of_graph == torus().stock));
+  BOOST_TEST(on_mesh.reasons == std::vector<std::string>{"vertex 7 is not to my liking"},
+             boost::test_tools::per_element());
+  BOOST_TEST(on_graph.reasons == std::vector<std::string>{"the graph has no faces"},
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused)

@@ -14,6 +14,7 @@ The triangulation is right for any order. A model has never heard of a cell.
 \cgalHasModels{CGAL::Hilbert_sorted_rounds<Plan>}
 \cgalHasModels{CGAL::Neighbor_started_rounds<Plan>}
 \cgalHasModels{CGAL::Spatial_sort_order}
+\cgalHasModels{CGAL::Surface_net_rounds}
 \cgalHasModelsEnd
 
 \sa `CGAL::Insertion_order`

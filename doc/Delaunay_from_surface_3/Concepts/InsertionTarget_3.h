@@ -16,6 +16,7 @@ points 0, …, n-1, with locations of points not yet inserted in between; `finis
 called at any time before `take_vertices()`.
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Compact_delaunay_3<Triangulation>}
 \cgalHasModels{CGAL::Triangulation_target_3<Triangulation>}
 \cgalHasModelsEnd
 
@@ -49,6 +50,13 @@ public:
 
   /// \name Creation
   /// @{
+
+  /*!
+  returns why `points` cannot be inserted into `tr` this way, in words; an empty string if they can. It is
+  asked before the first change; if there is an obstacle, `Triangulation_target_3` takes the target's place.
+  The points come in any order.
+  */
+  static std::string obstacle(const Triangulation& tr, const std::vector<Triangulation::Point>& points);
 
   /*!
   is to insert `points`, in this order, into `tr`, which may have vertices already. Both outlive

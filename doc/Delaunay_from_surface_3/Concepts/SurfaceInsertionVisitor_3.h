@@ -12,7 +12,7 @@ For points p, q, …, in two rounds, the calls come in this order:
 
 | call | |
 |---|---|
-| `surface_is_irregular(reason)` | only if it applies |
+| `surface_is_irregular(reason)`, `target_is_replaced(reason)` | only if it applies |
 | `phase_begins(PLAN)`, `phase_begins(SUBGRAPH)` | |
 | `round_begins(0, n_0)` | |
 | `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on for each point of the round |
@@ -38,6 +38,14 @@ public:
   more than two faces
   */
   void surface_is_irregular(const std::string& reason);
+
+  /*!
+  is called before the first phase if the insertion target of the traits cannot serve. This is no error:
+  CGAL's own insertion takes its place, and the result is the same.
+
+  \param reason what stands against it: `InsertionTarget_3::obstacle()`
+  */
+  void target_is_replaced(const std::string& reason);
 
   /// is called when `phase` begins; the phase before it ends there.
   void phase_begins(CGAL::Surface_insertion_phase phase);

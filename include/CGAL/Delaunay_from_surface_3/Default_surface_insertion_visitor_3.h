@@ -40,6 +40,10 @@ struct Default_surface_insertion_visitor_3
   /// is called before the first phase if the surface is not a manifold mesh of triangles.
   void surface_is_irregular(const std::string& /* reason */) {}
 
+  /// is called before the first phase if the insertion target of the traits cannot serve and CGAL's
+  /// own insertion takes its place.
+  void target_is_replaced(const std::string& /* reason */) {}
+
   /// is called whenever another phase begins.
   void phase_begins(Surface_insertion_phase) {}
 

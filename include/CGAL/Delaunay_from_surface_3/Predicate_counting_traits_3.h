@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PREDICATE_COUNTING_TRAITS_3_H
 
 #include <CGAL/enum.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <memory>
@@ -65,7 +66,8 @@ struct Predicate_counts
 
 is a geometric traits class for `Delaunay_triangulation_3` that counts the calls of its predicates.
 It is a type of its own, for which CGAL does not take its inexact walk, whose steps cannot be
-observed: all steps are counted, and times taken with it mean nothing. All copies share one
+observed, and `Compact_delaunay_3` leaves it to CGAL's insertion, since it would filter calls away:
+all steps are counted, and times taken with it mean nothing. All copies share one
 `Predicate_counts`; they are not to be used by several threads.
 
 A triangulation copies its traits. The counts of `tr` are `tr.geom_traits().counts()`, and a copy of

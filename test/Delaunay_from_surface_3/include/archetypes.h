@@ -190,6 +190,12 @@ public:
     const typename Hidden::Location hidden;
   };
 
+  static std::string obstacle(const Triangulation&,
+                              const std::vector<typename Triangulation::Point>&)
+  {
+    return "";
+  }
+
   Target_archetype(Triangulation& tr, const std::vector<typename Triangulation::Point>& points)
     : m_hidden(tr, points)
   {
@@ -252,6 +258,7 @@ public:
   {
   }
   void surface_is_irregular(const std::string&) {}
+  void target_is_replaced(const std::string&) {}
   void phase_begins(CGAL::Surface_insertion_phase) {}
   void round_begins(std::size_t, std::size_t) {}
   void trace_ends(std::size_t) {}

@@ -33,6 +33,26 @@ void check_all_plans_and_hints(const Case& stock_case)
   check_all_hints<Subgraph, CGAL::Geometric_rounds>(stock_case);
   check_all_hints<Subgraph, CGAL::Spatial_sort_order>(stock_case);
   check_all_hints<Subgraph, CGAL::Hilbert_sorted_rounds<CGAL::Log_star_rounds>>(stock_case);
+  check_all_hints<Subgraph, CGAL::Surface_net_rounds>(stock_case);
+}
+
+// Nets through CGAL's insertion, and the compact kernel with other plans and hints.
+template <class Case>
+void check_nets_and_compact_kernel_apart(const Case& stock_case, unsigned int seed = 0)
+{
+  using namespace CGAL;
+  stock_case
+      .template check<Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(
+          seed);
+  stock_case.template check<Surface_insertion_policies_3<Full_graph, Geometric_rounds,
+                                                         Planned_hints_3, Compact_delaunay_3>>(
+      seed);
+  stock_case.template check<Surface_insertion_policies_3<Spanning_forest, Log_star_rounds,
+                                                         Traced_hints_3, Compact_delaunay_3>>(
+      seed);
+  stock_case.template check<Surface_insertion_policies_3<Full_graph, Spatial_sort_order,
+                                                         Neighbor_hints_3, Compact_delaunay_3>>(
+      seed);
 }
 
 template <class Case>
@@ -41,6 +61,13 @@ void check_named_traits(const Case& stock_case, unsigned int seed = 0)
   stock_case.template check<CGAL::Surface_insertion_traits_3>(seed);
   stock_case.template check<CGAL::Tracing_traits_3>(seed);
   stock_case.template check<CGAL::Stock_order_traits_3>(seed);
+}
+
+template <class Triangulation>
+void check_surfaces_with_nets_and_compact_kernel(const std::vector<Named_surface>& surfaces)
+{
+  for (const Named_surface& named : surfaces)
+    check_nets_and_compact_kernel_apart(Stock_case<Triangulation>(named));
 }
 
 template <class Triangulation>

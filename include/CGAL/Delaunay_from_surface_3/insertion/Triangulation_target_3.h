@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -53,6 +54,9 @@ public:
     int li;                                   ///< which vertex, edge or facet of the cell that is.
     int lj;                                   ///< the second vertex of an edge.
   };
+
+  /// returns an empty string: nothing stands against inserting any points into any triangulation.
+  static std::string obstacle(const Triangulation&, const std::vector<Point>&) { return ""; }
 
   /// is to insert `points` into `tr`; keeps references to both.
   Triangulation_target_3(Triangulation& tr, const std::vector<Point>& points)

@@ -6,12 +6,15 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_INSERT_IN_ROUNDS_H
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/internal/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/internal/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -59,14 +62,12 @@ struct Inserted_points
 // numbers[i] is the place of points[i] in the order of insertion; `subgraph` joins these numbers.
 // What is inserted one after the other then lies side by side; with the numbers of the mesh nearly
 // every point and record would miss the cache. The vertices come back as `points` came.
-template <class Traits, class Triangulation, class Graph, class Visitor>
+template <class Target, class Hints, class Triangulation, class Graph, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_as_planned(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
                   const Insertion_order& plan, const std::vector<std::size_t>& numbers,
                   const Graph& subgraph, Visitor& visitor)
 {
-  using Target = typename Traits::template Insertion_target_3<Triangulation>;
-  using Hints = typename Traits::template Insertion_hints_3<Target, Graph>;
   const auto s = permuted(points, plan.order);
   Target target(tr, s);
   Hints hints(target, subgraph, plan);
@@ -77,13 +78,13 @@ insert_as_planned(Triangulation& tr, const std::vector<typename Triangulation::P
 // Plan and subgraph from the surface, then the rounds; at last `write` is given the vertices of the
 // points. An empty triangulation is built aside, as a copy that keeps its traits, its lock
 // structure and what its infinite vertex holds: it changes when nothing can fail any more.
-template <class Traits, class Triangulation, class Graph, class VertexIndexMap, class Visitor,
-          class Write>
-void insert_surface(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
-                    const Graph& graph, VertexIndexMap index_map, const Traits& traits,
-                    unsigned int seed, Visitor& visitor, const Write& write)
+template <class Target, class Traits, class Triangulation, class Graph, class VertexIndexMap,
+          class Visitor, class Write>
+void insert_surface_into(Triangulation& tr,
+                         const std::vector<typename Triangulation::Point>& points,
+                         const Graph& graph, VertexIndexMap index_map, const Traits& traits,
+                         unsigned int seed, Visitor& visitor, const Write& write)
 {
-  using Target = typename Traits::template Insertion_target_3<Triangulation>;
   using Hints = typename Traits::template Insertion_hints_3<Target, Index_graph>;
 
   visitor.phase_begins(Phase::PLAN);
@@ -93,20 +94,38 @@ void insert_surface(Triangulation& tr, const std::vector<typename Triangulation:
   visitor.phase_begins(Phase::SUBGRAPH);
   Index_graph subgraph;
   if constexpr (Hints::uses_subgraph)
-    subgraph = index_graph(traits.surface_subgraph_object(), graph, index_map, numbers);
+    subgraph =
+        spanning_subgraph(traits.surface_subgraph_object(), graph, index_map, numbers, visitor);
 
   if (tr.number_of_vertices() > 0) {
-    write(insert_as_planned<Traits>(tr, points, plan, numbers, subgraph, visitor).vertices);
+    write(insert_as_planned<Target, Hints>(tr, points, plan, numbers, subgraph, visitor).vertices);
     visitor.phase_begins(Phase::DONE);
     return;
   }
   Triangulation aside(tr);
-  const auto inserted = insert_as_planned<Traits>(aside, points, plan, numbers, subgraph, visitor);
+  const auto inserted =
+      insert_as_planned<Target, Hints>(aside, points, plan, numbers, subgraph, visitor);
   if (inserted.is_complete)
     write(inserted.vertices);
   visitor.phase_begins(Phase::DONE);
   if (inserted.is_complete)
     tr.swap(aside);
+}
+
+// The target of the traits serves if it can; else CGAL's own insertion does.
+template <class Traits, class Triangulation, class Graph, class VertexIndexMap, class Visitor,
+          class Write>
+void insert_surface(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
+                    const Graph& graph, VertexIndexMap index_map, const Traits& traits,
+                    unsigned int seed, Visitor& visitor, const Write& write)
+{
+  using Target = typename Traits::template Insertion_target_3<Triangulation>;
+  const std::string obstacle = Target::obstacle(tr, points);
+  if (obstacle.empty())
+    return insert_surface_into<Target>(tr, points, graph, index_map, traits, seed, visitor, write);
+  visitor.target_is_replaced(obstacle);
+  insert_surface_into<Triangulation_target_3<Triangulation>>(tr, points, graph, index_map, traits,
+                                                             seed, visitor, write);
 }
 
 } // namespace internal

@@ -8,14 +8,13 @@
 // A spanning subgraph T for surfaces without usable faces. Choi 2002, §3 asks for bounded degree;
 // this one has no bound, so the trace is right but its cost is not proved.
 
+#include <CGAL/Delaunay_from_surface_3/subgraph/Disjoint_sets.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <iterator>
-#include <vector>
 
 namespace CGAL {
 
@@ -49,22 +48,11 @@ public:
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
                                 EdgeOutputIterator out) const
   {
-    std::vector<std::size_t> ranks(number_of_vertices(graph)), parents(ranks.size());
-    const auto rank_map = boost::make_iterator_property_map(
-        ranks.begin(), boost::typed_identity_property_map<std::size_t>());
-    const auto parent_map = boost::make_iterator_property_map(
-        parents.begin(), boost::typed_identity_property_map<std::size_t>());
-    boost::disjoint_sets<decltype(rank_map), decltype(parent_map)> trees(rank_map, parent_map);
-    for (std::size_t i = 0; i < parents.size(); ++i)
-      trees.make_set(i);
-    for (auto [e, end] = edges(graph); e != end; ++e) {
-      const std::size_t s = trees.find_set(std::size_t(get(index_map, source(*e, graph))));
-      const std::size_t t = trees.find_set(std::size_t(get(index_map, target(*e, graph))));
-      if (s == t)
-        continue;
-      trees.link(s, t);
-      *out++ = *e;
-    }
+    Delaunay_from_surface_3::internal::Disjoint_sets<std::size_t> trees(number_of_vertices(graph));
+    for (auto [e, end] = edges(graph); e != end; ++e)
+      if (trees.unite(std::size_t(get(index_map, source(*e, graph))),
+                      std::size_t(get(index_map, target(*e, graph)))))
+        *out++ = *e;
     return out;
   }
 

@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Measures the subgraphs of bounded degree: time and memory per vertex, degrees by genus with both
+// kinds of cut, and what a user would otherwise take. Writes JSON, and an SVG plot of the times.
+
+#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_subgraphs/heap_peak.h>
+#include <Delaunay_from_surface_3_subgraphs/other_trees.h>
+#include <Delaunay_from_surface_3_subgraphs/plot_times.h>
+#include <Delaunay_from_surface_3_surfaces/edit.h>
+#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
+#include <Delaunay_from_surface_3_surfaces/sphere.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/cut_graph.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace po = boost::program_options;
+namespace internal = CGAL::Delaunay_from_surface_3::internal;
+using nlohmann::ordered_json;
+using surfaces::Indexed_surface;
+using Mesh = CGAL::Surface_mesh<Indexed_surface::Point_3>;
+using Edges = std::vector<Mesh::Edge_index>;
+
+struct Options
+{
+  std::vector<std::size_t> sizes = {100000, 1000000, 10000000};
+  std::vector<std::size_t> genera = {0, 1, 2, 3, 5, 10, 50};
+  std::size_t vertices_by_genus = 200000, repetitions = 3, largest_for_others = 1000000;
+  std::string output = "subgraphs.json", plot = "subgraphs.svg";
+};
+
+// The function is called with a vector to write edges to; returns the smallest processor time of all calls.
+template <class Function>
+double nanoseconds_per_vertex(const Mesh& mesh, std::size_t repetitions, const Function& function)
+{
+  double best = 1e300;
+  for (std::size_t r = 0; r < repetitions; ++r) {
+    Edges edges;
+    edges.reserve(2 * num_vertices(mesh));
+    const std::clock_t start = std::clock();
+    function(std::back_inserter(edges));
+    best = (std::min)(best, double(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return best * 1e9 / double(num_vertices(mesh));
+}
+
+// Beyond the input and the output, at the worst moment.
+template <class Function>
+double bytes_per_vertex(const Mesh& mesh, const Function& function)
+{
+  Edges edges;
+  edges.reserve(2 * num_vertices(mesh));
+  const subgraphs::Heap_peak peak;
+  function(std::back_inserter(edges));
+  return double(peak.bytes()) / double(num_vertices(mesh));
+}
+
+template <class Function>
+ordered_json measured(const Mesh& mesh, std::size_t repetitions, const Function& function)
+{
+  Edges edges;
+  edges.reserve(2 * num_vertices(mesh));
+  function(std::back_inserter(edges));
+  const auto certificate = CGAL::certify_spanning_subgraph(mesh, edges);
+  if (!certificate.is_spanning())
+    throw std::runtime_error("what should span the surface does not");
+  return {{"nanoseconds_per_vertex", nanoseconds_per_vertex(mesh, repetitions, function)},
+          {"bytes_per_vertex", bytes_per_vertex(mesh, function)},
+          {"maximum_degree", certificate.maximum_degree},
+          {"cycles", certificate.number_of_independent_cycles}};
+}
+
+ordered_json measure_times(const std::string& name, const std::string& order,
+                           const Indexed_surface& surface, const Options& options)
+{
+  const std::size_t repetitions = options.repetitions;
+  const Mesh mesh = surfaces::to_mesh<Mesh>(surface);
+  std::cerr << name << ", " << order << ", " << num_vertices(mesh) << " vertices\n";
+  ordered_json result = {{"surface", name}, {"order", order}, {"vertices", num_vertices(mesh)}};
+  result["subgraph"] = measured(mesh, repetitions, [&](auto out) {
+    CGAL::bounded_degree_spanning_subgraph(mesh, out);
+  });
+  result["tree"] = measured(mesh, repetitions, [&](auto out) {
+    CGAL::bounded_degree_spanning_tree(mesh, out);
+  });
+  result["cut_graph"]["nanoseconds_per_vertex"] = nanoseconds_per_vertex(
+    mesh, repetitions, [&](auto out) { CGAL::cut_graph(mesh, out); });
+  if (num_vertices(mesh) > options.largest_for_others)
+    return result;
+  result["minimum_spanning_tree"] = measured(mesh, repetitions, [&](auto out) {
+    subgraphs::minimum_spanning_tree(mesh, out);
+  });
+  result["depth_first_tree"] = measured(mesh, repetitions, [&](auto out) {
+    subgraphs::depth_first_tree(mesh, out);
+  });
+  return result;
+}
+
+using Reader =
+  internal::Halfedge_graph_reader<Mesh, boost::property_map<Mesh, boost::vertex_index_t>::const_type>;
+
+// The subgraph, cut along loops through one vertex instead of the cut graph.
+Edges subgraph_by_loops(const Mesh& mesh, internal::Subgraph_kind kind)
+{
+  const Reader reader(mesh, get(boost::vertex_index, mesh));
+  internal::Rotation_system<std::uint32_t> surface;
+  reader.read(surface);
+  internal::Find_loops<std::uint32_t> find_loops(surface);
+  auto cut = find_loops.as_cut_candidate(find_loops());
+  internal::Prune_cut<std::uint32_t>(surface, cut)();
+  Edges edges;
+  internal::write_marked(
+    reader, surface, internal::Bounded_degree_marks<std::uint32_t>(surface, kind)(std::move(cut)),
+    std::back_inserter(edges));
+  return edges;
+}
+
+ordered_json degrees(const Mesh& mesh, const Edges& subgraph, const Edges& tree)
+{
+  const auto found = CGAL::certify_spanning_subgraph(mesh, subgraph);
+  const auto found_of_tree = CGAL::certify_spanning_subgraph(mesh, tree);
+  if (!found.is_valid_subgraph() || !found_of_tree.is_valid_tree())
+    throw std::runtime_error("a subgraph does not keep what it promises");
+  std::size_t above_3 = 0;
+  for (std::size_t d = 4; d < found.number_of_vertices_of_degree.size(); ++d)
+    above_3 += found.number_of_vertices_of_degree[d];
+  return {{"maximum_degree", found.maximum_degree},
+          {"maximum_degree_of_tree", found_of_tree.maximum_degree},
+          {"vertices_above_3", above_3},
+          {"share_above_3", double(above_3) / double(num_vertices(mesh))},
+          {"vertices_of_degree", found.number_of_vertices_of_degree},
+          {"vertices_of_degree_in_tree", found_of_tree.number_of_vertices_of_degree}};
+}
+
+ordered_json measure_degrees(std::size_t genus, std::size_t n)
+{
+  const Mesh mesh = surfaces::to_mesh<Mesh>(surfaces::genus_surface(genus, n, 0.05, 1));
+  std::cerr << "genus " << genus << ", " << num_vertices(mesh) << " vertices\n";
+  Edges subgraph, tree, cut;
+  CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
+  CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
+  CGAL::cut_graph(mesh, std::back_inserter(cut));
+  ordered_json result = {{"genus", genus},
+                         {"vertices", num_vertices(mesh)},
+                         {"bound_of_the_paper", genus == 0 ? 3 : 12 * genus},
+                         {"bound", genus == 0 ? 3 : 8 * genus},
+                         {"bound_of_tree", genus == 0 ? 3 : 6 * genus},
+                         {"cut_graph", degrees(mesh, subgraph, tree)}};
+  result["cut_graph"]["cut_edges"] = cut.size();
+  if (genus > 0) {
+    std::vector<Edges> loops;
+    CGAL::system_of_loops(mesh, std::back_inserter(loops));
+    std::vector<Mesh::Edge_index> on_loops;
+    for (const Edges& loop : loops)
+      on_loops.insert(on_loops.end(), loop.begin(), loop.end());
+    const std::size_t length = on_loops.size();
+    std::sort(on_loops.begin(), on_loops.end());
+    on_loops.erase(std::unique(on_loops.begin(), on_loops.end()), on_loops.end());
+    result["loops"] = degrees(mesh, subgraph_by_loops(mesh, internal::Subgraph_kind::SUBGRAPH),
+                              subgraph_by_loops(mesh, internal::Subgraph_kind::TREE));
+    result["loops"]["cut_edges"] = on_loops.size();
+    result["loops"]["length_of_all_loops"] = length;
+  }
+  return result;
+}
+
+ordered_json measure_all(const Options& options)
+{
+  ordered_json times = ordered_json::array(), by_genus = ordered_json::array();
+  for (std::size_t n : options.sizes) {
+    {
+      Indexed_surface sphere = surfaces::sphere(n, 0.01, 1);
+      times.push_back(measure_times("sphere", "coherent", sphere, options));
+      surfaces::shuffle(sphere, 1);
+      times.push_back(measure_times("sphere", "shuffled", sphere, options));
+    }
+    times.push_back(measure_times("disc", "coherent", surfaces::terrain(n, 1), options));
+    times.push_back(
+      measure_times("genus 3", "coherent", surfaces::genus_surface(3, n, 0.05, 1), options));
+  }
+  for (std::size_t genus : options.genera)
+    by_genus.push_back(measure_degrees(genus, options.vertices_by_genus));
+  return {{"times", times}, {"degrees", by_genus}};
+}
+
+Options read_options(int argc, char** argv)
+{
+  Options o;
+  po::options_description options(
+    "Measures subgraphs of bounded degree on generated surfaces.\n\nOptions");
+  auto add = options.add_options();
+  add("help,h", "say this and stop");
+  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."), "numbers of vertices, for times");
+  add("genera", po::value(&o.genera)->multitoken()->value_name("G..."), "for degrees");
+  add("vertices,n", po::value(&o.vertices_by_genus)->value_name("N"), "of each surface, for degrees");
+  add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "the fastest counts");
+  add("others-up-to", po::value(&o.largest_for_others)->value_name("N"),
+      "minimum spanning and depth-first trees up to so many vertices");
+  add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
+  add("plot", po::value(&o.plot)->value_name("FILE"), "where the SVG goes");
+  po::variables_map values;
+  po::store(po::parse_command_line(argc, argv, options), values);
+  po::notify(values);
+  if (values.count("help")) {
+    std::cout << options;
+    std::exit(EXIT_SUCCESS);
+  }
+  return o;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  const Options options = read_options(argc, argv);
+  ordered_json result = {{"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
+  result["machine"]["load_before"] = comparison::load_average();
+  result["command"] = "measure_subgraphs";
+  for (int i = 1; i < argc; ++i)
+    result["command"] = result["command"].get<std::string>() + " " + argv[i];
+  result.update(measure_all(options));
+  std::ofstream(options.output) << std::setw(1) << result << "\n";
+  subgraphs::plot_times(result["times"], options.plot);
+} catch (const std::exception& e) {
+  std::cerr << "measure_subgraphs: " << e.what() << "\n";
+  return EXIT_FAILURE;
+}

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A spanning subgraph of bounded degree as a property map on the edges of a mesh, and as a graph of
+// its own by boost::filtered_graph.
+
+#include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/surface_topology.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/OFF.h>
+
+#include <boost/graph/breadth_first_search.hpp>
+#include <boost/graph/filtered_graph.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <vector>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<K::Point_3>;
+using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+
+// What boost::filtered_graph asks of every edge.
+struct Is_in_subgraph
+{
+  Edge_map map;
+  template <class Edge>
+  bool operator()(const Edge& e) const
+  {
+    return get(map, e);
+  }
+};
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if (!CGAL::IO::read_OFF(argc > 1 ? argv[1] : "data/torus.off", mesh)) {
+    std::cerr << "cannot read the mesh\n";
+    return EXIT_FAILURE;
+  }
+
+  const CGAL::Surface_topology topology = CGAL::surface_topology(mesh);
+  for (const auto& component : topology.components)
+    std::cout << "genus " << component.genus() << ", " << component.number_of_boundary_loops
+              << " boundary loops: degree at most " << component.subgraph_degree_bound() << "\n";
+
+  // Each edge that is written sets its entry in the property map.
+  Edge_map is_in_subgraph = mesh.add_property_map<Mesh::Edge_index, bool>("e:subgraph", false).first;
+  std::vector<Mesh::Edge_index> edges;
+  CGAL::bounded_degree_spanning_subgraph(
+    mesh, boost::make_function_output_iterator([&](Mesh::Edge_index e) {
+      put(is_in_subgraph, e, true);
+      edges.push_back(e);
+    }));
+
+  const auto certificate = CGAL::certify_spanning_subgraph(mesh, edges);
+  std::cout << certificate.number_of_edges << " of " << num_edges(mesh) << " edges, degree "
+            << certificate.maximum_degree << ", "
+            << (certificate.is_valid_subgraph() ? "certified" : "not certified") << "\n";
+
+  // Any algorithm of Boost.Graph runs on the subgraph.
+  const boost::filtered_graph<Mesh, Is_in_subgraph> subgraph(mesh, {is_in_subgraph});
+  std::vector<std::size_t> distances(num_vertices(mesh), 0);
+  const auto index = get(boost::vertex_index, mesh);
+  boost::breadth_first_search(
+    subgraph, *vertices(mesh).first,
+    boost::vertex_index_map(index).visitor(boost::make_bfs_visitor(boost::record_distances(
+      boost::make_iterator_property_map(distances.begin(), index), boost::on_tree_edge()))));
+  std::cout << "the farthest vertex is " << *std::max_element(distances.begin(), distances.end())
+            << " edges away from the first\n";
+  return certificate.is_valid_subgraph() ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_COMPACT_DELAUNAY_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_COMPACT_DELAUNAY_3_H
+
+// Choi 2002, Fig. 1, lines 2b and 2c, on numbered cells of 32 bytes; the result is written into the
+// user's triangulation at the end.
+//
+// Invariant: between insertions the cells are the (perturbed) Delaunay triangulation of the points
+// inserted. Cost: that of the conflict zones, as with CGAL's insertion; the export is linear.
+
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Insertion
+
+inserts points into a compact triangulation of its own and writes that into the user's empty
+triangulation when it is finished; any vertex and cell base will do. The result equals that of CGAL's
+own insertion on every input: signs that floating point cannot certify come from the exact predicates
+of the geometric traits and CGAL's symbolic perturbation.
+
+It serves geometric traits whose numbers are `double` and whose predicates are filtered, such as
+`Exact_predicates_inexact_constructions_kernel`, empty triangulations, and points that do not all lie
+in one plane; `obstacle()` says what stands against it.
+
+Memory: 32 bytes per cell, 40 per vertex, and 4 per point while it inserts. The export gives the
+cells back as it goes.
+
+\tparam Triangulation a `CGAL::Delaunay_triangulation_3`
+\tparam Id an unsigned integer type for the numbers of vertices and cells: there can be 2^(b-2)
+cells for b bits. An insertion that needs more throws `std::length_error`.
+
+\cgalModels{InsertionTarget_3}
+*/
+template <class Triangulation, class Id>
+class Compact_delaunay_with_ids_3
+{
+  using Geom_traits = typename Triangulation::Geom_traits;
+  using Predicates = Delaunay_from_surface_3::internal::Perturbed_predicates<Geom_traits>;
+  using Kernel = Delaunay_from_surface_3::internal::Compact_triangulation<Id, Predicates>;
+  using Coordinates = std::array<double, 3>;
+
+public:
+  using Point = typename Triangulation::Point; ///< the points inserted.
+  using Vertex = Id;                           ///< the number of a vertex; `Vertex()`: none.
+  using Cell = Id;                             ///< the number of a cell.
+  using Location = typename Kernel::Place;     ///< a cell in conflict with the point.
+
+  /// returns whether the numbers and predicates of the geometric traits can be served.
+  static constexpr bool serves_geom_traits()
+  {
+    return std::is_same<typename Geom_traits::FT, double>::value &&
+           std::is_same<typename Geom_traits::Point_3, Point>::value &&
+           has_filtered_predicates<Geom_traits>(0);
+  }
+
+  /// returns why `points` cannot be inserted into `tr` this way; nothing if they can.
+  static std::string obstacle(const Triangulation& tr, const std::vector<Point>& points)
+  {
+    using namespace Delaunay_from_surface_3::internal;
+    if (!serves_geom_traits())
+      return "the coordinates are not doubles with filtered predicates";
+    if (tr.number_of_vertices() > 0)
+      return "the triangulation is not empty";
+    if (!starting_simplex(Predicates(tr.geom_traits(), points), points.size()).is_found)
+      return "the points lie in one plane";
+    return "";
+  }
+
+  /// is to insert `points` into `tr`; keeps references to both. Four of the points that do not lie
+  /// in one plane are inserted at once. \pre `obstacle(tr, points)` is empty.
+  Compact_delaunay_with_ids_3(Triangulation& tr, const std::vector<Point>& points)
+    : m_tr(tr)
+    , m_points(points)
+    , m_predicates(tr.geom_traits(), points)
+    , m_scale(scale(points))
+    , m_kernel(m_predicates, points.size())
+    , m_vertices(points.size(), Vertex())
+  {
+    const auto simplex =
+        Delaunay_from_surface_3::internal::starting_simplex(m_predicates, points.size());
+    CGAL_precondition(simplex.is_found);
+    std::array<Coordinates, 4> coordinates;
+    for (std::size_t k = 0; k < 4; ++k)
+      coordinates[k] = scaled(simplex.points[k]);
+    const std::array<Id, 4> v = m_kernel.start(simplex.points, coordinates);
+    for (std::size_t k = 0; k < 4; ++k)
+      m_vertices[simplex.points[k]] = v[k];
+  }
+
+  /// returns the number of points.
+  std::size_t size() const { return m_points.size(); }
+
+  /// returns the vertex at point `i`; none if the point is not inserted yet.
+  Vertex vertex(std::size_t i) const { return m_vertices[i]; }
+
+  /// returns a cell of `v`, or any cell if `v` is none.
+  Cell cell(Vertex v) const { return m_kernel.complex().vertex(v).cell; }
+
+  /// finds a cell in conflict with point `i` by a walk from `start`, or the vertex at its place.
+  Location locate(std::size_t i, Cell start) const
+  {
+    if (m_vertices[i] != Vertex())
+      return {start, m_vertices[i]};
+    return m_kernel.locate(i, scaled(i), start);
+  }
+
+  /// returns a vertex of the located cell that is nearest to point `i` up to rounding; finite.
+  Vertex nearest_vertex(std::size_t i, const Location& location) const
+  {
+    if (location.vertex != Vertex())
+      return location.vertex;
+    const auto& cell = m_kernel.complex().cell(location.cell);
+    Vertex nearest = cell.v[0];
+    for (unsigned k = 1; k < 4; ++k)
+      if (cell.v[k] != Vertex() && is_closer(i, cell.v[k], nearest))
+        nearest = cell.v[k];
+    return nearest;
+  }
+
+  /// returns whether `v` is closer to point `i` than `w`, up to rounding.
+  bool is_closer(std::size_t i, Vertex v, Vertex w) const
+  {
+    const Coordinates p = scaled(i);
+    using Delaunay_from_surface_3::internal::Row;
+    return Row(m_kernel.complex().vertex(v).coordinates, p.data()).w <
+           Row(m_kernel.complex().vertex(w).coordinates, p.data()).w;
+  }
+
+  /// inserts point `i` where it was just located, and tells `observer` (a model of
+  /// `UpdateObserver_3`). A point that is there already gets the vertex that is there.
+  template <class Observer>
+  void insert(std::size_t i, const Location& location, Observer& observer)
+  {
+    if (location.vertex != Vertex())
+      m_vertices[i] = location.vertex;
+    else
+      m_vertices[i] =
+          m_kernel.insert(i, scaled(i), location.cell, [&](const Id* first, const Id* last) {
+            if constexpr (Observer::observes_conflict_zone)
+              observer.before_update(i, first, last);
+          });
+    observer.after_update(i, m_vertices[i]);
+  }
+
+  /// writes the triangulation into the user's.
+  void finish()
+  {
+    using namespace Delaunay_from_surface_3::internal;
+    m_handles = export_complex(m_tr, m_kernel.complex(), [this](std::size_t v) -> const Point& {
+      return m_points[m_kernel.point_of(v)];
+    });
+    fill_upper_levels(m_tr, m_handles);
+  }
+
+  /// gives the handles of the points' vertices away, none if the work was not finished; to be
+  /// called last.
+  std::vector<typename Triangulation::Vertex_handle> take_vertices()
+  {
+    std::vector<typename Triangulation::Vertex_handle> handles(m_points.size());
+    if (!m_handles.empty())
+      for (std::size_t i = 0; i < handles.size(); ++i)
+        if (m_vertices[i] != Vertex())
+          handles[i] = m_handles[m_vertices[i]];
+    return handles;
+  }
+
+  /// returns what the insertions did, for statistics.
+  const Delaunay_from_surface_3::internal::Compact_counts& counts() const
+  {
+    return m_kernel.counts();
+  }
+
+private:
+  template <class Gt>
+  static constexpr bool has_filtered_predicates(typename Gt::Has_filtered_predicates_tag*)
+  {
+    return Gt::Has_filtered_predicates_tag::value;
+  }
+  template <class Gt>
+  static constexpr bool has_filtered_predicates(...)
+  {
+    return false;
+  }
+
+  // A power of 2 that makes all coordinates at most 1 in absolute value.
+  static double scale(const std::vector<Point>& points)
+  {
+    double largest = 0;
+    for (const Point& p : points)
+      for (const double c : {to_double(p.x()), to_double(p.y()), to_double(p.z())})
+        largest = (std::max)(largest, std::abs(c));
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    return std::ldexp(1., (std::min)(-exponent, 1000));
+  }
+
+  Coordinates scaled(std::size_t i) const
+  {
+    const Point& p = m_points[i];
+    return {to_double(p.x()) * m_scale, to_double(p.y()) * m_scale, to_double(p.z()) * m_scale};
+  }
+
+  Triangulation& m_tr;
+  const std::vector<Point>& m_points;
+  Predicates m_predicates;
+  double m_scale;
+  Kernel m_kernel;
+  std::vector<Vertex> m_vertices;
+  std::vector<typename Triangulation::Vertex_handle> m_handles;
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Insertion
+
+is `Compact_delaunay_with_ids_3` with ids of 32 bits: up to 2^30 cells, which suffices for 150
+million points on a surface.
+
+\cgalModels{InsertionTarget_3}
+*/
+template <class Triangulation>
+class Compact_delaunay_3 : public Compact_delaunay_with_ids_3<Triangulation, std::uint32_t>
+{
+public:
+  using Compact_delaunay_with_ids_3<Triangulation, std::uint32_t>::Compact_delaunay_with_ids_3;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_COMPACT_DELAUNAY_3_H

@@ -1,0 +1,377 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_TRIANGULATION_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_TRIANGULATION_H
+
+// Bowyer and Watson's insertion on numbered cells (Choi 2002, Fig. 1, lines 2b and 2c).
+//
+// Instead of the cell that contains a point, a cell in conflict with it is looked for: near a good
+// starting cell that is nearly at once. From there the conflict zone is dug out breadth first; the
+// queue of cells is the list of those that die, and their places are taken by the new ones.
+//
+// Every sign is certified by the filter, else by the close filter, else exact and perturbed.
+
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Star_filler.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
+
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// What the insertions did.
+struct Compact_counts
+{
+  std::size_t cells_tested_to_start = 0; // until one in conflict was found
+  std::size_t cells_destroyed = 0;
+  std::size_t cells_created = 0;
+  std::size_t sphere_tests = 0;    // of neighbours of cells in conflict
+  std::size_t first_failures = 0;  // sphere tests that the first filter left open
+  std::size_t second_failures = 0; // and the second too
+};
+
+// Id: an unsigned type for the numbers. Predicates: as Perturbed_predicates.
+template <class Id, class Predicates>
+class Compact_triangulation
+{
+  using Complex = Compact_complex<Id>;
+  using Cell = Compact_cell<Id>;
+
+public:
+  // Where a point goes: a cell in conflict with it, or else (cell unused) the vertex at its place.
+  struct Place
+  {
+    Id cell;
+    Id vertex; // 0: none
+  };
+
+  // For `n` points. `predicates` take indices of points.
+  Compact_triangulation(const Predicates& predicates, std::size_t n)
+    : m_predicates(predicates)
+    , m_complex(n)
+    , m_point_of(1, 0)
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
+    , m_is_wide(Wide_sphere_filter::is_supported())
+#endif
+  {
+    m_point_of.reserve(n + 1);
+    make_room();
+  }
+
+  Complex& complex()
+  {
+    return m_complex;
+  }
+  const Complex& complex() const
+  {
+    return m_complex;
+  }
+  const Compact_counts& counts() const
+  {
+    return m_counts;
+  }
+
+  // The index of the point at vertex v, finite.
+  std::size_t point_of(std::size_t v) const
+  {
+    return m_point_of[v];
+  }
+
+  // Begins with four points; a cell of them in this order is positively oriented.
+  std::array<Id, 4> start(const std::array<std::size_t, 4>& points,
+                          const std::array<std::array<double, 3>, 4>& coordinates)
+  {
+    std::array<Id, 4> v;
+    for (std::size_t k = 0; k < 4; ++k)
+      v[k] = add_vertex(points[k], coordinates[k]);
+    m_complex.start(v);
+    return v;
+  }
+
+  // Where point i goes, near cell `start`.
+  Place locate(std::size_t i, const std::array<double, 3>& coordinates, Id start) const
+  {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
+    if (m_is_wide)
+      return walk<Wide_sphere_filter>(i, coordinates.data(), start);
+#endif
+    return walk<Sphere_filter>(i, coordinates.data(), start);
+  }
+
+  // Makes point i a vertex. `before(first, last)` is given the cells in conflict.
+  template <class Before>
+  Id insert(std::size_t i, const std::array<double, 3>& coordinates, Id cell, const Before& before)
+  {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
+    if (m_is_wide)
+      dig<Wide_sphere_filter>(i, coordinates.data(), cell);
+    else
+#endif
+      dig<Sphere_filter>(i, coordinates.data(), cell);
+    before(m_zone.data(), m_zone.data() + m_zone_size);
+    const Id p = add_vertex(i, coordinates);
+    fill(p);
+    return p;
+  }
+
+private:
+  Id add_vertex(std::size_t i, const std::array<double, 3>& coordinates)
+  {
+    const Id v = m_complex.add_vertex(coordinates);
+    m_point_of.push_back(i);
+    return v;
+  }
+
+  const double* coordinates(Id v) const
+  {
+    return m_complex.vertex(v).coordinates;
+  }
+
+  // --- line 2b: a cell in conflict -------------------------------------------------------------
+
+  // Walks towards p until a cell is in conflict with it. The cell that contains p is, unless p is
+  // one of its vertices; in a Delaunay triangulation no such walk runs in a circle.
+  template <class Filter>
+  Place walk(std::size_t i, const double* p, Id c) const
+  {
+    for (;;) {
+      ++m_counts.cells_tested_to_start;
+      const Cell& cell = m_complex.cell(c);
+      if (Complex::is_infinite(cell)) {
+        const int sign = beyond_sign(cell, p);
+        const Id w = sign == 0 ? vertex_at(cell, i) : Id(0);
+        if (w != 0 || sign > 0 || (sign == 0 && is_beyond_exactly(cell, i)))
+          return {c, w};
+        c = cell.links[3] >> 2;
+        continue;
+      }
+      const double* const v[4] = {coordinates(cell.v[0]), coordinates(cell.v[1]),
+                                  coordinates(cell.v[2]), coordinates(cell.v[3])};
+      const Cell_view view = Filter::view(v, p);
+      if (view.sphere > 0)
+        return {c, 0};
+      if (view.sphere == 0) {
+        if (const Id w = vertex_at(cell, i))
+          return {c, w};
+        if (is_in_close_sphere(cell, i, p))
+          return {c, 0};
+      }
+      c = cell.links[facet_towards(cell, view, i)] >> 2;
+    }
+  }
+
+  // The vertex of the cell at the place of point i, or 0.
+  Id vertex_at(const Cell& cell, std::size_t i) const
+  {
+    for (const Id v : cell.v)
+      if (v != Complex::infinite && m_predicates.are_equal(m_point_of[v], i))
+        return v;
+    return 0;
+  }
+
+  // A facet of the finite cell that point i lies beyond: the one it seems farthest from.
+  unsigned facet_towards(const Cell& cell, const Cell_view& view, std::size_t i) const
+  {
+    unsigned farthest = 0;
+    for (unsigned k = 1; k < 4; ++k)
+      if (view.facets[k] < view.facets[farthest])
+        farthest = k;
+    if (view.facets[farthest] < -view.facet_bound)
+      return farthest;
+    for (unsigned k = 0; k < 4; ++k)
+      if (view.facets[k] <= view.facet_bound && orientation(cell, k, i) == NEGATIVE)
+        return k;
+    CGAL_error_msg("a cell that contains a point must be in conflict with it");
+  }
+
+  Orientation orientation(const Cell& cell, unsigned k, std::size_t i) const
+  {
+    return m_predicates.orientation(i, m_point_of[cell.v[k ^ 1]], m_point_of[cell.v[k ^ 2]],
+                                    m_point_of[cell.v[k ^ 3]]);
+  }
+
+  // --- is a cell in conflict? ------------------------------------------------------------------
+
+  // Of an infinite cell: 1 if p is beyond its finite facet, -1 if before, 0 if not decided.
+  int beyond_sign(const Cell& cell, const double* p) const
+  {
+    return -orientation_sign(Row(coordinates(Complex::first_vertex(cell)), p),
+                             Row(coordinates(cell.v[1]), p), Row(coordinates(cell.v[2]), p));
+  }
+
+  bool is_beyond_exactly(const Cell& cell, std::size_t i) const
+  {
+    return m_predicates.is_beyond(m_point_of[Complex::first_vertex(cell)], m_point_of[cell.v[1]],
+                                  m_point_of[cell.v[2]], i);
+  }
+
+  // What the first filter left open.
+  bool is_in_close_sphere(const Cell& cell, std::size_t i, const double* p) const
+  {
+    ++m_counts.first_failures;
+    const Id v0 = Complex::first_vertex(cell);
+    const double* const v[4] = {coordinates(v0), coordinates(cell.v[1]), coordinates(cell.v[2]),
+                                coordinates(cell.v[3])};
+    const int sign = close_sphere_sign(v, p);
+    if (sign != 0)
+      return sign > 0;
+    ++m_counts.second_failures;
+    return m_predicates.is_in_sphere(m_point_of[v0], m_point_of[cell.v[1]], m_point_of[cell.v[2]],
+                                     m_point_of[cell.v[3]], i);
+  }
+
+  // --- line 2c: the conflict zone and its boundary ---------------------------------------------
+
+  // Fills m_zone with the cells in conflict, marked, and m_facets with their boundary.
+  template <class Filter>
+  void dig(std::size_t i, const double* p, Id first)
+  {
+    m_zone[0] = first;
+    m_zone_size = 1;
+    m_number_of_facets = 0;
+    m_complex.cell(first).v[0] |= Complex::doomed;
+    for (std::size_t k = 0; k < m_zone_size; ++k) {
+      if (m_zone.size() < m_zone_size + 4)
+        make_room();
+      dig_at<Filter>(m_complex.cell(m_zone[k]), i, p);
+    }
+    m_counts.sphere_tests += m_zone_size - 1 + m_number_of_facets;
+  }
+
+  // Tests the neighbours of a cell in conflict.
+  template <class Filter>
+  void dig_at(const Cell& cell, std::size_t i, const double* p)
+  {
+    const Cell* const cells = m_complex.cells();
+    const Compact_vertex<Id>* const vertices = m_complex.vertices();
+    unsigned open = 0; // facets whose neighbours are not known to be in conflict
+    bool has_infinite = Complex::is_infinite(cell);
+    const double* opposite[4];
+    for (unsigned k = 0; k < 4; ++k) {
+      const Cell& neighbor = cells[cell.links[k] >> 2];
+      const Id e = neighbor.v[cell.links[k] & 3] & Id(~Complex::doomed);
+      open |= unsigned(!Complex::is_doomed(neighbor)) << k;
+      has_infinite |= e == Complex::infinite;
+      opposite[k] = vertices[e].coordinates;
+    }
+    unsigned inside;
+    if (!has_infinite) {
+      const double* const v[4] = {vertices[Complex::first_vertex(cell)].coordinates,
+                                  vertices[cell.v[1]].coordinates, vertices[cell.v[2]].coordinates,
+                                  vertices[cell.v[3]].coordinates};
+      const Sphere_signs signs = Filter::neighbors(v, opposite, p, open);
+      inside = signs.inside & open;
+      const unsigned left = open & ~(signs.inside | signs.outside);
+      if (left != 0)
+        inside |= close_conflicts(cell, left, i, p);
+    } else {
+      inside = conflicts_at_hull(cell, open, i, p);
+    }
+    note(cell, open, inside);
+  }
+
+  // Of the facets `wanted`, those whose neighbours are in conflict; all finite, filter failed.
+  unsigned close_conflicts(const Cell& cell, unsigned wanted, std::size_t i, const double* p)
+  {
+    unsigned inside = 0;
+    for (unsigned k = 0; k < 4; ++k)
+      if (wanted >> k & 1)
+        inside |= unsigned(is_in_close_sphere(m_complex.cell(cell.links[k] >> 2), i, p)) << k;
+    return inside;
+  }
+
+  // The same where some neighbours are infinite; not filtered yet.
+  unsigned conflicts_at_hull(const Cell& cell, unsigned wanted, std::size_t i, const double* p)
+  {
+    unsigned inside = 0;
+    for (unsigned k = 0; k < 4; ++k)
+      if (wanted >> k & 1)
+        inside |= unsigned(is_in_conflict(m_complex.cell(cell.links[k] >> 2), i, p)) << k;
+    return inside;
+  }
+
+  bool is_in_conflict(const Cell& cell, std::size_t i, const double* p)
+  {
+    if (Complex::is_infinite(cell)) {
+      const int sign = beyond_sign(cell, p);
+      return sign != 0 ? sign > 0 : is_beyond_exactly(cell, i);
+    }
+    const int sign = sphere_sign(Row(coordinates(cell.v[0]), p), Row(coordinates(cell.v[1]), p),
+                                 Row(coordinates(cell.v[3]), p), Row(coordinates(cell.v[2]), p));
+    return sign != 0 ? sign > 0 : is_in_close_sphere(cell, i, p);
+  }
+
+  // Neighbours in conflict join the zone, the others' facets the boundary. No branches: which it
+  // is cannot be predicted.
+  void note(const Cell& cell, unsigned open, unsigned inside)
+  {
+    Cell* const cells = m_complex.cells();
+    Id* zone = m_zone.data() + m_zone_size;
+    Hole_facet<Id>* facet = m_facets.data() + m_number_of_facets;
+    const Facets_of_cell<Id> facets(Complex::first_vertex(cell), cell);
+    const unsigned bounding = open & ~inside;
+    for (unsigned k = 0; k < 4; ++k) {
+      const Id link = cell.links[k];
+      const Id joins = Id(inside >> k & 1);
+      *zone = link >> 2;
+      zone += joins;
+      cells[link >> 2].v[0] |= Id(joins << (std::numeric_limits<Id>::digits - 1));
+      facets.write(k, link, *facet);
+      facet += bounding >> k & 1;
+    }
+    m_zone_size = std::size_t(zone - m_zone.data());
+    m_number_of_facets = std::size_t(facet - m_facets.data());
+  }
+
+  // For what one cell can add. A zone of z cells has at most 2 z + 2 facets.
+  void make_room()
+  {
+    m_zone.resize(2 * m_zone.size() + 256);
+    m_facets.resize(2 * m_zone.size() + 8);
+  }
+
+  // --- line 2c: the star -----------------------------------------------------------------------
+
+  // The new cells take the places of the dead, and free ones when these are used up.
+  void fill(Id p)
+  {
+    const std::size_t destroyed = m_zone_size, created = m_number_of_facets;
+    m_counts.cells_destroyed += destroyed;
+    m_counts.cells_created += created;
+    if (m_zone.size() < created)
+      m_zone.resize(2 * created);
+    while (m_zone_size < created)
+      m_zone[m_zone_size++] = m_complex.take_cell();
+    for (std::size_t k = created; k < destroyed; ++k)
+      m_complex.give_back_cell(m_zone[k]);
+    m_filler(m_complex, p, m_facets.data(), m_zone.data(), created);
+  }
+
+  const Predicates& m_predicates;
+  Complex m_complex;
+  std::vector<std::size_t> m_point_of;
+  bool m_is_wide = false;
+  mutable Compact_counts m_counts;
+  std::vector<Id> m_zone;
+  std::size_t m_zone_size = 0;
+  std::vector<Hole_facet<Id>> m_facets;
+  std::size_t m_number_of_facets = 0;
+  Star_filler<Id> m_filler;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_TRIANGULATION_H

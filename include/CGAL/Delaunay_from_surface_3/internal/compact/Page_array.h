@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_PAGE_ARRAY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_PAGE_ARRAY_H
+
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <type_traits>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// A growing array of trivial elements, made for hundreds of megabytes: large pages where the system
+// offers them, memory that is not cleared first, and the front can be given back while the rest is
+// still read. Elements up to capacity() may be written; there is no size to keep.
+template <class T>
+class Page_array
+{
+  static_assert(std::is_trivially_copyable<T>::value, "elements are moved as bytes");
+
+public:
+  Page_array() = default;
+  Page_array(const Page_array&) = delete;
+  Page_array& operator=(const Page_array&) = delete;
+  ~Page_array() { deallocate(); }
+
+  T* data() { return m_data; }
+  const T* data() const { return m_data; }
+  T& operator[](std::size_t i) { return m_data[i]; }
+  const T& operator[](std::size_t i) const { return m_data[i]; }
+  std::size_t capacity() const { return m_capacity; }
+
+  // Makes room for at least n elements and keeps the first `used`.
+  void reserve(std::size_t n, std::size_t used)
+  {
+    if (n <= m_capacity)
+      return;
+    if (n > (std::numeric_limits<std::size_t>::max)() / sizeof(T))
+      throw std::bad_alloc();
+    const std::size_t bytes = (n * sizeof(T) + page - 1) / page * page;
+    T* data = static_cast<T*>(::operator new(bytes, std::align_val_t(alignment(bytes))));
+    advise_large_pages(data, bytes);
+    if (used > 0)
+      std::memcpy(static_cast<void*>(data), m_data, used * sizeof(T));
+    deallocate();
+    m_data = data;
+    m_bytes = bytes;
+    m_capacity = bytes / sizeof(T);
+  }
+
+  // The elements before the k-th are not read any more.
+  void release_front(std::size_t k)
+  {
+#if defined(__linux__)
+    const std::size_t end = k * sizeof(T) / large_page * large_page;
+    if (end <= m_released || alignment(m_bytes) != large_page)
+      return;
+    madvise(reinterpret_cast<char*>(m_data) + m_released, end - m_released, MADV_DONTNEED);
+    m_released = end;
+#else
+    (void)k;
+#endif
+  }
+
+  void deallocate()
+  {
+    if (m_data != nullptr)
+      ::operator delete(m_data, std::align_val_t(alignment(m_bytes)));
+    m_data = nullptr;
+    m_bytes = m_capacity = m_released = 0;
+  }
+
+private:
+  static constexpr std::size_t page = 4096;
+  static constexpr std::size_t large_page = std::size_t(1) << 21;
+
+  // Small arrays do not take a large page for themselves.
+  static std::size_t alignment(std::size_t bytes)
+  {
+    return bytes < 2 * large_page ? 64 : large_page;
+  }
+
+  static void advise_large_pages(void* data, std::size_t bytes)
+  {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    if (alignment(bytes) == large_page) // advice: it is no error if it is not taken
+      madvise(data, bytes / large_page * large_page, MADV_HUGEPAGE);
+#else
+    (void)data, (void)bytes;
+#endif
+  }
+
+  T* m_data = nullptr;
+  std::size_t m_bytes = 0;
+  std::size_t m_capacity = 0;
+  std::size_t m_released = 0;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_PAGE_ARRAY_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXPORT_COMPLEX_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXPORT_COMPLEX_H
+
+// Writes the cells into an empty triangulation through the public interface of its data structure.
+//
+// Cells are made in ascending order, each linked with those made before it, so that a compact cell
+// is read once and its memory can go back to the system while CGAL's grows. Linear.
+
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
+
+#include <CGAL/Triangulation_hierarchy_3.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+template <class Tr>
+std::true_type has_upper_levels(const Triangulation_hierarchy_3<Tr>*);
+std::false_type has_upper_levels(const void*);
+
+// The cells alone. Returns their handles by cell.
+template <class Tds, class Id, class Vertex>
+std::vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<Id>& complex,
+                                                    const std::vector<Vertex>& vertices)
+{
+  constexpr std::size_t release_interval = std::size_t(1) << 16;
+  std::vector<typename Tds::Cell_handle> cells(complex.cells_end());
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const Compact_cell<Id>& cell = complex.cell(c);
+    if (Compact_complex<Id>::is_doomed(cell))
+      continue;
+    const auto made = tds.create_cell(vertices[cell.v[0]], vertices[cell.v[1]], vertices[cell.v[2]],
+                                      vertices[cell.v[3]]);
+    cells[c] = made;
+    for (int i = 0; i < 4; ++i) {
+      const std::size_t d = cell.links[i] >> 2;
+      if (d < c) {
+        made->set_neighbor(i, cells[d]);
+        cells[d]->set_neighbor(int(cell.links[i] & 3), made);
+      }
+    }
+    if (c % release_interval == 0)
+      complex.release_cells_before(c);
+  }
+  complex.deallocate_cells();
+  return cells;
+}
+
+// Fills `tr`, empty, and gives up the memory of `complex`. `point(v)` is the point of vertex v.
+// Returns the handles by vertex, that of the infinite vertex first.
+template <class Triangulation, class Id, class PointOf>
+std::vector<typename Triangulation::Vertex_handle>
+export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& point)
+{
+  auto& tds = tr.tds();
+  std::vector<typename Triangulation::Vertex_handle> vertices(complex.number_of_vertices());
+  vertices[0] = tr.infinite_vertex();
+  for (std::size_t v = 1; v < vertices.size(); ++v) {
+    vertices[v] = tds.create_vertex();
+    vertices[v]->set_point(point(v));
+  }
+  std::vector<Id> cell_of(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    cell_of[v] = complex.vertex(v).cell;
+  complex.deallocate_vertices();
+  tds.delete_cell(vertices[0]->cell()); // the only one, of the empty triangulation
+  tds.set_dimension(3);
+  const auto cells = export_cells(tds, complex, vertices);
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    vertices[v]->set_cell(cells[cell_of[v]]);
+  return vertices;
+}
+
+// Fills the upper levels of a triangulation with `Fast_location`: vertices that are inserted again
+// where they are pass the draw of their level.
+template <class Triangulation>
+void fill_upper_levels(Triangulation& tr,
+                       const std::vector<typename Triangulation::Vertex_handle>& vertices)
+{
+  using Has_upper_levels = decltype(has_upper_levels(static_cast<Triangulation*>(nullptr)));
+  if constexpr (Has_upper_levels::value) {
+    for (std::size_t v = 1; v < vertices.size(); ++v) {
+      const auto c = vertices[v]->cell();
+      const auto p = vertices[v]->point(); // a copy: the insertion assigns it
+      tr.insert(p, Triangulation::VERTEX, c, c->index(vertices[v]), 0);
+    }
+  } else {
+    (void)tr, (void)vertices;
+  }
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXPORT_COMPLEX_H

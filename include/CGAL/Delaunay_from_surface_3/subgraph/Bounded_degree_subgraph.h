@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_BOUNDED_DEGREE_SUBGRAPH_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_BOUNDED_DEGREE_SUBGRAPH_H
+
+// A spanning subgraph T of bounded degree, as Choi 2002, §3.2 asks for.
+
+#include <CGAL/Delaunay_from_surface_3/subgraph/Halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/write_bounded_degree_subgraph.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes the edges of `bounded_degree_spanning_subgraph()`: degree at most 3 on spheres and discs, and a bound that depends on the
+genus and the boundary elsewhere.
+
+O(n) for n vertices.
+
+\cgalModels{SurfaceSubgraph}
+*/
+class Bounded_degree_subgraph
+{
+public:
+  /*!
+  writes edges of `graph` that span every component and are connected there.
+
+  \tparam Graph a model of `HalfedgeListGraph` and `FaceListGraph`
+  \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
+  \tparam EdgeOutputIterator accepts edge descriptors of `graph`
+
+  \throws Surface_input_error that names a vertex or an edge, if `graph` is not a simple triangulated surface. Nothing has been
+  written then.
+  */
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator,
+            class = typename boost::graph_traits<Graph>::halfedge_descriptor>
+  EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
+                                EdgeOutputIterator out) const
+  {
+    namespace internal = Delaunay_from_surface_3::internal;
+    return internal::write_bounded_degree_subgraph(
+      internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
+      internal::Subgraph_kind::SUBGRAPH, out);
+  }
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes the edges of `bounded_degree_spanning_tree()`: as `Bounded_degree_subgraph`, without cycles.
+
+O(n α(n)) for n vertices.
+
+\cgalModels{SurfaceSubgraph}
+*/
+class Bounded_degree_tree
+{
+public:
+  /// writes edges of `graph` that are a spanning tree of every component. As `Bounded_degree_subgraph::operator()()`.
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator,
+            class = typename boost::graph_traits<Graph>::halfedge_descriptor>
+  EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
+                                EdgeOutputIterator out) const
+  {
+    namespace internal = Delaunay_from_surface_3::internal;
+    return internal::write_bounded_degree_subgraph(
+      internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
+      internal::Subgraph_kind::TREE, out);
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_BOUNDED_DEGREE_SUBGRAPH_H

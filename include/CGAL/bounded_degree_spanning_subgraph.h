@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
+#define CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
+
+#include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/with_halfedge_graph_reader.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes the edges of a spanning subgraph of bounded degree of a triangulated surface of any genus, with or without
+boundary, with one component or several.
+
+The degree of every vertex is at most
+- 3 on a component that is a sphere or a disc,
+- \f$8g\f$ on a closed component of genus \f$g > 0\f$,
+- \f$8g + 2b + 1\f$ on a component of genus \f$g\f$ with \f$b\f$ boundary loops.
+
+The subgraph contains the graph along which the surface was cut open (see `cut_graph()`) and the boundary; the rest hangs
+on these as trees.
+
+\tparam HalfedgeGraph a model of `HalfedgeListGraph` and `FaceListGraph`
+\tparam EdgeOutputIterator a model of `OutputIterator` that holds `boost::graph_traits<HalfedgeGraph>::%edge_descriptor`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param g the surface
+\param out where the subgraph's edges go, each once, in no particular order
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `g` a unique index between `0` and `num_vertices(g) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<HalfedgeGraph>::%vertex_descriptor`
+                   as key type and an integer type as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre All faces of `g` are triangles, `g` is simple (no loops and no two edges with the same ends; a valid halfedge graph can
+have such), and no vertex is pinched. Isolated vertices are allowed.
+
+\returns the output iterator
+
+\throws Surface_input_error that names a vertex or an edge, if a precondition is violated. Nothing has been written then.
+
+Complexity: linear time, without recursion, and at most about 40 bytes of memory per vertex besides `g`.
+
+The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given in the user manual.
+*/
+template <class HalfedgeGraph, class EdgeOutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+EdgeOutputIterator
+bounded_degree_spanning_subgraph(const HalfedgeGraph& g, EdgeOutputIterator out,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Delaunay_from_surface_3::internal;
+  return internal::with_halfedge_graph_reader(g, np, [&](const auto& reader) {
+    return internal::write_bounded_degree_subgraph(reader, internal::Subgraph_kind::SUBGRAPH, out);
+  });
+}
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes the edges of a spanning tree of bounded degree of every component of a triangulated surface: the subgraph of
+`bounded_degree_spanning_subgraph()`, from which cycles have been dropped at the heaviest vertices.
+
+The degree of every vertex is at most \f$\max(3, 6g + 2b)\f$ on a component of genus \f$g\f$ with \f$b\f$ boundary loops.
+
+The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
+Complexity: \f$O(n\,\alpha(n))\f$ time.
+*/
+template <class HalfedgeGraph, class EdgeOutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+EdgeOutputIterator
+bounded_degree_spanning_tree(const HalfedgeGraph& g, EdgeOutputIterator out,
+                             const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Delaunay_from_surface_3::internal;
+  return internal::with_halfedge_graph_reader(g, np, [&](const auto& reader) {
+    return internal::write_bounded_degree_subgraph(reader, internal::Subgraph_kind::TREE, out);
+  });
+}
+
+} // namespace CGAL
+
+#endif // CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H

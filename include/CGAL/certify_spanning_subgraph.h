@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CERTIFY_SPANNING_SUBGRAPH_H
+#define CGAL_CERTIFY_SPANNING_SUBGRAPH_H
+
+#include <CGAL/Delaunay_from_surface_3/subgraph/Certify_edges.h>
+#include <CGAL/surface_topology.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+finds out whether edges of a triangulated surface span it, with what degrees, and whether the degrees keep within the
+bounds that follow from the surface's own Euler characteristic. It shares nothing with the construction of
+`bounded_degree_spanning_subgraph()` but the reading of the surface, and serves for any set of edges.
+
+\tparam EdgeRange a range of `boost::graph_traits<HalfedgeGraph>::%edge_descriptor`
+
+\param g the surface
+\param subgraph_edges the edges to look at
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_index_map`, as for
+`bounded_degree_spanning_subgraph()`
+
+The preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
+Complexity: \f$O(n \log n)\f$.
+*/
+template <class HalfedgeGraph, class EdgeRange,
+          class NamedParameters = parameters::Default_named_parameters>
+Spanning_subgraph_certificate
+certify_spanning_subgraph(const HalfedgeGraph& g, const EdgeRange& subgraph_edges,
+                          const NamedParameters& np = parameters::default_values())
+{
+  return certify_spanning_subgraph(g, subgraph_edges, surface_topology(g, np),
+                                   get_initialized_vertex_index_map(g, np));
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CERTIFY_SPANNING_SUBGRAPH_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CUT_GRAPH_H
+#define CGAL_CUT_GRAPH_H
+
+#include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/write_system_of_loops.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes the edges of a cut graph of a triangulated surface: removed from the surface, together with its boundary, they leave one
+open disc per component.
+
+The cut graph is pruned: no vertex inside the surface has exactly one of its edges. Together with the boundary its degrees
+satisfy \f$\sum(\deg - 2) = 2(1 - \chi)\f$, so a closed surface of genus \f$g\f$ falls apart into at most
+\f$4g\f$ corners at any vertex. On a sphere or a disc nothing is written, and boundary edges never are.
+
+The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
+Complexity: linear time, for any genus.
+*/
+template <class HalfedgeGraph, class EdgeOutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+EdgeOutputIterator cut_graph(const HalfedgeGraph& g, EdgeOutputIterator out,
+                             const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Delaunay_from_surface_3::internal;
+  return internal::with_halfedge_graph_reader(
+    g, np, [&](const auto& reader) { return internal::write_cut_graph(reader, out); });
+}
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes a system of loops of a closed triangulated surface: on every component of genus \f$g\f$, \f$2g\f$ closed walks through one
+base vertex such that the surface without them is an open disc.
+
+This is the kind of cut that \cgalCite{choi-dtsm-02} uses; it is here for comparison. Each loop follows a breadth-first tree from the base
+vertex, crosses over one edge and follows the tree back; loops share the parts of the tree that lie near the base.
+
+\tparam LoopOutputIterator a model of `OutputIterator` that holds `std::vector<boost::graph_traits<HalfedgeGraph>::%edge_descriptor>`:
+the edges of a loop in order, starting and ending at the base vertex. An edge that a loop passes in both directions is there twice.
+
+The other parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
+\pre `g` is closed.
+Complexity: linear time plus the length of the loops, \f$O(gn)\f$; about 120 bytes of memory per vertex.
+*/
+template <class HalfedgeGraph, class LoopOutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+LoopOutputIterator system_of_loops(const HalfedgeGraph& g, LoopOutputIterator out,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Delaunay_from_surface_3::internal;
+  using Edge = typename boost::graph_traits<HalfedgeGraph>::edge_descriptor;
+  return internal::with_halfedge_graph_reader(g, np, [&](const auto& reader) {
+    return internal::write_system_of_loops<Edge>(reader, out);
+  });
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CUT_GRAPH_H

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_TOPOLOGY_H
+#define CGAL_SURFACE_TOPOLOGY_H
+
+#include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_topology.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/with_halfedge_graph_reader.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+finds the components of a triangulated surface, and of each its Euler characteristic, genus and boundary loops.
+
+The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
+Complexity: linear time.
+*/
+template <class HalfedgeGraph, class NamedParameters = parameters::Default_named_parameters>
+Surface_topology surface_topology(const HalfedgeGraph& g,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  namespace internal = Delaunay_from_surface_3::internal;
+  return internal::with_halfedge_graph_reader(g, np, [](const auto& reader) {
+    return internal::with_rotation_system(reader, [](auto& surface) {
+      using Index = typename std::decay_t<decltype(surface)>::Index;
+      return internal::Find_topology<Index>(surface)();
+    });
+  });
+}
+
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_TOPOLOGY_H

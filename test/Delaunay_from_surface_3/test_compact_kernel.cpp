@@ -1,0 +1,244 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Compact_delaunay_3: equal to CGAL's own insertion on every input, whatever order and hints it is
+// given; and what it does where it cannot serve.
+
+#define BOOST_TEST_MODULE test_compact_kernel
+#include <boost/test/included/unit_test.hpp>
+
+#include "differential.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/insert_points_along_graph_3.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+
+template <class Tr>
+using Compact_with_16_bits = CGAL::Compact_delaunay_with_ids_3<Tr, std::uint16_t>;
+
+// In the order of the points.
+struct As_given
+{
+  explicit As_given(unsigned int) {}
+  template <class P, class Gt, class G, class Map>
+  CGAL::Insertion_order operator()(const std::vector<P>& points, const Gt&, const G&, Map) const
+  {
+    CGAL::Insertion_order plan;
+    plan.order = CGAL::Delaunay_from_surface_3::internal::identity_order(points.size());
+    if (!points.empty())
+      plan.round_ends.push_back(points.size());
+    return plan;
+  }
+};
+
+template <class Plan, template <class> class Target>
+using Traits =
+    CGAL::Surface_insertion_policies_3<CGAL::Full_graph, Plan, CGAL::Planned_hints_3, Target>;
+
+struct Fallback_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  std::string reason;
+  void target_is_replaced(const std::string& r) { reason = r; }
+};
+
+namespace {
+
+// Inserts the points with the compact kernel, which must serve, and compares.
+template <class Tr = Triangulation, class Plan = As_given>
+void check_equal(const std::vector<Point>& points, const Graph& graph)
+{
+  Fallback_visitor visitor;
+  Tr tr;
+  CGAL::insert_points_along_graph_3(tr, points, graph, Traits<Plan, CGAL::Compact_delaunay_3>(),
+                                    CGAL::parameters::visitor(std::ref(visitor)));
+  BOOST_TEST(visitor.reason == "");
+  BOOST_TEST(tr.is_valid());
+  BOOST_TEST((tr == Tr(points.begin(), points.end())));
+}
+
+void check_equal(const std::vector<Point>& points)
+{
+  check_equal<Triangulation>(points, Graph(points.size()));
+  check_equal<Triangulation, CGAL::Spatial_sort_order>(points, Graph(points.size()));
+}
+
+std::vector<Point> random_points(std::size_t n, unsigned int seed = 1)
+{
+  CGAL::Random random(seed);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < n; ++i)
+    points.emplace_back(random.get_double(-1, 1), random.get_double(-1, 1),
+                        random.get_double(-1, 1));
+  return points;
+}
+
+template <class Tr, class T>
+std::string reason_for_fallback(Tr& tr, const std::vector<T>& points)
+{
+  Fallback_visitor visitor;
+  CGAL::insert_points_along_graph_3(tr, points, Graph(points.size()),
+                                    CGAL::parameters::visitor(std::ref(visitor)));
+  return visitor.reason;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(surfaces_with_all_plans)
+{
+  tests::check_surfaces_with_nets_and_compact_kernel<Triangulation>(tests::ordinary_surfaces(2000));
+  tests::check_surfaces_with_nets_and_compact_kernel<Triangulation>(
+      tests::degenerate_surfaces(1500));
+  tests::check_surfaces_with_nets_and_compact_kernel<Triangulation>(
+      tests::tiny_and_flat_surfaces());
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes)
+{
+  const std::vector<Point> unit = surfaces::sphere(300, 0.1).points;
+  for (const double scale : {1e-300, 1e-150, 1e-40, 1e8, 1e40, 1e60}) {
+    std::vector<Point> points;
+    for (const Point& p : unit)
+      points.emplace_back(scale * p.x(), scale * p.y(), scale * p.z());
+    BOOST_TEST_CONTEXT("scale " << scale)
+    {
+      check_equal(points);
+    }
+  }
+  std::vector<Point> far, flat, mixed;
+  CGAL::Random random(4);
+  for (const Point& p : unit) {
+    far.emplace_back(p.x() + 1e8, p.y() - 1e8, p.z() + 1e8);
+    flat.emplace_back(p.x(), p.y(), 1e-310 * p.z()); // denormal
+    const double s = std::ldexp(1., random.get_int(-80, 80));
+    mixed.emplace_back(s * p.x(), random.get_bool() ? 0. : -0., s * p.z());
+    mixed.emplace_back(p.x(), s * p.y(), p.z());
+  }
+  check_equal(far);
+  check_equal(flat);
+  check_equal(mixed);
+}
+
+BOOST_AUTO_TEST_CASE(large_cavities)
+{
+  // The centre comes last and sees every cell; so does what is far beyond on a line of outliers.
+  for (const std::size_t n : {60, 62, 64, 66, 124, 126, 128, 130, 3000}) {
+    std::vector<Point> points = surfaces::sphere(n, 0.01).points;
+    points.emplace_back(0.001, 0.002, 0.003);
+    points.emplace_back(1e4, 1e4, 1e4);
+    BOOST_TEST_CONTEXT(n << " points")
+    {
+      check_equal(points);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(uniform_points_and_duplicates)
+{
+  std::vector<Point> points = random_points(3000);
+  check_equal(points);
+  points.insert(points.end(), points.begin(), points.begin() + 500);
+  check_equal(points);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_graph)
+{
+  const std::vector<Point> points = random_points(2000);
+  Graph graph(points.size());
+  CGAL::Random random(2);
+  for (int i = 0; i < 6000; ++i)
+    add_edge(std::size_t(random.get_int(0, 2000)), std::size_t(random.get_int(0, 2000)), graph);
+  check_equal<Triangulation, CGAL::Surface_net_rounds>(points, graph);
+  check_equal<Triangulation, CGAL::Neighbor_started_rounds<CGAL::Geometric_rounds>>(points, graph);
+}
+
+BOOST_AUTO_TEST_CASE(upper_levels_are_filled)
+{
+  using Fast = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Fast_location>;
+  const std::vector<Point> points = random_points(20000);
+  check_equal<Fast>(std::vector<Point>(points.begin(), points.begin() + 2000), Graph(2000));
+  Fast tr;
+  CGAL::insert_points_along_graph_3(tr, points, Graph(points.size()));
+  const Fast stock(points.begin(), points.end());
+  // Without upper levels a location walks through n^(1/3) cells.
+  const auto seconds = [](const Fast& t) {
+    const std::clock_t begin = std::clock();
+    for (const Point& p : random_points(20000, 9))
+      t.locate(p);
+    return double(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  double best = 1e9, best_stock = 1e9;
+  for (int i = 0; i < 5; ++i) {
+    best = (std::min)(best, seconds(tr));
+    best_stock = (std::min)(best_stock, seconds(stock));
+  }
+  BOOST_TEST_MESSAGE("locate: " << best << " s, in stock's " << best_stock << " s");
+  BOOST_TEST(best < 1.6 * best_stock);
+}
+
+BOOST_AUTO_TEST_CASE(more_cells_than_ids)
+{
+  const std::vector<Point> few = random_points(1000), many = random_points(4000);
+  Triangulation tr;
+  CGAL::insert_points_along_graph_3(tr, few, Graph(few.size()),
+                                    Traits<CGAL::Geometric_rounds, Compact_with_16_bits>());
+  BOOST_TEST((tr == Triangulation(few.begin(), few.end())));
+  Triangulation empty;
+  BOOST_CHECK_THROW(
+      CGAL::insert_points_along_graph_3(empty, many, Graph(many.size()),
+                                        Traits<CGAL::Geometric_rounds, Compact_with_16_bits>()),
+      std::length_error);
+  BOOST_TEST(empty.number_of_vertices() == 0u);
+  BOOST_TEST(empty.is_valid());
+  empty.insert(many.begin(), many.end());
+  BOOST_TEST((empty == Triangulation(many.begin(), many.end())));
+}
+
+BOOST_AUTO_TEST_CASE(labels_start_again_when_ids_run_out)
+{
+  // With 16 bits labels run out many times over these insertions.
+  check_equal(random_points(1000));
+  for (unsigned int seed = 0; seed < 3; ++seed) {
+    const std::vector<Point> points = surfaces::sphere(2000, 0.05).points;
+    Triangulation tr;
+    CGAL::insert_points_along_graph_3(tr, points, Graph(points.size()),
+                                      Traits<CGAL::Geometric_rounds, Compact_with_16_bits>(),
+                                      CGAL::parameters::random_seed(seed));
+    BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(falls_back_and_says_so)
+{
+  std::vector<Point> points = random_points(100);
+  Triangulation tr;
+  BOOST_TEST(reason_for_fallback(tr, points) == "");
+  BOOST_TEST(reason_for_fallback(tr, points) == "the triangulation is not empty");
+  BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
+
+  const std::vector<Point> flat = surfaces::coplanar(50).points;
+  Triangulation plane;
+  BOOST_TEST(reason_for_fallback(plane, flat) == "the points lie in one plane");
+  BOOST_TEST((plane == Triangulation(flat.begin(), flat.end())));
+
+  CGAL::Delaunay_triangulation_3<CGAL::Simple_cartesian<double>> unfiltered;
+  BOOST_TEST(reason_for_fallback(unfiltered, points) ==
+             "the coordinates are not doubles with filtered predicates");
+}

@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Surface_net_rounds: the rounds are nets, hints come before what they serve, graphs on which nets do
+// not shrink are ordered all the same, and no more cells are destroyed than with random rounds.
+
+#define BOOST_TEST_MODULE test_net_rounds
+#include <boost/test/included/unit_test.hpp>
+
+#include "named_surfaces.h"
+
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/internal/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Random.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+
+namespace {
+
+Graph graph_of(const surfaces::Indexed_surface& surface)
+{
+  Graph graph(surface.points.size());
+  for (const auto& face : surface.faces)
+    for (std::size_t k = 0; k < 3; ++k)
+      add_edge(face[k], face[(k + 1) % 3], graph);
+  return graph;
+}
+
+template <class Plan>
+CGAL::Insertion_order plan_of(const std::vector<Point>& points, const Graph& graph)
+{
+  return Plan(1)(points, Kernel(), graph, get(boost::vertex_index, graph));
+}
+
+std::vector<Point> random_points(std::size_t n)
+{
+  CGAL::Random random(3);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < n; ++i)
+    points.emplace_back(random.get_double(), random.get_double(), random.get_double());
+  return points;
+}
+
+// A permutation, strictly growing rounds, and starting places that come before.
+CGAL::Insertion_order checked_net_plan(const std::vector<Point>& points, const Graph& graph)
+{
+  const CGAL::Insertion_order plan = plan_of<CGAL::Surface_net_rounds>(points, graph);
+  const std::size_t n = points.size();
+  std::vector<std::size_t> sorted = plan.order;
+  std::sort(sorted.begin(), sorted.end());
+  BOOST_TEST_REQUIRE(sorted.size() == n);
+  for (std::size_t i = 0; i < n; ++i)
+    BOOST_TEST_REQUIRE(sorted[i] == i);
+  BOOST_TEST((std::is_sorted(plan.round_ends.begin(), plan.round_ends.end()) &&
+              std::adjacent_find(plan.round_ends.begin(), plan.round_ends.end()) ==
+                  plan.round_ends.end()));
+  BOOST_TEST(plan.round_ends.back() == n);
+  BOOST_TEST_REQUIRE(plan.starting_places.size() == n);
+  std::size_t late = 0;
+  for (std::size_t k = 1; k < n; ++k)
+    late += plan.starting_places[k] >= k;
+  BOOST_TEST(late == 0u);
+  BOOST_TEST(plan.starting_places[0] == 0u);
+  return plan;
+}
+
+std::size_t ends_of_random_rounds(std::size_t n)
+{
+  return CGAL::Geometric_rounds().round_ends(n).size();
+}
+
+struct Destroyed
+{
+  double in_all = 0;
+  std::string by_round;
+};
+
+// Cells destroyed per insertion.
+Destroyed destroyed(const std::vector<Point>& all, const CGAL::Insertion_order& plan)
+{
+  const std::vector<Point> points =
+      CGAL::Delaunay_from_surface_3::internal::permuted(all, plan.order);
+  Triangulation tr;
+  CGAL::Compact_delaunay_3<Triangulation> target(tr, points);
+  CGAL::Null_update_observer observer;
+  Destroyed result;
+  std::size_t i = 0, before = 0;
+  for (const std::size_t end : plan.round_ends) {
+    const double size = double(end - i);
+    for (; i < end; ++i)
+      target.insert(i, target.locate(i, target.cell(target.vertex(i == 0 ? 0 : i - 1))), observer);
+    const std::size_t now = target.counts().cells_destroyed;
+    result.by_round +=
+        " " + std::to_string(int(double(now - before) / size * 10) / 10.).substr(0, 4);
+    before = now;
+  }
+  result.in_all = double(before) / double(points.size());
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(finest_round_is_beside_a_maximal_independent_set)
+{
+  const surfaces::Indexed_surface surface = surfaces::genus_surface(2, 4000, 0.05);
+  const Graph graph = graph_of(surface);
+  const CGAL::Insertion_order plan = checked_net_plan(surface.points, graph);
+  BOOST_TEST(plan.round_ends.size() > 3u);
+  std::vector<char> is_in_net(surface.points.size(), false);
+  const std::size_t net_size = plan.round_ends[plan.round_ends.size() - 2];
+  for (std::size_t k = 0; k < net_size; ++k)
+    is_in_net[plan.order[k]] = true;
+  std::vector<char> is_covered = is_in_net;
+  std::size_t inner_edges = 0;
+  for (auto [e, end] = edges(graph); e != end; ++e) {
+    const std::size_t s = source(*e, graph), t = target(*e, graph);
+    inner_edges += is_in_net[s] && is_in_net[t];
+    is_covered[s] |= is_in_net[t];
+    is_covered[t] |= is_in_net[s];
+  }
+  BOOST_TEST(inner_edges == 0u);
+  BOOST_TEST(std::count(is_covered.begin(), is_covered.end(), true) ==
+             std::ptrdiff_t(surface.points.size()));
+  std::size_t strangers = 0; // a point of the last round starts at a neighbour
+  for (std::size_t k = net_size; k < plan.order.size(); ++k)
+    strangers += !edge(plan.order[k], plan.order[plan.starting_places[k]], graph).second;
+  BOOST_TEST(strangers == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(graphs_on_which_nets_do_not_shrink)
+{
+  const std::size_t n = 5000;
+  const std::vector<Point> points = random_points(n);
+  Graph star(n), random(n), loops(n);
+  for (std::size_t i = 1; i < n; ++i)
+    add_edge(0, i, star);
+  CGAL::Random generator(5);
+  for (std::size_t i = 0; i < 20 * n; ++i)
+    add_edge(std::size_t(generator.get_int(0, int(n))), std::size_t(generator.get_int(0, int(n))),
+             random);
+  for (std::size_t i = 0; i < n; ++i)
+    add_edge(i, i, loops);
+  const std::size_t random_rounds = ends_of_random_rounds(n);
+  BOOST_TEST(checked_net_plan(points, Graph(n)).round_ends.size() == random_rounds);
+  BOOST_TEST(checked_net_plan(points, loops).round_ends.size() == random_rounds);
+  // entered at the centre or at a leaf
+  BOOST_TEST(checked_net_plan(points, star).round_ends.size() <= random_rounds + 1);
+  Graph star_from_leaf(n);
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    add_edge(n - 1, i, star_from_leaf);
+  BOOST_TEST(checked_net_plan(points, star_from_leaf).round_ends.size() <= random_rounds + 1);
+  checked_net_plan(points, random);
+}
+
+BOOST_AUTO_TEST_CASE(small_sets)
+{
+  for (const std::size_t n : {1, 2, 3, 4, 63, 64, 65, 66}) {
+    Graph path(n);
+    for (std::size_t i = 1; i < n; ++i)
+      add_edge(i - 1, i, path);
+    checked_net_plan(random_points(n), path);
+  }
+  BOOST_TEST(plan_of<CGAL::Surface_net_rounds>({}, Graph(0)).order.empty());
+  BOOST_TEST(plan_of<CGAL::Surface_net_rounds>({}, Graph(0)).round_ends.empty());
+}
+
+BOOST_AUTO_TEST_CASE(no_more_cells_destroyed_than_twice_those_of_random_rounds)
+{
+  std::vector<tests::Named_surface> all = tests::ordinary_surfaces(8000);
+  for (const tests::Named_surface& named : tests::degenerate_surfaces(8000))
+    all.push_back(named);
+  for (const tests::Named_surface& named : all) {
+    BOOST_TEST_CONTEXT(named.name)
+    {
+      const std::vector<Point>& points = named.surface.points;
+      const Graph graph = graph_of(named.surface);
+      const Destroyed nets = destroyed(points, checked_net_plan(points, graph));
+      const Destroyed random = destroyed(points, plan_of<CGAL::Geometric_rounds>(points, graph));
+      BOOST_TEST_MESSAGE(named.name << ": cells destroyed per insertion: nets " << nets.in_all
+                                    << " (by round" << nets.by_round << "), random rounds "
+                                    << random.in_all << " (" << random.by_round << ")");
+      BOOST_TEST(nets.in_all <= 2 * random.in_all);
+    }
+  }
+}
