@@ -22,13 +22,15 @@ import sys
 
 METHODS = {  # colour and label; the order is that of the legends
     "stock": ("#000000", "CGAL's insert(first, last)"),
+    "default": ("#d00000", "Surface_insertion_traits_3 (default)"),
+    "nets": ("#ff9d9d", "nets of the surface, CGAL's insertion"),
     "stock-order": ("#8a8a8a", "Stock_order_traits_3 (control)"),
-    "default": ("#0072b2", "Surface_insertion_traits_3 (default)"),
+    "geometric-started": ("#0072b2", "geometric rounds, last neighbour"),
     "geometric-neighbor": ("#56b4e9", "geometric rounds, nearest neighbour"),
     "geometric-previous": ("#009e73", "geometric rounds, previous point"),
     "geometric-traced": ("#e69f00", "geometric rounds, traced"),
     "tracing-hilbert": ("#cc79a7", "the paper's rounds, sorted, traced"),
-    "tracing": ("#d55e00", "Tracing_traits_3 (the paper)"),
+    "tracing": ("#7a3b00", "Tracing_traits_3 (the paper)"),
 }
 PHASES = {
     "input_and_output": ("#bdbdbd", "input and output"),
@@ -37,6 +39,7 @@ PHASES = {
     "trace": ("#d55e00", "trace"),
     "location": ("#56b4e9", "location"),
     "update": ("#0072b2", "update"),
+    "finish": ("#009e73", "export"),
 }
 PANEL_WIDTH, PANEL_HEIGHT, COLUMNS = 300, 210, 3
 LEFT, TOP, GAP_X, GAP_Y = 58, 92, 50, 66
@@ -219,8 +222,7 @@ def microseconds(method, n):
         return {}
     seconds = method["phases"]["seconds"]
     scale = method["median_cpu"] / method["phases"]["wall"] * 1e6 / n
-    return {phase: (seconds[phase] + (seconds["finish"] if phase == "input_and_output" else 0)) * scale
-            for phase in PHASES}
+    return {phase: seconds[phase] * scale for phase in PHASES}
 
 
 def draw_phases(reports, surfaces, file_name):
