@@ -19,16 +19,19 @@ import json
 import math
 import os
 import sys
+import textwrap
 
 METHODS = {  # colour and label; the order is that of the legends
     "stock": ("#000000", "CGAL's insert(first, last)"),
+    "default": ("#d00000", "Surface_insertion_traits_3 (default)"),
+    "nets": ("#ff9d9d", "nets of the surface, CGAL's insertion"),
     "stock-order": ("#8a8a8a", "Stock_order_traits_3 (control)"),
-    "default": ("#0072b2", "Surface_insertion_traits_3 (default)"),
+    "geometric-started": ("#0072b2", "geometric rounds, last neighbour"),
     "geometric-neighbor": ("#56b4e9", "geometric rounds, nearest neighbour"),
     "geometric-previous": ("#009e73", "geometric rounds, previous point"),
     "geometric-traced": ("#e69f00", "geometric rounds, traced"),
     "tracing-hilbert": ("#cc79a7", "the paper's rounds, sorted, traced"),
-    "tracing": ("#d55e00", "Tracing_traits_3 (the paper)"),
+    "tracing": ("#7a3b00", "Tracing_traits_3 (the paper)"),
 }
 PHASES = {
     "input_and_output": ("#bdbdbd", "input and output"),
@@ -37,6 +40,7 @@ PHASES = {
     "trace": ("#d55e00", "trace"),
     "location": ("#56b4e9", "location"),
     "update": ("#0072b2", "update"),
+    "finish": ("#009e73", "finish, export"),
 }
 PANEL_WIDTH, PANEL_HEIGHT, COLUMNS = 300, 210, 3
 LEFT, TOP, GAP_X, GAP_Y = 58, 92, 50, 66
@@ -105,11 +109,17 @@ def used_methods(surfaces):
     return [name for name in METHODS if name in names]
 
 
+def methods_that_walk(surfaces):
+    """Those whose walks are counted: stock's are those of stock-order, and the default's own kernel has none."""
+    return [name for name in used_methods(surfaces) if name not in ("stock", "default")]
+
+
 def heading(svg, title, subtitle, reports):
     machine = reports[0]["machine"]
     svg.text(20, 28, title, 17, weight="bold")
     svg.text(20, 48, subtitle, 12, color="#444")
-    svg.text(20, 66, f'CGAL {machine["cgal"]}, {machine["compiler"]}, {machine["flags"]}; '
+    flags = " ".join(machine["flags"].split())
+    svg.text(20, 66, f'CGAL {machine["cgal"]}, {machine["compiler"]}, {flags}; '
              f'{machine["cpu"]}, {machine["cores"]} cores, shared; {machine["date"]}', 11, color="#666")
 
 
@@ -121,8 +131,9 @@ def legend_and_commands(svg, entries, reports, y):
         svg.text(x + 29, y + 19 * (i // COLUMNS), label, 12)
     y += 19 * ((len(entries) - 1) // COLUMNS) + 28
     for report in reports:
-        svg.text(20, y, report["command"], 10.5, color="#666")
-        y += 15
+        for line in textwrap.wrap(report["command"], 170, subsequent_indent="    "):
+            svg.text(20, y, line, 10.5, color="#666")
+            y += 15
     return y
 
 
@@ -203,7 +214,7 @@ def draw_ratio(reports, surfaces, file_name):
 
 
 def draw_cells(reports, surfaces, file_name):
-    methods = [m for m in used_methods(surfaces) if m != "stock"]
+    methods = methods_that_walk(surfaces)
     found = values(surfaces, methods, cells_entered)
     ticks = [t for e in range(-1, 5) for t in (10**e, 2 * 10**e, 5 * 10**e)]
     ticks = ticks[max(i for i, t in enumerate(ticks) if t <= min(found)):]
@@ -219,8 +230,7 @@ def microseconds(method, n):
         return {}
     seconds = method["phases"]["seconds"]
     scale = method["median_cpu"] / method["phases"]["wall"] * 1e6 / n
-    return {phase: (seconds[phase] + (seconds["finish"] if phase == "input_and_output" else 0)) * scale
-            for phase in PHASES}
+    return {phase: seconds[phase] * scale for phase in PHASES}
 
 
 def draw_phases(reports, surfaces, file_name):
@@ -271,6 +281,7 @@ def print_tables(surfaces):
                       for m in methods]
             print(f'| {surface} | {size_name(n)} | {method_of(result, "stock")["median_cpu"]:.3f} | '
                   + " | ".join(ratios) + " |")
+    methods = methods_that_walk(surfaces)
     print("\n| surface | points | " + " | ".join(methods) + " |")
     print("|---|--:|" + "--:|" * len(methods))
     for surface, by_size in surfaces.items():

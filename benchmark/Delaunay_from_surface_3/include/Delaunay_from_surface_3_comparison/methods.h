@@ -96,17 +96,22 @@ inline std::vector<Method> all_methods()
       surface_method<Tracing_traits_3>("tracing",
                                        "Tracing_traits_3: the paper's random order and traces"),
       surface_method<Surface_insertion_policies_3<
-          Spanning_forest, Hilbert_sorted_rounds<Log_star_rounds>, Traced_hints_3>>(
+          Bounded_degree_subgraph, Hilbert_sorted_rounds<Log_star_rounds>, Traced_hints_3>>(
           "tracing-hilbert", "the paper's rounds and traces, rounds sorted along a Hilbert curve"),
       surface_method<
-          Surface_insertion_policies_3<Spanning_forest, Geometric_rounds, Traced_hints_3>>(
+          Surface_insertion_policies_3<Bounded_degree_subgraph, Geometric_rounds, Traced_hints_3>>(
           "geometric-traced", "rounds that grow geometrically, traces"),
       surface_method<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Neighbor_hints_3>>(
           "geometric-neighbor", "rounds that grow geometrically, nearest inserted neighbour"),
       surface_method<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Previous_hint_3>>(
           "geometric-previous", "rounds that grow geometrically, point inserted before"),
-      surface_method<Surface_insertion_traits_3>("default",
-                                                 "Surface_insertion_traits_3: the default"),
+      surface_method<Surface_insertion_policies_3<
+          Full_graph, Neighbor_started_rounds<Geometric_rounds>, Planned_hints_3>>(
+          "geometric-started", "rounds that grow geometrically, neighbour inserted last before"),
+      surface_method<Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(
+          "nets", "nets of the surface, their starting points, CGAL's insertion"),
+      surface_method<Surface_insertion_traits_3>(
+          "default", "Surface_insertion_traits_3: nets, compact triangulation"),
   };
 }
 
