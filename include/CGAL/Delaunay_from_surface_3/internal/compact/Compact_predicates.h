@@ -5,12 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_PREDICATES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_PREDICATES_H
 
-// Is a cell in conflict with a point? Signs come from the first filter, else from the close one,
-// else exact and perturbed.
+// Is a cell in conflict with a point? Signs come from the first filter; else, on a lattice,
+// from integers, elsewhere from the close filter; else exact and perturbed.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/integer_sphere_sign.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
@@ -98,10 +99,17 @@ public:
                              Row(coordinates(cell.v[1]), p), Row(coordinates(cell.v[2]), p));
   }
 
-  bool is_beyond_exactly(const Cell& cell, std::size_t i) const
+  bool is_beyond_exactly(const Cell& cell, std::size_t i, const double* p) const
   {
-    return m_exact.is_beyond(m_point_of[Complex::first_vertex(cell)], m_point_of[cell.v[1]],
-                             m_point_of[cell.v[2]], i);
+    const Id v0 = Complex::first_vertex(cell);
+    const double* const v[3] = {coordinates(v0), coordinates(cell.v[1]), coordinates(cell.v[2])};
+    const std::size_t q[3] = {m_point_of[v0], m_point_of[cell.v[1]], m_point_of[cell.v[2]]};
+    const Integer_sign integer = integer_beyond_sign(v, p);
+    if (!integer.is_known)
+      return m_exact.is_beyond(q[0], q[1], q[2], i);
+    if (integer.sign != 0)
+      return integer.sign > 0;
+    return m_exact.is_perturbed_into_circle(q[0], q[1], q[2], i);
   }
 
   // What the first filter left open.
@@ -111,12 +119,17 @@ public:
     const Id v0 = Complex::first_vertex(cell);
     const double* const v[4] = {coordinates(v0), coordinates(cell.v[1]), coordinates(cell.v[2]),
                                 coordinates(cell.v[3])};
-    const int sign = close_sphere_sign(v, p);
+    const Integer_sign integer = integer_sphere_sign(v, p);
+    const int sign = integer.is_known ? integer.sign
+                     : m_is_fused     ? fused_close_sphere_sign(v, p)
+                                      : close_sphere_sign(v, p);
     if (sign != 0)
       return sign > 0;
     ++m_counts.second_failures;
-    return m_exact.is_in_sphere(m_point_of[v0], m_point_of[cell.v[1]], m_point_of[cell.v[2]],
-                                m_point_of[cell.v[3]], i);
+    const std::size_t q[4] = {m_point_of[v0], m_point_of[cell.v[1]], m_point_of[cell.v[2]],
+                              m_point_of[cell.v[3]]};
+    return integer.is_known ? m_exact.is_perturbed_into_sphere(q[0], q[1], q[2], q[3], i)
+                            : m_exact.is_in_sphere(q[0], q[1], q[2], q[3], i);
   }
 
   // The same for any cell, with all filters.
@@ -124,7 +137,7 @@ public:
   {
     if (Complex::is_infinite(cell)) {
       const int sign = beyond_sign(cell, p);
-      return sign != 0 ? sign > 0 : is_beyond_exactly(cell, i);
+      return sign != 0 ? sign > 0 : is_beyond_exactly(cell, i, p);
     }
     const int sign = sphere_sign(Row(coordinates(cell.v[0]), p), Row(coordinates(cell.v[1]), p),
                                  Row(coordinates(cell.v[3]), p), Row(coordinates(cell.v[2]), p));
@@ -133,6 +146,7 @@ public:
 
 private:
   const Exact& m_exact;
+  const bool m_is_fused = has_fused_products();
   const Complex& m_complex;
   std::vector<std::size_t> m_point_of;
   mutable Compact_counts m_counts;

@@ -133,7 +133,7 @@ private:
       if (Complex::is_infinite(cell)) {
         const int sign = m_tests.beyond_sign(cell, p);
         const Id w = sign == 0 ? m_tests.vertex_at(cell, i) : Id(0);
-        if (w != 0 || sign > 0 || (sign == 0 && m_tests.is_beyond_exactly(cell, i)))
+        if (w != 0 || sign > 0 || (sign == 0 && m_tests.is_beyond_exactly(cell, i, p)))
           return {c, w};
         c = cell.links[3] >> 2;
         continue;
