@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/integer_sphere_sign.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>
@@ -62,6 +63,7 @@ struct Tally
 struct Tallies
 {
   Tally first, facets, second;
+  std::size_t cells = 0, integers = 0, wrong_integers = 0;
 };
 
 template <class Filter>
@@ -99,6 +101,12 @@ void check(Five f, const Record& apex, Tallies& tallies)
   const int sphere = exact_sphere(f);
   const double* const v[4] = {f[0].data(), f[1].data(), f[2].data(), f[3].data()};
   tallies.second.count(close_sphere_sign(v, f[4].data()), sphere);
+  if (has_fused_products())
+    tallies.second.count(fused_close_sphere_sign(v, f[4].data()), sphere);
+  const Integer_sign integer = integer_sphere_sign(v, f[4].data());
+  ++tallies.cells;
+  tallies.integers += integer.is_known;
+  tallies.wrong_integers += integer.is_known && integer.sign != sphere;
   check_view<Sphere_filter>(f, sphere, tallies);
   check_neighbors<Sphere_filter>(f, apex, tallies);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
@@ -130,6 +138,7 @@ Tallies check_all(const std::string& name, const Make_point& make, std::size_t n
     BOOST_TEST(tallies.first.wrong == 0u);
     BOOST_TEST(tallies.facets.wrong == 0u);
     BOOST_TEST(tallies.second.wrong == 0u);
+    BOOST_TEST(tallies.wrong_integers == 0u);
     BOOST_TEST(tallies.first.tests > n);
   }
   return tallies;
@@ -185,16 +194,25 @@ BOOST_AUTO_TEST_CASE(near_spheres_and_planes)
 
 BOOST_AUTO_TEST_CASE(exactly_degenerate)
 {
-  for (const int side : {1, 2, 3, 10, 1000000})
-    check_all(
+  for (const int side : {1, 2, 3, 10, 4095, 1000000, 8388607, 8388609, 1 << 29}) {
+    const Tallies t = check_all(
         "lattice of side " + std::to_string(side),
         [side](CGAL::Random& r) {
           Record p = {0, 0, 0, unused};
-          for (int c = 0; c < 3; ++c)
-            p[std::size_t(c)] = std::ldexp(double(r.get_int(-side, side + 1)), -20);
+          for (std::size_t c = 0; c < 3; ++c) // corners often: extreme
+            p[c] = std::ldexp(r.get_int(0, 3) == 0 ? (r.get_bool() ? side : -side)
+                                                   : double(r.get_int(-side, side + 1)),
+                              -30);
           return p;
         },
         600);
+#ifdef __SIZEOF_INT128__
+    if (side < 8388608)
+      BOOST_TEST(t.integers == t.cells);
+#endif
+    if (side == 1 << 29)
+      BOOST_TEST(t.integers < t.cells);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(far_from_the_origin_and_mixed_scales)

@@ -11,15 +11,14 @@
 // starting cell that is nearly at once. From there the conflict zone is dug out breadth first; the
 // queue of cells is the list of those that die, and their places are taken by the new ones.
 //
-// Every sign is certified by the filter, else by the close filter, else exact and perturbed.
+// The signs come from Compact_predicates.h; the tests of all neighbours of a cell at once from the
+// first filter, wide where the machine has vectors.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Star_filler.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
-
-#include <CGAL/assertions.h>
 
 #include <array>
 #include <cstddef>
@@ -29,17 +28,6 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-// What the insertions did.
-struct Compact_counts
-{
-  std::size_t cells_tested_to_start = 0; // until one in conflict was found
-  std::size_t cells_destroyed = 0;
-  std::size_t cells_created = 0;
-  std::size_t sphere_tests = 0;    // of neighbours of cells in conflict
-  std::size_t first_failures = 0;  // sphere tests that the first filter left open
-  std::size_t second_failures = 0; // and the second too
-};
 
 // Id: an unsigned type for the numbers. Predicates: as Perturbed_predicates.
 template <class Id, class Predicates>
@@ -58,14 +46,13 @@ public:
 
   // For `n` points. `predicates` take indices of points.
   Compact_triangulation(const Predicates& predicates, std::size_t n)
-    : m_predicates(predicates)
-    , m_complex(n)
-    , m_point_of(1, 0)
+    : m_complex(n)
+    , m_tests(predicates, m_complex)
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
     , m_is_wide(Wide_sphere_filter::is_supported())
 #endif
   {
-    m_point_of.reserve(n + 1);
+    m_tests.reserve(n);
     make_room();
   }
 
@@ -79,13 +66,13 @@ public:
   }
   const Compact_counts& counts() const
   {
-    return m_counts;
+    return m_tests.counts();
   }
 
   // The index of the point at vertex v, finite.
   std::size_t point_of(std::size_t v) const
   {
-    return m_point_of[v];
+    return m_tests.point_of(v);
   }
 
   // Begins with four points; a cell of them in this order is positively oriented.
@@ -129,13 +116,8 @@ private:
   Id add_vertex(std::size_t i, const std::array<double, 3>& coordinates)
   {
     const Id v = m_complex.add_vertex(coordinates);
-    m_point_of.push_back(i);
+    m_tests.add_vertex(i);
     return v;
-  }
-
-  const double* coordinates(Id v) const
-  {
-    return m_complex.vertex(v).coordinates;
   }
 
   // --- line 2b: a cell in conflict -------------------------------------------------------------
@@ -146,89 +128,29 @@ private:
   Place walk(std::size_t i, const double* p, Id c) const
   {
     for (;;) {
-      ++m_counts.cells_tested_to_start;
+      ++m_tests.counts().cells_tested_to_start;
       const Cell& cell = m_complex.cell(c);
       if (Complex::is_infinite(cell)) {
-        const int sign = beyond_sign(cell, p);
-        const Id w = sign == 0 ? vertex_at(cell, i) : Id(0);
-        if (w != 0 || sign > 0 || (sign == 0 && is_beyond_exactly(cell, i)))
+        const int sign = m_tests.beyond_sign(cell, p);
+        const Id w = sign == 0 ? m_tests.vertex_at(cell, i) : Id(0);
+        if (w != 0 || sign > 0 || (sign == 0 && m_tests.is_beyond_exactly(cell, i, p)))
           return {c, w};
         c = cell.links[3] >> 2;
         continue;
       }
-      const double* const v[4] = {coordinates(cell.v[0]), coordinates(cell.v[1]),
-                                  coordinates(cell.v[2]), coordinates(cell.v[3])};
+      const double* const v[4] = {m_tests.coordinates(cell.v[0]), m_tests.coordinates(cell.v[1]),
+                                  m_tests.coordinates(cell.v[2]), m_tests.coordinates(cell.v[3])};
       const Cell_view view = Filter::view(v, p);
       if (view.sphere > 0)
         return {c, 0};
       if (view.sphere == 0) {
-        if (const Id w = vertex_at(cell, i))
+        if (const Id w = m_tests.vertex_at(cell, i))
           return {c, w};
-        if (is_in_close_sphere(cell, i, p))
+        if (m_tests.is_in_close_sphere(cell, i, p))
           return {c, 0};
       }
-      c = cell.links[facet_towards(cell, view, i)] >> 2;
+      c = cell.links[m_tests.facet_towards(cell, view, i)] >> 2;
     }
-  }
-
-  // The vertex of the cell at the place of point i, or 0.
-  Id vertex_at(const Cell& cell, std::size_t i) const
-  {
-    for (const Id v : cell.v)
-      if (v != Complex::infinite && m_predicates.are_equal(m_point_of[v], i))
-        return v;
-    return 0;
-  }
-
-  // A facet of the finite cell that point i lies beyond: the one it seems farthest from.
-  unsigned facet_towards(const Cell& cell, const Cell_view& view, std::size_t i) const
-  {
-    unsigned farthest = 0;
-    for (unsigned k = 1; k < 4; ++k)
-      if (view.facets[k] < view.facets[farthest])
-        farthest = k;
-    if (view.facets[farthest] < -view.facet_bound)
-      return farthest;
-    for (unsigned k = 0; k < 4; ++k)
-      if (view.facets[k] <= view.facet_bound && orientation(cell, k, i) == NEGATIVE)
-        return k;
-    CGAL_error_msg("a cell that contains a point must be in conflict with it");
-  }
-
-  Orientation orientation(const Cell& cell, unsigned k, std::size_t i) const
-  {
-    return m_predicates.orientation(i, m_point_of[cell.v[k ^ 1]], m_point_of[cell.v[k ^ 2]],
-                                    m_point_of[cell.v[k ^ 3]]);
-  }
-
-  // --- is a cell in conflict? ------------------------------------------------------------------
-
-  // Of an infinite cell: 1 if p is beyond its finite facet, -1 if before, 0 if not decided.
-  int beyond_sign(const Cell& cell, const double* p) const
-  {
-    return -orientation_sign(Row(coordinates(Complex::first_vertex(cell)), p),
-                             Row(coordinates(cell.v[1]), p), Row(coordinates(cell.v[2]), p));
-  }
-
-  bool is_beyond_exactly(const Cell& cell, std::size_t i) const
-  {
-    return m_predicates.is_beyond(m_point_of[Complex::first_vertex(cell)], m_point_of[cell.v[1]],
-                                  m_point_of[cell.v[2]], i);
-  }
-
-  // What the first filter left open.
-  bool is_in_close_sphere(const Cell& cell, std::size_t i, const double* p) const
-  {
-    ++m_counts.first_failures;
-    const Id v0 = Complex::first_vertex(cell);
-    const double* const v[4] = {coordinates(v0), coordinates(cell.v[1]), coordinates(cell.v[2]),
-                                coordinates(cell.v[3])};
-    const int sign = close_sphere_sign(v, p);
-    if (sign != 0)
-      return sign > 0;
-    ++m_counts.second_failures;
-    return m_predicates.is_in_sphere(m_point_of[v0], m_point_of[cell.v[1]], m_point_of[cell.v[2]],
-                                     m_point_of[cell.v[3]], i);
   }
 
   // --- line 2c: the conflict zone and its boundary ---------------------------------------------
@@ -246,7 +168,7 @@ private:
         make_room();
       dig_at<Filter>(m_complex.cell(m_zone[k]), i, p);
     }
-    m_counts.sphere_tests += m_zone_size - 1 + m_number_of_facets;
+    m_tests.counts().sphere_tests += m_zone_size - 1 + m_number_of_facets;
   }
 
   // Tests the neighbours of a cell in conflict.
@@ -287,7 +209,8 @@ private:
     unsigned inside = 0;
     for (unsigned k = 0; k < 4; ++k)
       if (wanted >> k & 1)
-        inside |= unsigned(is_in_close_sphere(m_complex.cell(cell.links[k] >> 2), i, p)) << k;
+        inside |= unsigned(m_tests.is_in_close_sphere(m_complex.cell(cell.links[k] >> 2), i, p))
+                  << k;
     return inside;
   }
 
@@ -297,19 +220,8 @@ private:
     unsigned inside = 0;
     for (unsigned k = 0; k < 4; ++k)
       if (wanted >> k & 1)
-        inside |= unsigned(is_in_conflict(m_complex.cell(cell.links[k] >> 2), i, p)) << k;
+        inside |= unsigned(m_tests.is_in_conflict(m_complex.cell(cell.links[k] >> 2), i, p)) << k;
     return inside;
-  }
-
-  bool is_in_conflict(const Cell& cell, std::size_t i, const double* p)
-  {
-    if (Complex::is_infinite(cell)) {
-      const int sign = beyond_sign(cell, p);
-      return sign != 0 ? sign > 0 : is_beyond_exactly(cell, i);
-    }
-    const int sign = sphere_sign(Row(coordinates(cell.v[0]), p), Row(coordinates(cell.v[1]), p),
-                                 Row(coordinates(cell.v[3]), p), Row(coordinates(cell.v[2]), p));
-    return sign != 0 ? sign > 0 : is_in_close_sphere(cell, i, p);
   }
 
   // Neighbours in conflict join the zone, the others' facets the boundary. No branches: which it
@@ -347,8 +259,8 @@ private:
   void fill(Id p)
   {
     const std::size_t destroyed = m_zone_size, created = m_number_of_facets;
-    m_counts.cells_destroyed += destroyed;
-    m_counts.cells_created += created;
+    m_tests.counts().cells_destroyed += destroyed;
+    m_tests.counts().cells_created += created;
     if (m_zone.size() < created)
       m_zone.resize(2 * created);
     while (m_zone_size < created)
@@ -358,11 +270,9 @@ private:
     m_filler(m_complex, p, m_facets.data(), m_zone.data(), created);
   }
 
-  const Predicates& m_predicates;
-  Complex m_complex;
-  std::vector<std::size_t> m_point_of;
+  Complex m_complex; // before what refers to it
+  Compact_predicates<Id, Predicates> m_tests;
   bool m_is_wide = false;
-  mutable Compact_counts m_counts;
   std::vector<Id> m_zone;
   std::size_t m_zone_size = 0;
   std::vector<Hole_facet<Id>> m_facets;

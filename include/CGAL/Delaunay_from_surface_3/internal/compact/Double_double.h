@@ -18,6 +18,9 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
@@ -42,104 +45,158 @@ inline double opaque(double product)
 }
 #endif
 
-// The number high + low, with |low| at most half an ulp of high.
-class Double_double
-{
-public:
-  // a - b, exactly.
-  static Double_double difference(double a, double b)
-  {
-    const double high = a - b;
-    const double minus_b = high - a;
-    return Double_double(high, (a - (high - minus_b)) - (b + minus_b));
-  }
-
-  friend Double_double operator+(const Double_double& s, const Double_double& t)
-  {
-    const double sum = s.m_high + t.m_high;
-    const double part = sum - s.m_high;
-    const double error = (s.m_high - (sum - part)) + (t.m_high - part);
-    return normalized(sum, error + (s.m_low + t.m_low));
-  }
-
-  friend Double_double operator-(const Double_double& s, const Double_double& t)
-  {
-    return s + Double_double(-t.m_high, -t.m_low);
-  }
-
-  friend Double_double operator*(const Double_double& s, const Double_double& t)
-  {
-    const double product = opaque(s.m_high * t.m_high);
-    const double error = error_of_product(s.m_high, t.m_high, product);
-    return normalized(product, error + (opaque(s.m_high * t.m_low) + opaque(s.m_low * t.m_high)));
-  }
-
-  double high() const { return m_high; }
-
-private:
-  Double_double(double high, double low)
-    : m_high(high)
-    , m_low(low)
-  {
-  }
-
-  static Double_double normalized(double high, double low)
-  {
-    const double sum = high + low;
-    return Double_double(sum, low - (sum - high));
-  }
-
-  // a b - product, exactly (Dekker 1971).
-  static double error_of_product(double a, double b, double product)
-  {
-#ifdef __FMA__
-    return __builtin_fma(a, b, -product);
+#if defined(__GNUC__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE __attribute__((always_inline)) inline
 #else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE inline
+#endif
+
+// What a product lost by rounding, a b - product, exactly: for any machine (Dekker 1971) …
+struct Split_products
+{
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double error(double a, double b, double product)
+  {
     const double a1 = upper_half(a), a0 = a - a1, b1 = upper_half(b), b0 = b - b1;
     return ((opaque(a1 * b1) - product) + opaque(a1 * b0) + opaque(a0 * b1)) + opaque(a0 * b0);
-#endif
   }
 
-  static double upper_half(double a)
+private:
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double upper_half(double a)
   {
     const double c = opaque(134217729. * a); // 2^27 + 1
     return c - (c - a);
   }
-
-  double m_high, m_low;
 };
 
-struct Exact_row
+// … and where it is one instruction.
+struct Fused_products
 {
-  Double_double x, y, z, w;
-  Exact_row(const double* v, const double* p)
-    : x(Double_double::difference(v[0], p[0]))
-    , y(Double_double::difference(v[1], p[1]))
-    , z(Double_double::difference(v[2], p[2]))
-    , w(x * x + y * y + z * z)
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double error(double a, double b, double product)
   {
+    return std::fma(a, b, -product);
   }
 };
+
+// The number high + low, with |low| at most half an ulp of high.
+template <class Products>
+struct Double_double
+{
+  double high, low;
+
+  // a - b, exactly.
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Double_double difference(double a, double b)
+  {
+    const double high = a - b;
+    const double minus_b = high - a;
+    return {high, (a - (high - minus_b)) - (b + minus_b)};
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE friend Double_double operator+(const Double_double& s,
+                                                                            const Double_double& t)
+  {
+    const double sum = s.high + t.high;
+    const double part = sum - s.high;
+    const double error = (s.high - (sum - part)) + (t.high - part);
+    return normalized(sum, error + (s.low + t.low));
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE friend Double_double operator-(const Double_double& s,
+                                                                            const Double_double& t)
+  {
+    return s + Double_double{-t.high, -t.low};
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE friend Double_double operator*(const Double_double& s,
+                                                                            const Double_double& t)
+  {
+    const double product = opaque(s.high * t.high);
+    const double error = Products::error(s.high, t.high, product);
+    return normalized(product, error + (opaque(s.high * t.low) + opaque(s.low * t.high)));
+  }
+
+private:
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Double_double normalized(double high,
+                                                                             double low)
+  {
+    const double sum = high + low;
+    return {sum, low - (sum - high)};
+  }
+};
+
+template <class Products>
+struct Close_sphere
+{
+  using Number = Double_double<Products>;
+
+  struct Row
+  {
+    Number x, y, z, w;
+    CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Row(const double* v, const double* p)
+      : x(Number::difference(v[0], p[0]))
+      , y(Number::difference(v[1], p[1]))
+      , z(Number::difference(v[2], p[2]))
+      , w(x * x + y * y + z * z)
+    {
+    }
+  };
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Number minor(const Row& s, const Row& t)
+  {
+    return s.x * t.y - s.y * t.x;
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static int sign(const double* const* vertices,
+                                                             const double* p)
+  {
+    const Row a(vertices[0], p), b(vertices[1], p), c(vertices[2], p), d(vertices[3], p);
+    const Number ab = minor(a, b), bc = minor(b, c), cd = minor(c, d), da = minor(d, a),
+                 ac = minor(a, c), bd = minor(b, d);
+    const Number bcd = b.z * cd - c.z * bd + d.z * bc, acd = a.z * cd + c.z * da + d.z * ac;
+    const Number abd = a.z * bd + b.z * da + d.z * ab, abc = a.z * bc - b.z * ac + c.z * ab;
+    const Number value = (a.w * bcd - b.w * acd) + (c.w * abd - d.w * abc);
+    const double m = (std::max)((std::max)(a.w.high, b.w.high), (std::max)(c.w.high, d.w.high));
+    const double bound = 1. / 9903520314283042199192993792. * (m * m * std::sqrt(m)) + // 2^-93
+                         Filter_bounds::tiny;
+    return certified_sign(value.high, bound);
+  }
+};
+
+#undef CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE
 
 // Positive if p is inside the sphere through the four vertices of a positively oriented cell,
 // negative if it is outside, 0 if that is not decided.
 inline int close_sphere_sign(const double* const* vertices, const double* p)
 {
-  const Exact_row a(vertices[0], p), b(vertices[1], p), c(vertices[2], p), d(vertices[3], p);
-  const Double_double xy_ab = a.x * b.y - a.y * b.x, xy_bc = b.x * c.y - b.y * c.x,
-                      xy_cd = c.x * d.y - c.y * d.x, xy_da = d.x * a.y - d.y * a.x,
-                      xy_ac = a.x * c.y - a.y * c.x, xy_bd = b.x * d.y - b.y * d.x;
-  const Double_double bcd = b.z * xy_cd - c.z * xy_bd + d.z * xy_bc;
-  const Double_double acd = a.z * xy_cd + c.z * xy_da + d.z * xy_ac;
-  const Double_double abd = a.z * xy_bd + b.z * xy_da + d.z * xy_ab;
-  const Double_double abc = a.z * xy_bc - b.z * xy_ac + c.z * xy_ab;
-  const Double_double value = (a.w * bcd - b.w * acd) + (c.w * abd - d.w * abc);
-  const double m =
-      (std::max)((std::max)(a.w.high(), b.w.high()), (std::max)(c.w.high(), d.w.high()));
-  const double bound = 1. / 9903520314283042199192993792. * (m * m * std::sqrt(m)) + // 2^-93
-                       Filter_bounds::tiny;
-  return certified_sign(value.high(), bound);
+#if defined(__FMA__) || defined(__aarch64__)
+  return Close_sphere<Fused_products>::sign(vertices, p);
+#else
+  return Close_sphere<Split_products>::sign(vertices, p);
+#endif
 }
+
+#if defined(__GNUC__) && defined(__x86_64__)
+// The same, to be called if the machine has fma.
+__attribute__((target("fma"))) inline int fused_close_sphere_sign(const double* const* vertices,
+                                                                  const double* p)
+{
+  return Close_sphere<Fused_products>::sign(vertices, p);
+}
+
+inline bool has_fused_products()
+{
+  return __builtin_cpu_supports("fma");
+}
+#else
+inline int fused_close_sphere_sign(const double* const* vertices, const double* p)
+{
+  return close_sphere_sign(vertices, p);
+}
+
+inline bool has_fused_products()
+{
+  return false;
+}
+#endif
 
 } // namespace internal
 } // namespace Delaunay_from_surface_3

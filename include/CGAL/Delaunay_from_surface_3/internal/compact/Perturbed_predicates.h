@@ -25,15 +25,47 @@ class Perturbed_predicates
 {
   // CGAL's perturbed predicates are protected members of the triangulation. They use nothing of it
   // but its traits.
-  struct Exposed : Delaunay_triangulation_3<GeomTraits>
+  template <class Gt>
+  struct Exposed : Delaunay_triangulation_3<Gt>
   {
-    using Base = Delaunay_triangulation_3<GeomTraits>;
-    explicit Exposed(const GeomTraits& gt)
+    using Base = Delaunay_triangulation_3<Gt>;
+    explicit Exposed(const Gt& gt)
       : Base(gt)
     {
     }
     using Base::coplanar_side_of_bounded_circle;
     using Base::side_of_oriented_sphere;
+  };
+
+  // Traits for points that are known to be cospherical, or cocircular: what is left is the
+  // perturbation.
+  struct Cospherical_traits : GeomTraits
+  {
+    explicit Cospherical_traits(const GeomTraits& gt)
+      : GeomTraits(gt)
+    {
+    }
+    struct Side_of_oriented_sphere_3
+    {
+      template <class P>
+      Oriented_side operator()(const P&, const P&, const P&, const P&, const P&) const
+      {
+        return ON_ORIENTED_BOUNDARY;
+      }
+    };
+    struct Coplanar_side_of_bounded_circle_3
+    {
+      template <class P>
+      Bounded_side operator()(const P&, const P&, const P&, const P&) const
+      {
+        return ON_BOUNDARY;
+      }
+    };
+    Coplanar_side_of_bounded_circle_3 coplanar_side_of_bounded_circle_3_object() const
+    {
+      return {};
+    }
+    Side_of_oriented_sphere_3 side_of_oriented_sphere_3_object() const { return {}; }
   };
 
 public:
@@ -42,6 +74,7 @@ public:
   // Keeps a reference to `points`.
   Perturbed_predicates(const GeomTraits& gt, const std::vector<Point>& points)
     : m_exposed(gt)
+    , m_cospherical(Cospherical_traits(gt))
     , m_points(points)
   {
   }
@@ -59,6 +92,14 @@ public:
                                              m_points[p], true) == ON_POSITIVE_SIDE;
   }
 
+  // The same for a point that is known to lie on the sphere.
+  bool is_perturbed_into_sphere(std::size_t a, std::size_t b, std::size_t c, std::size_t d,
+                                std::size_t p) const
+  {
+    return m_cospherical.side_of_oriented_sphere(m_points[a], m_points[b], m_points[c], m_points[d],
+                                                 m_points[p], true) == ON_POSITIVE_SIDE;
+  }
+
   // Is p in conflict with the infinite cell (a, b, c, infinite): beyond the facet (a, b, c) of the
   // convex hull, or in its plane and inside its circle?
   bool is_beyond(std::size_t a, std::size_t b, std::size_t c, std::size_t p) const
@@ -68,6 +109,13 @@ public:
       return o == POSITIVE;
     return m_exposed.coplanar_side_of_bounded_circle(m_points[a], m_points[b], m_points[c],
                                                      m_points[p], true) == ON_BOUNDED_SIDE;
+  }
+
+  // The same for a point that is known to lie on the circle.
+  bool is_perturbed_into_circle(std::size_t a, std::size_t b, std::size_t c, std::size_t p) const
+  {
+    return m_cospherical.coplanar_side_of_bounded_circle(m_points[a], m_points[b], m_points[c],
+                                                         m_points[p], true) == ON_BOUNDED_SIDE;
   }
 
   bool are_equal(std::size_t a, std::size_t b) const
@@ -82,7 +130,8 @@ public:
   }
 
 private:
-  Exposed m_exposed;
+  Exposed<GeomTraits> m_exposed;
+  Exposed<Cospherical_traits> m_cospherical;
   const std::vector<Point>& m_points;
 };
 
