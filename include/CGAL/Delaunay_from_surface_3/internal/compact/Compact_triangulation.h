@@ -177,29 +177,32 @@ private:
   {
     const Cell* const cells = m_complex.cells();
     const Compact_vertex<Id>* const vertices = m_complex.vertices();
-    unsigned open = 0; // facets whose neighbours are not known to be in conflict
-    bool has_infinite = Complex::is_infinite(cell);
+    unsigned open = 0;     // facets whose neighbours are not known to be in conflict
+    unsigned infinite = 0; // facets whose neighbours are infinite, of a finite cell
     const double* opposite[4];
     for (unsigned k = 0; k < 4; ++k) {
       const Cell& neighbor = cells[cell.links[k] >> 2];
       const Id e = neighbor.v[cell.links[k] & 3] & Id(~Complex::doomed);
       open |= unsigned(!Complex::is_doomed(neighbor)) << k;
-      has_infinite |= e == Complex::infinite;
+      infinite |= unsigned(e == Complex::infinite) << k;
       opposite[k] = vertices[e].coordinates;
     }
-    unsigned inside;
-    if (!has_infinite) {
+    if (Complex::is_infinite(cell))
+      infinite = 15; // tested one by one as well
+    unsigned inside = 0;
+    const unsigned filtered = open & ~infinite;
+    if (filtered != 0) {
       const double* const v[4] = {vertices[Complex::first_vertex(cell)].coordinates,
                                   vertices[cell.v[1]].coordinates, vertices[cell.v[2]].coordinates,
                                   vertices[cell.v[3]].coordinates};
-      const Sphere_signs signs = Filter::neighbors(v, opposite, p, open);
-      inside = signs.inside & open;
-      const unsigned left = open & ~(signs.inside | signs.outside);
+      const Sphere_signs signs = Filter::neighbors(v, opposite, p, filtered);
+      inside = signs.inside & filtered;
+      const unsigned left = filtered & ~(signs.inside | signs.outside);
       if (left != 0)
         inside |= close_conflicts(cell, left, i, p);
-    } else {
-      inside = conflicts_at_hull(cell, open, i, p);
     }
+    if ((open & infinite) != 0)
+      inside |= conflicts_at_hull(cell, open & infinite, i, p);
     note(cell, open, inside);
   }
 
