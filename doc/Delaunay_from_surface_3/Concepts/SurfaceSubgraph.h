@@ -13,6 +13,8 @@ Delaunay edges.
 A model has never heard of points or triangulations: it sees a graph.
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Bounded_degree_subgraph}
+\cgalHasModels{CGAL::Bounded_degree_tree}
 \cgalHasModels{CGAL::Spanning_forest}
 \cgalHasModels{CGAL::Full_graph}
 \cgalHasModelsEnd
