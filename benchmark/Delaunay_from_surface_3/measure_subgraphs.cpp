@@ -189,8 +189,10 @@ ordered_json measure_all(const Options& options)
     {
       Indexed_surface sphere = surfaces::sphere(n, 0.01, 1);
       times.push_back(measure_times("sphere", "coherent", sphere, options));
-      surfaces::shuffle(sphere, 1);
-      times.push_back(measure_times("sphere", "shuffled", sphere, options));
+      if (n <= options.largest_for_others) {
+        surfaces::shuffle(sphere, 1);
+        times.push_back(measure_times("sphere", "shuffled", sphere, options));
+      }
     }
     times.push_back(measure_times("disc", "coherent", surfaces::terrain(n, 1), options));
     times.push_back(
@@ -208,14 +210,15 @@ Options read_options(int argc, char** argv)
       "Measures subgraphs of bounded degree on generated surfaces.\n\nOptions");
   auto add = options.add_options();
   add("help,h", "say this and stop");
-  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."),
+  add("sizes", po::value(&o.sizes)->multitoken()->zero_tokens()->value_name("N..."),
       "numbers of vertices, for times");
-  add("genera", po::value(&o.genera)->multitoken()->value_name("G..."), "for degrees");
+  add("genera", po::value(&o.genera)->multitoken()->zero_tokens()->value_name("G..."),
+      "for degrees");
   add("vertices,n", po::value(&o.vertices_by_genus)->value_name("N"),
       "of each surface, for degrees");
   add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "the fastest counts");
   add("others-up-to", po::value(&o.largest_for_others)->value_name("N"),
-      "minimum spanning and depth-first trees up to so many vertices");
+      "minimum spanning trees, depth-first trees and shuffled spheres up to so many vertices");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
   add("plot", po::value(&o.plot)->value_name("FILE"), "where the SVG goes");
   po::variables_map values;
@@ -241,7 +244,8 @@ try {
     result["command"] = result["command"].get<std::string>() + " " + argv[i];
   result.update(measure_all(options));
   std::ofstream(options.output) << std::setw(1) << result << "\n";
-  subgraphs::plot_times(result["times"], options.plot);
+  if (!options.sizes.empty())
+    subgraphs::plot_times(result["times"], options.plot);
 } catch (const std::exception& e) {
   std::cerr << "measure_subgraphs: " << e.what() << "\n";
   return EXIT_FAILURE;
