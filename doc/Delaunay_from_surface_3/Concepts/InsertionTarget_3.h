@@ -52,6 +52,11 @@ public:
   /// @{
 
   /*!
+  `true` if any points can be inserted into any triangulation; `obstacle()` need not exist then.
+  */
+  static constexpr bool serves_everything = unspecified_value;
+
+  /*!
   returns why `points` cannot be inserted into `tr` this way, in words; an empty string if they can. It is
   asked before the first change; if there is an obstacle, `Triangulation_target_3` takes the target's place.
   The points come in any order.

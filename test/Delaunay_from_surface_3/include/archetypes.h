@@ -190,11 +190,7 @@ public:
     const typename Hidden::Location hidden;
   };
 
-  static std::string obstacle(const Triangulation&,
-                              const std::vector<typename Triangulation::Point>&)
-  {
-    return "";
-  }
+  static constexpr bool serves_everything = true;
 
   Target_archetype(Triangulation& tr, const std::vector<typename Triangulation::Point>& points)
     : m_hidden(tr, points)

@@ -67,6 +67,9 @@ public:
   using Cell = Id;                             ///< the number of a cell.
   using Location = typename Kernel::Place;     ///< a cell in conflict with the point.
 
+  /// `false`: `obstacle()` is to be asked.
+  static constexpr bool serves_everything = false;
+
   /// returns whether the numbers and predicates of the geometric traits can be served.
   static constexpr bool serves_geom_traits()
   {

@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <iterator>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -55,8 +54,8 @@ public:
     int lj;                                   ///< the second vertex of an edge.
   };
 
-  /// returns an empty string: nothing stands against inserting any points into any triangulation.
-  static std::string obstacle(const Triangulation&, const std::vector<Point>&) { return ""; }
+  /// `true`: any points can be inserted into any triangulation.
+  static constexpr bool serves_everything = true;
 
   /// is to insert `points` into `tr`; keeps references to both.
   Triangulation_target_3(Triangulation& tr, const std::vector<Point>& points)

@@ -120,12 +120,15 @@ void insert_surface(Triangulation& tr, const std::vector<typename Triangulation:
                     unsigned int seed, Visitor& visitor, const Write& write)
 {
   using Target = typename Traits::template Insertion_target_3<Triangulation>;
-  const std::string obstacle = Target::obstacle(tr, points);
-  if (obstacle.empty())
-    return insert_surface_into<Target>(tr, points, graph, index_map, traits, seed, visitor, write);
-  visitor.target_is_replaced(obstacle);
-  insert_surface_into<Triangulation_target_3<Triangulation>>(tr, points, graph, index_map, traits,
-                                                             seed, visitor, write);
+  if constexpr (!Target::serves_everything) {
+    const std::string obstacle = Target::obstacle(tr, points);
+    if (!obstacle.empty()) {
+      visitor.target_is_replaced(obstacle);
+      return insert_surface_into<Triangulation_target_3<Triangulation>>(
+          tr, points, graph, index_map, traits, seed, visitor, write);
+    }
+  }
+  insert_surface_into<Target>(tr, points, graph, index_map, traits, seed, visitor, write);
 }
 
 } // namespace internal

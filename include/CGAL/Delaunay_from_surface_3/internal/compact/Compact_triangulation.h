@@ -19,6 +19,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Star_filler.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/prefetch.h>
 
 #include <array>
 #include <cstddef>
@@ -166,6 +167,9 @@ private:
     for (std::size_t k = 0; k < m_zone_size; ++k) {
       if (m_zone.size() < m_zone_size + 4)
         make_room();
+      if (k + 1 < m_zone_size)
+        for (const Id link : m_complex.cell(m_zone[k + 1]).links)
+          prefetch(&m_complex.cell(link >> 2));
       dig_at<Filter>(m_complex.cell(m_zone[k]), i, p);
     }
     m_tests.counts().sphere_tests += m_zone_size - 1 + m_number_of_facets;
