@@ -13,7 +13,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph_or_forest.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 #include <CGAL/cut_graph.h>
@@ -213,30 +212,6 @@ BOOST_AUTO_TEST_CASE(functors_are_surface_subgraphs)
   CGAL::Bounded_degree_tree()(mesh, index, std::back_inserter(tree));
   BOOST_TEST((subgraph == subgraph_of(mesh)));
   BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, tree).is_valid_tree());
-}
-
-BOOST_AUTO_TEST_CASE(a_forest_stands_in_where_there_is_no_surface)
-{
-  const CGAL::Bounded_degree_subgraph_or_forest subgraph;
-  std::string why;
-  Edges<Surface_mesh> found;
-  const Surface_mesh torus = to_halfedge_mesh<Surface_mesh>(grid_torus(5, 6));
-  subgraph(torus, get(boost::vertex_index, torus), std::back_inserter(found), why);
-  BOOST_TEST(why.empty());
-  BOOST_TEST((found == subgraph_of(torus)));
-
-  found.clear();
-  const Surface_mesh pinched = mesh_of(5, {{0, 1, 2}, {0, 3, 4}});
-  subgraph(pinched, get(boost::vertex_index, pinched), std::back_inserter(found), why);
-  BOOST_TEST(why.find("vertex 0 is pinched") != std::string::npos);
-  BOOST_TEST(found.size() == 4u);
-
-  std::mt19937 random(1);
-  const Embedded_graph g = embed(tetrahedron(), random);
-  std::vector<Embedded_graph::Edge> edges;
-  subgraph(g.graph, g.index_map(), std::back_inserter(edges), why);
-  BOOST_TEST(why == "a graph without faces");
-  BOOST_TEST(edges.size() == 3u);
 }
 
 BOOST_AUTO_TEST_CASE(a_user_s_index_map_is_used)

@@ -249,9 +249,9 @@ BOOST_AUTO_TEST_CASE(starting_places_by_hand)
   struct Given_order
   {
     explicit Given_order(unsigned int) {}
-    CGAL::Insertion_order operator()(const std::vector<Point>&, const Kernel&, const Graph&,
-                                     boost::property_map<Graph, boost::vertex_index_t>::const_type)
-        const
+    CGAL::Insertion_order
+    operator()(const std::vector<Point>&, const Kernel&, const Graph&,
+               boost::property_map<Graph, boost::vertex_index_t>::const_type) const
     {
       return {{4, 1, 3, 2, 5, 0}, {2, 6}, {}};
     }

@@ -41,15 +41,13 @@ template <class Case>
 void check_nets_and_compact_kernel_apart(const Case& stock_case, unsigned int seed = 0)
 {
   using namespace CGAL;
-  stock_case
-      .template check<Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(
-          seed);
+  stock_case.template check<
+      Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(seed);
   stock_case.template check<Surface_insertion_policies_3<Full_graph, Geometric_rounds,
                                                          Planned_hints_3, Compact_delaunay_3>>(
       seed);
   stock_case.template check<Surface_insertion_policies_3<Spanning_forest, Log_star_rounds,
-                                                         Traced_hints_3, Compact_delaunay_3>>(
-      seed);
+                                                         Traced_hints_3, Compact_delaunay_3>>(seed);
   stock_case.template check<Surface_insertion_policies_3<Full_graph, Spatial_sort_order,
                                                          Neighbor_hints_3, Compact_delaunay_3>>(
       seed);

@@ -20,7 +20,8 @@ int main()
   CGAL::insert_surface_vertices_3(from_surface, mesh);
 
   const Triangulation from_points(mesh.points_begin(), mesh.points_end());
-  if (from_surface.number_of_vertices() != mesh.size_of_vertices() || !(from_surface == from_points)) {
+  if (from_surface.number_of_vertices() != mesh.size_of_vertices() ||
+      !(from_surface == from_points)) {
     std::cerr << "The triangulation of the surface is not that of its points.\n";
     return EXIT_FAILURE;
   }
