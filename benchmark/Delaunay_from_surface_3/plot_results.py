@@ -207,7 +207,8 @@ def draw_ratio(reports, surfaces, file_name):
     methods = [m for m in used_methods(surfaces) if m != "stock"]
     ratio = lambda method: method["ratio_stock_to_method"]
     top = math.ceil(10 * max([1.1] + values(surfaces, methods, ratio))) / 10
-    ticks = [round(0.2 * i, 1) for i in range(int(top / 0.2 + 1e-9) + 1)]
+    step = 0.2 if top < 1.6 else 0.5
+    ticks = [round(step * i, 1) for i in range(int(top / step + 1e-9) + 1)]
     curves(reports, surfaces, ratio, "How fast, compared with CGAL's insert(first, last)",
            f'median CPU time of stock / median CPU time of the method, {reports[0]["repetitions"]} alternating '
            "repetitions; above 1: faster than stock", (0, top), ticks, False, methods, file_name)
@@ -234,16 +235,15 @@ def microseconds(method, n):
 
 
 def draw_phases(reports, surfaces, file_name):
-    methods = used_methods(surfaces)
     largest = {name: list(by_size.values())[-1] for name, by_size in surfaces.items()}
     svg = Svg()
     heading(svg, "Where the time goes", "CPU time per point in microseconds, by phase, at the largest size measured; "
             "the phases of stock cannot be seen from outside", reports)
-    bar, label_width, row_height = 15, 250, 20 * len(methods) + 62
+    bar, label_width, y = 15, 250, TOP
     width = 2 * (PANEL_WIDTH + GAP_X) + 20
     longest = max(m["median_cpu"] / r["points"] * 1e6 for r in largest.values() for m in r["methods"])
-    for index, (surface, result) in enumerate(largest.items()):
-        y = TOP + index * row_height
+    for surface, result in largest.items():
+        methods = [name for name in used_methods(surfaces) if method_of(result, name)]
         svg.text(20, y + 8, f'{surface}, {size_name(result["size"])} points', 13, weight="bold")
         step = 2 if longest > 8 else 1
         for tick in range(0, int(longest) + step, step):
@@ -253,8 +253,6 @@ def draw_phases(reports, surfaces, file_name):
                 svg.text(x, y + 34 + 20 * len(methods), f"{tick}", 11, "middle")
         for i, name in enumerate(methods):
             method = method_of(result, name)
-            if method is None:
-                continue
             x, y_bar = label_width, y + 20 + 20 * i
             svg.text(label_width - 8, y_bar + 12, METHODS[name][1].split(" (")[0], 11, "end")
             total = method["median_cpu"] / result["points"] * 1e6
@@ -265,8 +263,9 @@ def draw_phases(reports, surfaces, file_name):
                 svg.rect(x, y_bar, value / longest * width, bar, PHASES[phase][0])
                 x += value / longest * width
             svg.text(label_width + total / longest * width + 6, y_bar + 12, f"{total:.2f}", 11)
+        y += 20 * len(methods) + 62
     entries = [("#666", "stock, all phases")] + list(PHASES.values())
-    y = legend_and_commands(svg, entries, reports, TOP + len(largest) * row_height + 16)
+    y = legend_and_commands(svg, entries, reports, y + 16)
     svg.write(file_name, LEFT + COLUMNS * (PANEL_WIDTH + GAP_X), y + 6)
 
 
