@@ -24,6 +24,7 @@
 #include <boost/random/linear_congruential.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -403,7 +404,13 @@ BOOST_AUTO_TEST_CASE(soups_that_are_no_surface)
       return CGAL::insert_surface_points_3(tr, points, faces, traits,
                                            parameters::visitor(std::ref(visitor)));
     });
-    BOOST_TEST((visitor.reasons.empty() || visitor.reasons.size() == 3)); // once for each traits
+    // Once for each traits; and once more for those that trace, as a soup gives no halfedges.
+    const std::string forest = "the graph has no faces";
+    const auto reasons = std::count(visitor.reasons.begin(), visitor.reasons.end(), forest);
+    BOOST_TEST(reasons == 1);
+    visitor.reasons.erase(std::remove(visitor.reasons.begin(), visitor.reasons.end(), forest),
+                          visitor.reasons.end());
+    BOOST_TEST((visitor.reasons.empty() || visitor.reasons.size() == 3));
     return visitor.reasons.empty() ? std::string() : visitor.reasons.front();
   };
   BOOST_TEST(reasons_for({}) == "");
@@ -615,7 +622,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_everything)
   BOOST_TEST(visitor.phases[Phase::TRACE] == ends.size() - 1);
   BOOST_TEST(visitor.phases[Phase::FINISH] == 1u);
   BOOST_TEST(visitor.phases[Phase::DONE] == 1u);
-  BOOST_TEST(visitor.reasons.empty());
+  BOOST_TEST(visitor.reasons.size() == 1u); // a soup: T is a spanning forest
 }
 
 BOOST_AUTO_TEST_CASE(visitor_is_told_in_the_order_documented)
@@ -637,7 +644,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_in_the_order_documented)
   CGAL::insert_surface_points_3(tr, points, Faces{{0, 1}}, CGAL::Tracing_traits_3(),
                                 parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.log ==
-             "irregular PS round 0 of 2:  go LU go LUT located 1 round 1 of 1:  go LUFD");
+             "irregular PSirregular  round 0 of 2:  go LU go LUT located 1 round 1 of 1:  go LUFD");
 }
 
 BOOST_AUTO_TEST_CASE(visitor_by_value)

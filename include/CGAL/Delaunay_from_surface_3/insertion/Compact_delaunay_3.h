@@ -17,6 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
@@ -70,11 +71,17 @@ public:
   /// `false`: `obstacle()` is to be asked.
   static constexpr bool serves_everything = false;
 
-  /// returns whether the numbers and predicates of the geometric traits can be served.
+  /// returns whether the numbers and predicates of the geometric traits can be served. Traits that
+  /// bring predicates of their own are not: the filters here would go past them.
   static constexpr bool serves_geom_traits()
   {
+    using Kernel_of_points = typename Kernel_traits<Point>::Kernel;
     return std::is_same<typename Geom_traits::FT, double>::value &&
            std::is_same<typename Geom_traits::Point_3, Point>::value &&
+           std::is_same<typename Geom_traits::Orientation_3,
+                        typename Kernel_of_points::Orientation_3>::value &&
+           std::is_same<typename Geom_traits::Side_of_oriented_sphere_3,
+                        typename Kernel_of_points::Side_of_oriented_sphere_3>::value &&
            has_filtered_predicates<Geom_traits>(0);
   }
 

@@ -54,7 +54,7 @@ public:
 #endif
   {
     m_tests.reserve(n);
-    make_room();
+    make_room(256);
   }
 
   Complex& complex()
@@ -166,7 +166,7 @@ private:
     m_complex.cell(first).v[0] |= Complex::doomed;
     for (std::size_t k = 0; k < m_zone_size; ++k) {
       if (m_zone.size() < m_zone_size + 4)
-        make_room();
+        make_room(2 * m_zone.size());
       if (k + 1 < m_zone_size)
         for (const Id link : m_complex.cell(m_zone[k + 1]).links)
           prefetch(&m_complex.cell(link >> 2));
@@ -253,11 +253,12 @@ private:
     m_number_of_facets = std::size_t(facet - m_facets.data());
   }
 
-  // For what one cell can add. A zone of z cells has at most 2 z + 2 facets.
-  void make_room()
+  // For a zone of `cells` cells, which has at most 2 `cells` + 2 facets. Both arrays grow together:
+  // the zone alone tells when there is no room.
+  void make_room(std::size_t cells)
   {
-    m_zone.resize(2 * m_zone.size() + 256);
-    m_facets.resize(2 * m_zone.size() + 8);
+    m_zone.resize(cells);
+    m_facets.resize(2 * cells + 8);
   }
 
   // --- line 2c: the star -----------------------------------------------------------------------
@@ -269,7 +270,7 @@ private:
     m_tests.counts().cells_destroyed += destroyed;
     m_tests.counts().cells_created += created;
     if (m_zone.size() < created)
-      m_zone.resize(2 * created);
+      make_room(2 * created);
     while (m_zone_size < created)
       m_zone[m_zone_size++] = m_complex.take_cell();
     for (std::size_t k = created; k < destroyed; ++k)
