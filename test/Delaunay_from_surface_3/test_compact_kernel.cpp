@@ -150,6 +150,24 @@ BOOST_AUTO_TEST_CASE(large_cavities)
   }
 }
 
+// Stars of hundreds of cells, and then conflict zones as large: the arrays of zone and boundary must
+// grow together. The boundary's once did not, when a star was larger than its zone.
+BOOST_AUTO_TEST_CASE(knot_with_a_quadratic_triangulation)
+{
+  const std::size_t n = 1000;
+  std::vector<Point> points;
+  Graph graph(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = 2 * CGAL_PI * double(i) / double(n);
+    points.emplace_back(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t),
+                        -std::sin(3 * t));
+    add_edge(i, (i + 1) % n, graph);
+  }
+  check_equal(points);
+  check_equal<Triangulation, CGAL::Surface_net_rounds>(points, graph);
+  check_equal<Triangulation, CGAL::Geometric_rounds>(points, graph);
+}
+
 BOOST_AUTO_TEST_CASE(uniform_points_and_duplicates)
 {
   std::vector<Point> points = random_points(3000);
