@@ -32,9 +32,9 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Plans
 
 makes rounds and order from the surface graph. A net of the graph is a maximal independent set,
-chosen greedily in depth-first order; every other vertex joins the cluster of a net vertex beside
+chosen greedily in the order of the indices; every other vertex joins the cluster of a net vertex beside
 it. The clusters are contracted, and so on until a few dozen vertices are left. Rounds go from the
-coarsest net to the finest and grow about fourfold. Inside a round the points follow the clusters,
+coarsest net to the finest and grow four- to fivefold. Inside a round the points follow the clusters,
 children in the order of their parents: that is local on the surface, and so in space. Each point
 starts at the net vertex of its cluster (`Insertion_order::starting_places`).
 

@@ -11,9 +11,11 @@
 // is read once and its memory can go back to the system while CGAL's grows. Linear.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/prefetch.h>
 
 #include <CGAL/Triangulation_hierarchy_3.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -26,14 +28,21 @@ template <class Tr>
 std::true_type has_upper_levels(const Triangulation_hierarchy_3<Tr>*);
 std::false_type has_upper_levels(const void*);
 
-// The cells alone. Returns their handles by cell.
+// The cells alone. Returns their handles by cell. Links to cells that are not made yet go to
+// `scratch` and are set when these are made: which ones they are cannot be predicted.
 template <class Tds, class Id, class Vertex>
 std::vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<Id>& complex,
-                                                    const std::vector<Vertex>& vertices)
+                                                    const std::vector<Vertex>& vertices,
+                                                    typename Tds::Cell_handle scratch)
 {
   constexpr std::size_t release_interval = std::size_t(1) << 16;
-  std::vector<typename Tds::Cell_handle> cells(complex.cells_end());
+  std::vector<typename Tds::Cell_handle> cells(complex.cells_end(), scratch);
+  const std::size_t last = cells.size() - 1;
   for (std::size_t c = 0; c < cells.size(); ++c) {
+    for (const Id link : complex.cell((std::min)(c + 24, last)).links)
+      prefetch(&cells[link >> 2]);
+    for (const Id link : complex.cell((std::min)(c + 8, last)).links)
+      prefetch(&*cells[link >> 2]);
     const Compact_cell<Id>& cell = complex.cell(c);
     if (Compact_complex<Id>::is_doomed(cell))
       continue;
@@ -41,11 +50,9 @@ std::vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<Id
                                       vertices[cell.v[3]]);
     cells[c] = made;
     for (int i = 0; i < 4; ++i) {
-      const std::size_t d = cell.links[i] >> 2;
-      if (d < c) {
-        made->set_neighbor(i, cells[d]);
-        cells[d]->set_neighbor(int(cell.links[i] & 3), made);
-      }
+      const auto neighbor = cells[cell.links[i] >> 2];
+      made->set_neighbor(i, neighbor);
+      neighbor->set_neighbor(int(cell.links[i] & 3), made);
     }
     if (c % release_interval == 0)
       complex.release_cells_before(c);
@@ -71,9 +78,10 @@ export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& p
   for (std::size_t v = 0; v < vertices.size(); ++v)
     cell_of[v] = complex.vertex(v).cell;
   complex.deallocate_vertices();
-  tds.delete_cell(vertices[0]->cell()); // the only one, of the empty triangulation
+  const auto only_cell = vertices[0]->cell(); // of the empty triangulation
   tds.set_dimension(3);
-  const auto cells = export_cells(tds, complex, vertices);
+  const auto cells = export_cells(tds, complex, vertices, only_cell);
+  tds.delete_cell(only_cell);
   for (std::size_t v = 0; v < vertices.size(); ++v)
     vertices[v]->set_cell(cells[cell_of[v]]);
   return vertices;
