@@ -16,6 +16,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Star_filler.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
@@ -50,7 +51,7 @@ public:
     : m_complex(n)
     , m_tests(predicates, m_complex)
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
-    , m_is_wide(Wide_sphere_filter::is_supported())
+    , m_is_wide(Wide_explore_neighbors::is_supported())
 #endif
   {
     m_tests.reserve(n);
@@ -103,10 +104,10 @@ public:
   {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
     if (m_is_wide)
-      dig<Wide_sphere_filter>(i, coordinates.data(), cell);
+      dig<Widest_explore_neighbors<Id>>(i, coordinates.data(), cell);
     else
 #endif
-      dig<Sphere_filter>(i, coordinates.data(), cell);
+      dig<Explore_neighbors>(i, coordinates.data(), cell);
     before(m_zone.data(), m_zone.data() + m_zone_size);
     const Id p = add_vertex(i, coordinates);
     fill(p);
@@ -157,7 +158,7 @@ private:
   // --- line 2c: the conflict zone and its boundary ---------------------------------------------
 
   // Fills m_zone with the cells in conflict, marked, and m_facets with their boundary.
-  template <class Filter>
+  template <class Explore>
   void dig(std::size_t i, const double* p, Id first)
   {
     m_zone[0] = first;
@@ -170,87 +171,38 @@ private:
       if (k + 1 < m_zone_size)
         for (const Id link : m_complex.cell(m_zone[k + 1]).links)
           prefetch(&m_complex.cell(link >> 2));
-      dig_at<Filter>(m_complex.cell(m_zone[k]), i, p);
+      dig_at<Explore>(m_complex.cell(m_zone[k]), i, p);
     }
     m_tests.counts().sphere_tests += m_zone_size - 1 + m_number_of_facets;
   }
 
   // Tests the neighbours of a cell in conflict.
-  template <class Filter>
+  template <class Explore>
   void dig_at(const Cell& cell, std::size_t i, const double* p)
   {
-    const Cell* const cells = m_complex.cells();
-    const Compact_vertex<Id>* const vertices = m_complex.vertices();
-    unsigned open = 0;     // facets whose neighbours are not known to be in conflict
-    unsigned infinite = 0; // facets whose neighbours are infinite, of a finite cell
-    const double* opposite[4];
-    for (unsigned k = 0; k < 4; ++k) {
-      const Cell& neighbor = cells[cell.links[k] >> 2];
-      const Id e = neighbor.v[cell.links[k] & 3] & Id(~Complex::doomed);
-      open |= unsigned(!Complex::is_doomed(neighbor)) << k;
-      infinite |= unsigned(e == Complex::infinite) << k;
-      opposite[k] = vertices[e].coordinates;
-    }
-    if (Complex::is_infinite(cell))
-      infinite = 15; // tested one by one as well
-    unsigned inside = 0;
-    const unsigned filtered = open & ~infinite;
-    if (filtered != 0) {
-      const double* const v[4] = {vertices[Complex::first_vertex(cell)].coordinates,
-                                  vertices[cell.v[1]].coordinates, vertices[cell.v[2]].coordinates,
-                                  vertices[cell.v[3]].coordinates};
-      const Sphere_signs signs = Filter::neighbors(v, opposite, p, filtered);
-      inside = signs.inside & filtered;
-      const unsigned left = filtered & ~(signs.inside | signs.outside);
-      if (left != 0)
-        inside |= close_conflicts(cell, left, i, p);
-    }
-    if ((open & infinite) != 0)
-      inside |= conflicts_at_hull(cell, open & infinite, i, p);
-    note(cell, open, inside);
+    Neighborhood around = Explore::around(m_complex.cells(), m_complex.vertices(), cell, p);
+    if (around.undecided != 0)
+      around.inside |= undecided_conflicts(cell, around.undecided, i, p);
+    const Zone_ends<Id> ends = Explore::note(
+        m_complex.cells(), cell, around.inside, around.open & ~around.inside,
+        Zone_ends<Id>{m_zone.data() + m_zone_size, m_facets.data() + m_number_of_facets});
+    m_zone_size = std::size_t(ends.cell - m_zone.data());
+    m_number_of_facets = std::size_t(ends.facet - m_facets.data());
   }
 
-  // Of the facets `wanted`, those whose neighbours are in conflict; all finite, filter failed.
-  unsigned close_conflicts(const Cell& cell, unsigned wanted, std::size_t i, const double* p)
+  // Of the neighbours that the filter left undecided, those in conflict.
+  unsigned undecided_conflicts(const Cell& cell, unsigned undecided, std::size_t i, const double* p)
   {
     unsigned inside = 0;
     for (unsigned k = 0; k < 4; ++k)
-      if (wanted >> k & 1)
-        inside |= unsigned(m_tests.is_in_close_sphere(m_complex.cell(cell.links[k] >> 2), i, p))
+      if (undecided >> k & 1) {
+        const Cell& neighbor = m_complex.cell(cell.links[k] >> 2);
+        const bool is_filtered = !Complex::is_infinite(cell) && !Complex::is_infinite(neighbor);
+        inside |= unsigned(is_filtered ? m_tests.is_in_close_sphere(neighbor, i, p)
+                                       : m_tests.is_in_conflict(neighbor, i, p))
                   << k;
+      }
     return inside;
-  }
-
-  // The same where some neighbours are infinite; not filtered yet.
-  unsigned conflicts_at_hull(const Cell& cell, unsigned wanted, std::size_t i, const double* p)
-  {
-    unsigned inside = 0;
-    for (unsigned k = 0; k < 4; ++k)
-      if (wanted >> k & 1)
-        inside |= unsigned(m_tests.is_in_conflict(m_complex.cell(cell.links[k] >> 2), i, p)) << k;
-    return inside;
-  }
-
-  // Neighbours in conflict join the zone, the others' facets the boundary. No branches: which it
-  // is cannot be predicted.
-  void note(const Cell& cell, unsigned open, unsigned inside)
-  {
-    Cell* const cells = m_complex.cells();
-    Id* zone = m_zone.data() + m_zone_size;
-    Hole_facet<Id>* facet = m_facets.data() + m_number_of_facets;
-    const Facets_of_cell<Id> facets(Complex::first_vertex(cell), cell);
-    const unsigned bounding = open & ~inside;
-    for (unsigned k = 0; k < 4; ++k) {
-      const Id link = cell.links[k];
-      const Id joins = Id(inside >> k & 1);
-      *zone = link >> 2;
-      zone += joins;
-      cells[link >> 2].v[0] |= Id(joins << (std::numeric_limits<Id>::digits - 1));
-      facets.write(k, link, *facet);
-      facet += bounding >> k & 1;
-    }
-    m_zone_size = std::size_t(zone - m_zone.data());
-    m_number_of_facets = std::size_t(facet - m_facets.data());
   }
 
   // For a zone of `cells` cells, which has at most 2 `cells` + 2 facets. Both arrays grow together:

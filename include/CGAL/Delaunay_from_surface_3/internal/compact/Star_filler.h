@@ -17,6 +17,7 @@
 // Cost: O(B); O(B log B) for large holes.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Explore_neighbors.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,56 +30,6 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-// A facet of a hole: the link of the cell outside, and the corners, such that (p, corners) is
-// positive for p in the hole.
-template <class Id>
-struct Hole_facet
-{
-  Id outside;
-  Id corners[3];
-};
-
-// The facets of a cell as facets of a hole, see facet_corners.
-template <class Id>
-class Facets_of_cell
-{
-public:
-  // `first` is the cell's first vertex without its mark.
-  Facets_of_cell(Id first, const Compact_cell<Id>& cell)
-#if defined(__GNUC__)
-    : m_v{first, cell.v[1], cell.v[2], cell.v[3]}
-  {
-  }
-
-  void write(unsigned k, Id outside, Hole_facet<Id>& facet) const
-  {
-    const Ids corners = k == 0   ? __builtin_shufflevector(m_v, m_v, 0, 1, 2, 3)
-                        : k == 1 ? __builtin_shufflevector(m_v, m_v, 0, 2, 0, 3)
-                        : k == 2 ? __builtin_shufflevector(m_v, m_v, 0, 0, 1, 3)
-                                 : __builtin_shufflevector(m_v, m_v, 0, 2, 1, 0);
-    std::memcpy(&facet, &corners, sizeof(corners));
-    facet.outside = outside;
-  }
-
-private:
-  typedef Id Ids __attribute__((vector_size(4 * sizeof(Id))));
-  Ids m_v;
-#else
-    : m_v{first, cell.v[1], cell.v[2], cell.v[3]}
-  {
-  }
-
-  void write(unsigned k, Id outside, Hole_facet<Id>& facet) const
-  {
-    facet = {outside,
-             {m_v[facet_corners[k][0]], m_v[facet_corners[k][1]], m_v[facet_corners[k][2]]}};
-  }
-
-private:
-  Id m_v[4];
-#endif
-};
 
 template <class Id>
 class Star_filler

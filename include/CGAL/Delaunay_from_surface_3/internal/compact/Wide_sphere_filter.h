@@ -77,6 +77,12 @@ struct Wide_sphere_filter
   __attribute__((target("avx2"))) static Sphere_signs
   neighbors(const double* const* vertices, const double* const* opposite, const double* p, unsigned)
   {
+    return signs(vertices, opposite, p);
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_WIDE static Sphere_signs
+  signs(const double* const* vertices, const double* const* opposite, const double* p)
+  {
     const Wide_rows rows(vertices, p), e(opposite, p);
     const Wide_column x(rows.x), y(rows.y), z(rows.z), w(rows.w);
     const Wide_minors xy(x, y), zw(z, w);
