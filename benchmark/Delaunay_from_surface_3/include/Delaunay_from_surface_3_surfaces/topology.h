@@ -6,11 +6,10 @@
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -39,17 +38,11 @@ inline std::ptrdiff_t euler_characteristic(const Indexed_surface& surface)
 /// The number of pieces that hang together through faces; a point on no face is a piece.
 inline std::size_t number_of_components(const Indexed_surface& surface)
 {
-  const std::size_t n = surface.points.size();
-  std::vector<std::size_t> rank(n, 0), parent(n);
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
-  for (const Indexed_surface::Face& face : surface.faces) {
-    sets.union_set(face[0], face[1]);
-    sets.union_set(face[0], face[2]);
-  }
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < n; ++v)
-    count += parent[v] == v;
+  std::size_t count = surface.points.size();
+  CGAL::Delaunay_from_surface_3::internal::Disjoint_sets<std::size_t> pieces(count);
+  for (const Indexed_surface::Face& face : surface.faces)
+    for (int i = 1; i < 3; ++i)
+      count -= pieces.unite(face[0], face[i]);
   return count;
 }
 

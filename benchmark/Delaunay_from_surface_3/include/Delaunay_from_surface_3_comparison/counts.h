@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_COUNTS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_COUNTS_H
+
+// What the insertions of a method do, counted in a run of its own. They do not depend on the
+// machine.
+
+#include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/phases.h>
+#include <Delaunay_from_surface_3_comparison/triangulations.h>
+
+#include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
+
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <type_traits>
+
+namespace comparison {
+
+struct Counted_calls
+{
+  const CGAL::Predicate_counts* counts;
+  CGAL::Predicate_counts operator()() const { return *counts; }
+};
+
+using Counting_visitor = CGAL::Metering_visitor_3<Counted_calls>;
+
+// Targets and hints live and die inside an insertion: what they have counted stays here.
+struct Counted_insertion
+{
+  CGAL::Delaunay_from_surface_3::internal::Compact_counts kernel;
+  std::size_t cells_destroyed = 0;
+};
+
+inline Counted_insertion& last_insertion()
+{
+  static Counted_insertion counted;
+  return counted;
+}
+
+// The hints, watching what CGAL's insertion destroys.
+template <class Hints>
+class Zone_counting_hints : public Hints
+{
+public:
+  using Hints::Hints;
+
+  static constexpr bool observes_conflict_zone = true;
+
+  template <class CellIterator>
+  void before_update(std::size_t i, CellIterator first, CellIterator last)
+  {
+    last_insertion().cells_destroyed += std::size_t(std::distance(first, last));
+    if constexpr (Hints::observes_conflict_zone)
+      Hints::before_update(i, first, last);
+  }
+};
+
+// The compact triangulation, leaving its own counts behind.
+template <class Tr>
+class Counted_compact_delaunay_3 : public CGAL::Compact_delaunay_3<Tr>
+{
+public:
+  using CGAL::Compact_delaunay_3<Tr>::Compact_delaunay_3;
+
+  void finish()
+  {
+    last_insertion().kernel = this->counts();
+    CGAL::Compact_delaunay_3<Tr>::finish();
+  }
+};
+
+template <class Traits>
+inline constexpr bool is_compact =
+    std::is_same<typename Traits::template Insertion_target_3<Triangulation>,
+                 CGAL::Compact_delaunay_3<Triangulation>>::value;
+
+template <class Traits>
+struct Compact_counting_traits : Traits
+{
+  template <class Tr>
+  using Insertion_target_3 = Counted_compact_delaunay_3<Tr>;
+};
+
+template <class Traits>
+struct Zone_counting_traits : Traits
+{
+  template <class Target, class Subgraph>
+  using Insertion_hints_3 =
+      Zone_counting_hints<typename Traits::template Insertion_hints_3<Target, Subgraph>>;
+};
+
+inline Json calls_per_point(const CGAL::Predicate_counts& counts, double n)
+{
+  return {{"cells_entered", rounded(double(counts.cells_entered()) / n, 1e4)},
+          {"orientation", rounded(double(counts.orientation) / n, 1e4)},
+          {"in_sphere", rounded(double(counts.in_sphere) / n, 1e4)},
+          {"other", rounded(double(counts.other) / n, 1e4)}};
+}
+
+// In the phase UPDATE a negative orientation is no step of a walk.
+inline Json predicates_as_json(const Counting_visitor& visitor, double n)
+{
+  Json result;
+  for (const auto& [name, phase] : {phases()[2], phases()[3], phases()[4]})
+    result[name] = calls_per_point(visitor.total(phase), n);
+  result["update"].erase("cells_entered");
+  std::size_t traced = 0;
+  for (const auto& round : visitor.rounds())
+    traced += round.number_of_traced_points;
+  result["rounds"] = visitor.rounds().size() - 1;
+  result["traced_points"] = traced;
+  if (traced > 0)
+    result["cells_entered_per_traced_point"] =
+        rounded(double(visitor.total(Phase::TRACE).cells_entered()) / double(traced), 1e4);
+  return result;
+}
+
+inline Json cells_as_json(std::size_t destroyed, std::size_t created, double n)
+{
+  return {{"destroyed", rounded(double(destroyed) / n, 1e4)},
+          {"created", rounded(double(created) / n, 1e4)}};
+}
+
+// CGAL's insertion of a range: all that can be seen from outside.
+inline Json counts_of_stock(const Mesh& mesh)
+{
+  Counted_triangulation tr;
+  insert_stock(tr, mesh);
+  const double all = double(tr.geom_traits().counts().all());
+  return {{"predicates",
+           {{"all_calls_per_point", rounded(all / double(mesh.number_of_vertices()), 1e4)}}}};
+}
+
+// This package through CGAL's insertion: predicate calls, and in a run of its own cells, since whoever
+// looks at conflict zones makes CGAL test one cell more.
+template <class Traits>
+Json predicates_of_insertion(const Mesh& mesh, unsigned int seed)
+{
+  Counted_triangulation tr;
+  Counting_visitor visitor(Counted_calls{&tr.geom_traits().counts()});
+  CGAL::insert_surface_vertices_3(tr, mesh, Traits(),
+                                  CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
+  const double n = double(mesh.number_of_vertices());
+  Json predicates = {
+      {"all_calls_per_point", rounded(double(tr.geom_traits().counts().all()) / n, 1e4)}};
+  predicates.update(predicates_as_json(visitor, n));
+  return predicates;
+}
+
+template <class Traits>
+Json counts_of_insertion(const Mesh& mesh, unsigned int seed)
+{
+  last_insertion() = {};
+  Triangulation tr;
+  CGAL::insert_surface_vertices_3(tr, mesh, Zone_counting_traits<Traits>(),
+                                  CGAL::parameters::random_seed(seed));
+  const std::size_t destroyed = last_insertion().cells_destroyed;
+  return {{"predicates", predicates_of_insertion<Traits>(mesh, seed)},
+          {"cells", cells_as_json(destroyed, destroyed + tr.number_of_cells(),
+                                  double(mesh.number_of_vertices()))}};
+}
+
+// This package through its compact triangulation: the kernel's own counts.
+template <class Traits>
+Json counts_of_kernel(const Mesh& mesh, unsigned int seed)
+{
+  last_insertion() = {};
+  Triangulation tr;
+  CGAL::insert_surface_vertices_3(tr, mesh, Compact_counting_traits<Traits>(),
+                                  CGAL::parameters::random_seed(seed));
+  const auto& counts = last_insertion().kernel;
+  const double n = double(mesh.number_of_vertices());
+  const auto per_point = [n](std::size_t count) { return rounded(double(count) / n, 1e4); };
+  return {{"kernel",
+           {{"cells_tested_to_start", per_point(counts.cells_tested_to_start)},
+            {"sphere_tests", per_point(counts.sphere_tests)},
+            {"first_filter_failures", per_point(counts.first_failures)},
+            {"second_filter_failures", per_point(counts.second_failures)}}},
+          {"cells", cells_as_json(counts.cells_destroyed, counts.cells_created, n)}};
+}
+
+} // namespace comparison
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_COUNTS_H

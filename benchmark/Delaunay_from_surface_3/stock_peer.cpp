@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A peer of compare_with_stock: CGAL's insert(first, last). It is built twice: as stock_peer, and
+// as stock_peer_sse2_max with CGAL_USE_SSE2_MAX, which must not meet code without it in one program.
+
+#include <Delaunay_from_surface_3_comparison/points_file.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <iostream>
+#include <vector>
+
+int main(int argc, char** argv)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  if (argc != 2) {
+    std::cerr << "usage: stock_peer FILE-OF-POINTS\n";
+    return EXIT_FAILURE;
+  }
+  try {
+    const std::vector<double> coordinates = comparison::read_points_file(argv[1]);
+    std::vector<Kernel::Point_3> points;
+    for (std::size_t i = 0; i < coordinates.size(); i += 3)
+      points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+    CGAL::Delaunay_triangulation_3<Kernel> tr;
+    const std::clock_t begin = std::clock();
+    tr.insert(points.begin(), points.end());
+    const std::clock_t end = std::clock();
+    comparison::print_answer(begin, end, tr.number_of_finite_cells());
+    return EXIT_SUCCESS;
+  } catch (const std::exception& error) {
+    std::cerr << "stock_peer: " << error.what() << '\n';
+  }
+  return EXIT_FAILURE;
+}
