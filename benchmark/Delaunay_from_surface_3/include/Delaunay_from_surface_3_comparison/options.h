@@ -104,8 +104,10 @@ inline std::optional<Options> parse_command_line(int argc, char** argv)
   po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), given);
   po::notify(given);
   options.command = "compare_with_stock";
-  for (int i = 1; i < argc; ++i)
-    options.command += std::string(" ") + argv[i];
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    options.command += word.find(' ') == std::string::npos ? " " + word : " '" + word + "'";
+  }
   if (options.repetitions == 0)
     throw std::invalid_argument("--repetitions must be at least 1");
   if (given.count("help") != 0)

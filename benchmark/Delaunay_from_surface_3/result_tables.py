@@ -1,0 +1,193 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""The tables of the manual's page on performance, in Markdown, from what compare_with_stock measured."""
+
+import re
+
+from results import (PAPER, cells_entered, method_of, methods_that_walk, peers, size_name, used_methods,
+                     without_export)
+
+
+def cell(value, form):
+    return "–" if value is None else form.format(value)
+
+
+def table(titles, rows, texts=2):
+    """The first columns are `texts`, the others numbers."""
+    lines = ["| " + " | ".join(titles) + " |", "|" + "---|" * (texts - 1) + "--:|" * (len(titles) - texts + 1)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def results_of(surfaces):
+    for surface, by_size in surfaces.items():
+        for n, result in by_size.items():
+            yield [surface, size_name(n)], result
+
+
+def get(method, *keys):
+    """method[keys[0]][keys[1]]…, None where something is missing."""
+    for key in keys:
+        if method is None or key not in method:
+            return None
+        method = method[key]
+    return method
+
+
+def over(a, b):
+    return None if a is None or not b else a / b
+
+
+def ratios(surfaces, methods):
+    rows = []
+    for names, result in results_of(surfaces):
+        values = [get(method_of(result, m), "ratio_stock_to_method") for m in methods]
+        if any(v is not None for v in values):
+            stock = get(method_of(result, "stock"), "median_cpu")
+            rows.append(names + [f"{stock:.3f}"] + [cell(v, "{:.2f}") for v in values])
+    return table(["surface", "points", "stock, CPU s"] + methods, rows)
+
+
+def main_ratios(surfaces):
+    left_out = PAPER + ("stock", "stock-fast", "default-fast")
+    return ratios(surfaces, [m for m in used_methods(surfaces) if m not in left_out])
+
+
+def paper_ratios(surfaces):
+    return ratios(surfaces, [m for m in used_methods(surfaces) if m in PAPER])
+
+
+def fast_location(surfaces):
+    rows = []
+    for names, result in results_of(surfaces):
+        stock, ours = (get(method_of(result, m), "median_cpu") for m in ("stock-fast", "default-fast"))
+        if stock and ours:
+            rows.append(names + [f"{stock:.3f}", f"{ours:.3f}", f"{stock / ours:.2f}"])
+    return table(["surface", "points", "stock-fast, CPU s", "default-fast, CPU s", "ratio"], rows)
+
+
+def stages(surfaces):
+    """Microseconds per point, and what that means beside stock and the peers."""
+    names_of_peers = [m for m in used_methods(surfaces)
+                      if any(p["method"] == m for _, r in results_of(surfaces) for p in peers(r))]
+    rows = []
+    for names, result in results_of(surfaces):
+        ours, stock = method_of(result, "default"), method_of(result, "stock")
+        if get(ours, "stages") is None:
+            continue
+        micro = [ours["stages"][s] * 1e6 / result["points"] for s in ("plan", "build", "export")]
+        others = [over(get(method_of(result, p), "median_cpu"), without_export(ours)) for p in names_of_peers]
+        rows.append(names + [f"{v:.2f}" for v in micro] +
+                    [f'{100 * ours["stages"]["plan"] / stock["median_cpu"]:.1f} %'] +
+                    [f'{stock["median_cpu"] / without_export(ours):.2f}'] + [cell(v, "{:.2f}") for v in others])
+    return table(["surface", "points", "plan, µs", "build, µs", "export, µs", "plan / stock",
+                  "stock / (plan + build)"] + [f"{p} / (plan + build)" for p in names_of_peers], rows)
+
+
+def yardstick(surfaces):
+    rows = []
+    for names, result in results_of(surfaces):
+        known = result.get("yardstick", {})
+        if "total" not in known:
+            continue
+        values = [get(method_of(result, m), "ratio_method_to_yardstick")
+                  for m in ("stock", "compact-spatial", "default")]
+        rows.append(names + [f'{known["verification"]:.3f}', f'{known["export"]:.3f}'] +
+                    [cell(v, "{:.2f}") for v in values])
+    return table(["surface", "points", "verification, s", "export, s", "stock", "compact-spatial", "default"], rows)
+
+
+def work(surfaces):
+    """Per insertion."""
+    rows = []
+    for names, result in results_of(surfaces):
+        order, ours, nets = (method_of(result, m) for m in ("stock-order", "default", "nets"))
+        if get(ours, "kernel") is None:
+            continue
+        values = [get(order, "cells", "destroyed"), get(ours, "cells", "destroyed"), get(ours, "cells", "created"),
+                  get(order, "predicates", "update", "in_sphere"), get(nets, "predicates", "update", "in_sphere"),
+                  get(ours, "kernel", "sphere_tests"), get(ours, "kernel", "cells_tested_to_start")]
+        failures = [get(ours, "kernel", f"{stage}_filter_failures") for stage in ("first", "second")]
+        rows.append(names + [cell(v, "{:.1f}") for v in values] + [cell(v, "{:.4f}") for v in failures])
+    return table(["surface", "points", "cells destroyed, stock-order", "default", "cells created, default",
+                  "in-sphere tests, stock-order", "nets", "cells tested, default", "to start",
+                  "left open by the first filter", "by the second"], rows)
+
+
+def memory(surfaces):
+    names_of_peers = [m for m in used_methods(surfaces)
+                      if any(p["method"] == m for _, r in results_of(surfaces) for p in peers(r))]
+    rows = []
+    for names, result in results_of(surfaces):
+        stock, ours = (get(method_of(result, m), "memory") for m in ("stock", "default"))
+        if stock is None or ours is None:
+            continue
+        above = [m[f"{what}_above_input_per_point"] for what in ("result", "peak") for m in (stock, ours)]
+        others = [over(get(method_of(result, p), "memory", "peak_bytes"), stock["peak_bytes"])
+                  for p in names_of_peers]
+        rows.append(names + [f"{v:.0f}" for v in above] + [f'{ours["peak_bytes"] / stock["peak_bytes"]:.2f}'] +
+                    [cell(v, "{:.2f}") for v in others])
+    return table(["surface", "points", "result, stock", "default", "peak, stock", "default",
+                  "whole process, default / stock"] + [f"{p} / stock" for p in names_of_peers], rows)
+
+
+def growth(surfaces):
+    """Time per point over that at the smallest size, where there are three sizes or more."""
+    rows = []
+    for surface, by_size in surfaces.items():
+        for name, time in (("stock", lambda m: m["median_cpu"]), ("default", without_export)):
+            known = {n: time(method_of(r, name)) / r["points"] for n, r in by_size.items()
+                     if n and get(method_of(r, "default"), "stages") and method_of(r, name)}
+            first = next(iter(known.values()), None)
+            if len(known) > 2:
+                rows.append([surface, name, ", ".join(f"{size_name(n)}: {t / first:.2f}" for n, t in known.items())])
+    return table(["surface", "method", "time per point, relative"], rows, 3)
+
+
+def cells(surfaces):
+    methods = methods_that_walk(surfaces)
+    rows = []
+    for names, result in results_of(surfaces):
+        found = [method_of(result, m) for m in methods]
+        if any(m and "location" in m.get("predicates", {}) for m in found):
+            rows.append(names + [cell(m and cells_entered(m), "{:.1f}") for m in found])
+    return table(["surface", "points"] + methods, rows)
+
+
+def surfaces_measured(surfaces):
+    rows = [[name, next(iter(by_size.values()))["description"]] for name, by_size in surfaces.items()]
+    return table(["surface", "what it is"], rows, 3)
+
+
+TABLES = {"surfaces": surfaces_measured, "ratios": main_ratios, "paper": paper_ratios, "fast": fast_location,
+          "stages": stages, "yardstick": yardstick, "work": work, "memory": memory, "growth": growth, "cells": cells}
+
+
+def machine(reports):
+    loads = [load for r in reports for load in (r["load_average_at_start"], r.get("load_average_at_end")) if load]
+    texts = {}
+    for report in reports:
+        m = report["machine"]
+        text = (f'Machine: {m["cpu"]}, {m["cores"]} cores, {int(m["memory"].split()[0]) / 1e6:.0f} GB. '
+                f'Compiler: {m["compiler"]}, `{" ".join(m["flags"].split())}`. %CGAL {m["cgal"]}, '
+                "`Exact_predicates_inexact_constructions_kernel`, one thread.")
+        texts.setdefault(text, None)
+    return "\n".join(texts) + f"\nLoad average of the machine at start and end of the runs: {min(loads)} to {max(loads)}."
+
+
+def commands(reports):
+    return "\\verbatim\n" + "\n".join(r["command"] for r in reports) + "\n\\endverbatim"
+
+
+def all_blocks(reports, surfaces):
+    """{name: text} of all that the manual shows."""
+    blocks = {name: make(surfaces) for name, make in TABLES.items()}
+    return {"machine": machine(reports), **blocks, "commands": commands(reports)}
+
+
+def filled(manual, blocks):
+    """The manual with the text between <!-- NAME --> and <!-- end --> replaced by the block of that name."""
+    def block(match):
+        return f"<!-- {match[1]} -->\n\n{blocks[match[1]]}\n\n<!-- end -->"
+    return re.sub(r"<!-- (\w+) -->\n.*?<!-- end -->", block, manual, flags=re.S)
