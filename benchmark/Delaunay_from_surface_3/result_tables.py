@@ -14,9 +14,9 @@ def cell(value, form):
     return "–" if value is None else form.format(value)
 
 
-def table(titles, rows, texts=2):
-    """The first columns are `texts`, the others numbers."""
-    lines = ["| " + " | ".join(titles) + " |", "|" + "---|" * (texts - 1) + "--:|" * (len(titles) - texts + 1)]
+def table(titles, rows, left=1):
+    """The first columns are aligned to the left, the others, numbers, to the right."""
+    lines = ["| " + " | ".join(titles) + " |", "|" + "---|" * left + "--:|" * (len(titles) - left)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
 
@@ -134,15 +134,14 @@ def memory(surfaces):
 
 def growth(surfaces):
     """Time per point over that at the smallest size, where there are three sizes or more."""
-    rows = []
+    rows, sizes = [], sorted({n for by_size in surfaces.values() for n in by_size if n})
     for surface, by_size in surfaces.items():
+        measured = {n: r for n, r in by_size.items() if n and get(method_of(r, "default"), "stages")}
         for name, time in (("stock", lambda m: m["median_cpu"]), ("default", without_export)):
-            known = {n: time(method_of(r, name)) / r["points"] for n, r in by_size.items()
-                     if n and get(method_of(r, "default"), "stages") and method_of(r, name)}
-            first = next(iter(known.values()), None)
-            if len(known) > 2:
-                rows.append([surface, name, ", ".join(f"{size_name(n)}: {t / first:.2f}" for n, t in known.items())])
-    return table(["surface", "method", "time per point, relative"], rows, 3)
+            times = {n: time(method_of(r, name)) / r["points"] for n, r in measured.items()}
+            if len(times) > 2:
+                rows.append([surface, name] + [cell(over(times.get(n), times[min(times)]), "{:.2f}") for n in sizes])
+    return table(["surface", "method"] + [size_name(n) for n in sizes], rows, 2)
 
 
 def cells(surfaces):
@@ -155,12 +154,36 @@ def cells(surfaces):
     return table(["surface", "points"] + methods, rows)
 
 
+KINDS = {  # by the descriptions that compare_with_stock gives
+    "densified meshes": lambda name, text: "densified" in text and "random order" not in text,
+    "the same in random order": lambda name, text: "densified" in text and "random order" in text,
+    "smooth implicit surfaces and the noisy sphere": lambda name, text: "implicit" in text or name == "sphere",
+    "near-degenerate and degenerate surfaces": lambda name, text: name.split("-shuffled")[0] in
+        ("sphere-exact", "plate", "thin-plate", "lattice"),
+}
+
+
+def summary(surfaces):
+    """Time of stock over that of the default, by kind of surface, from the least to the most."""
+    rows = []
+    for kind, is_one in KINDS.items():
+        known = {}
+        for surface, by_size in surfaces.items():
+            for n, result in by_size.items():
+                ratio = get(method_of(result, "default"), "ratio_stock_to_method")
+                if ratio is not None and n and is_one(surface, result["description"]):
+                    known.setdefault(n, []).append(ratio)
+        for n, found in sorted(known.items()):
+            rows.append([kind, size_name(n), str(len(found)), f"{min(found):.2f}", f"{max(found):.2f}"])
+    return table(["surfaces", "points", "how many", "least", "most"], rows)
+
+
 def surfaces_measured(surfaces):
     rows = [[name, next(iter(by_size.values()))["description"]] for name, by_size in surfaces.items()]
-    return table(["surface", "what it is"], rows, 3)
+    return table(["surface", "what it is"], rows, 2)
 
 
-TABLES = {"surfaces": surfaces_measured, "ratios": main_ratios, "paper": paper_ratios, "fast": fast_location,
+TABLES = {"summary": summary, "surfaces": surfaces_measured, "ratios": main_ratios, "paper": paper_ratios, "fast": fast_location,
           "stages": stages, "yardstick": yardstick, "work": work, "memory": memory, "growth": growth, "cells": cells}
 
 
