@@ -9,9 +9,9 @@ import sys
 
 METHODS = {  # colour and label; the order is that of the legends and tables
     "stock": ("#000000", "CGAL's insert(first, last)"),
-    "stock-fast": ("#555555", "the same with Fast_location"),
+    "stock-fast": ("#555555", "insert(first, last), Fast_location"),
     "default": ("#d00000", "Surface_insertion_traits_3 (default)"),
-    "default-fast": ("#7d0000", "the same with Fast_location"),
+    "default-fast": ("#7d0000", "default, Fast_location"),
     "compact-spatial": ("#b8860b", "stock's order, compact triangulation"),
     "nets": ("#ff9d9d", "nets of the surface, CGAL's insertion"),
     "stock-order": ("#8a8a8a", "Stock_order_traits_3 (control)"),

@@ -54,7 +54,9 @@ struct Memory
   std::size_t input, result, peak;
 };
 
-inline Memory memory_of_build_here(const Method& method, const Mesh& mesh, unsigned int seed)
+// An exception ends the process, which is not the one that has anything to clean up.
+inline Memory memory_of_build_here(const Method& method, const Mesh& mesh,
+                                   unsigned int seed) noexcept
 {
   Memory memory = {resident_bytes(), 0, 0};
   method.build(mesh, seed, [&memory](auto) {
