@@ -6,8 +6,8 @@
 
 import re
 
-from results import (PAPER, cells_entered, method_of, methods_that_walk, peers, size_name, used_methods,
-                     without_export)
+from results import (PAPER, cells_entered, method_of, methods_that_walk, microseconds, peers, size_name,
+                     used_methods, without_export)
 
 
 def cell(value, form):
@@ -144,6 +144,23 @@ def growth(surfaces):
     return table(["surface", "method"] + [size_name(n) for n in sizes], rows, 2)
 
 
+def traces(surfaces):
+    """What the paper's traces do and what its order costs."""
+    rows = []
+    for names, result in results_of(surfaces):
+        order, sorted_rounds, ours = (method_of(result, m) for m in ("stock-order", "tracing-hilbert", "tracing"))
+        located = over(get(ours, "predicates", "traced_points"), result["points"])
+        if located is None:
+            continue
+        calls = [get(m, "predicates", "update", "in_sphere") for m in (order, ours)]
+        updates = [m and microseconds(m, result["points"]).get("update") for m in (order, sorted_rounds, ours)]
+        rows.append(names + [f"{located:.1f}", cell(get(ours, "predicates", "cells_entered_per_traced_point"), "{:.1f}")] +
+                    [cell(v, "{:.1f}") for v in calls + updates])
+    return table(["surface", "points", "located by traces, per point", "cells entered for each",
+                  "in-sphere tests, stock-order", "tracing", "update, µs, stock-order", "tracing-hilbert", "tracing"],
+                 rows)
+
+
 def cells(surfaces):
     methods = methods_that_walk(surfaces)
     rows = []
@@ -184,7 +201,8 @@ def surfaces_measured(surfaces):
 
 
 TABLES = {"summary": summary, "surfaces": surfaces_measured, "ratios": main_ratios, "paper": paper_ratios, "fast": fast_location,
-          "stages": stages, "yardstick": yardstick, "work": work, "memory": memory, "growth": growth, "cells": cells}
+          "stages": stages, "yardstick": yardstick, "work": work, "memory": memory, "growth": growth, "traces": traces,
+          "cells": cells}
 
 
 def machine(reports):
