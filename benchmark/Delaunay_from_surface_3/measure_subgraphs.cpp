@@ -3,10 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Measures the subgraphs of bounded degree: time and memory per vertex, degrees by genus with both
-// kinds of cut, and what a user would otherwise take. Writes JSON, and an SVG plot of the times.
+// kinds of cut, degrees beside their bounds on surfaces of all kinds, and what a user would otherwise take. Writes JSON, and an SVG plot of the times.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_subgraphs/heap_peak.h>
+#include <Delaunay_from_surface_3_subgraphs/measure_bounds.h>
 #include <Delaunay_from_surface_3_subgraphs/other_trees.h>
 #include <Delaunay_from_surface_3_subgraphs/plot_times.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
@@ -47,6 +48,7 @@ struct Options
   std::vector<std::size_t> sizes = {100000, 1000000, 10000000};
   std::vector<std::size_t> genera = {0, 1, 2, 3, 5, 10, 50};
   std::size_t vertices_by_genus = 200000, repetitions = 3, largest_for_others = 1000000;
+  int triangulations = 1000;
   std::string output = "subgraphs.json", plot = "subgraphs.svg";
 };
 
@@ -184,15 +186,14 @@ ordered_json measure_degrees(std::size_t genus, std::size_t n)
 
 ordered_json measure_all(const Options& options)
 {
-  ordered_json times = ordered_json::array(), by_genus = ordered_json::array();
+  ordered_json times = ordered_json::array(), by_genus = ordered_json::array(),
+               by_surface = ordered_json::array();
   for (std::size_t n : options.sizes) {
     {
       Indexed_surface sphere = surfaces::sphere(n, 0.01, 1);
       times.push_back(measure_times("sphere", "coherent", sphere, options));
-      if (n <= options.largest_for_others) {
-        surfaces::shuffle(sphere, 1);
-        times.push_back(measure_times("sphere", "shuffled", sphere, options));
-      }
+      surfaces::shuffle(sphere, 1);
+      times.push_back(measure_times("sphere", "shuffled", sphere, options));
     }
     times.push_back(measure_times("disc", "coherent", surfaces::terrain(n, 1), options));
     times.push_back(
@@ -200,7 +201,12 @@ ordered_json measure_all(const Options& options)
   }
   for (std::size_t genus : options.genera)
     by_genus.push_back(measure_degrees(genus, options.vertices_by_genus));
-  return {{"times", times}, {"degrees", by_genus}};
+  if (options.triangulations > 0)
+    for (const subgraphs::Named_recipe& recipe : subgraphs::named_recipes()) {
+      std::cerr << recipe.name << "\n";
+      by_surface.push_back(subgraphs::measure_bounds(recipe, options.triangulations));
+    }
+  return {{"times", times}, {"degrees", by_genus}, {"bounds", by_surface}};
 }
 
 Options read_options(int argc, char** argv)
@@ -218,7 +224,9 @@ Options read_options(int argc, char** argv)
       "of each surface, for degrees");
   add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "the fastest counts");
   add("others-up-to", po::value(&o.largest_for_others)->value_name("N"),
-      "minimum spanning trees, depth-first trees and shuffled spheres up to so many vertices");
+      "minimum spanning trees and depth-first trees up to so many vertices");
+  add("triangulations,t", po::value(&o.triangulations)->value_name("N"),
+      "of each kind of surface, for degrees beside their bounds");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
   add("plot", po::value(&o.plot)->value_name("FILE"), "where the SVG goes");
   po::variables_map values;

@@ -7,7 +7,7 @@
 #define BOOST_TEST_MODULE bounded_degree_bad_lists
 #include <boost/test/included/unit_test.hpp>
 
-#include "include/Embedded_graph.h"
+#include <Delaunay_from_surface_3_subgraphs/Embedded_graph.h>
 
 #include <CGAL/Delaunay_from_surface_3/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_subgraph.h>
@@ -17,6 +17,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+using namespace subgraphs;
 
 namespace {
 

@@ -7,8 +7,8 @@
 #define BOOST_TEST_MODULE bounded_degree_halfedge_graphs
 #include <boost/test/included/unit_test.hpp>
 
-#include "include/Embedded_graph.h"
-#include "include/Surface_recipe.h"
+#include <Delaunay_from_surface_3_subgraphs/Embedded_graph.h>
+#include <Delaunay_from_surface_3_subgraphs/Surface_recipe.h>
 #include "include/halfedge_mesh.h"
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -35,6 +35,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+using namespace subgraphs;
 
 namespace {
 

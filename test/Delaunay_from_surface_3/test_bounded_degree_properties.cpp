@@ -8,8 +8,8 @@
 #define BOOST_TEST_MODULE bounded_degree_properties
 #include <boost/test/included/unit_test.hpp>
 
-#include "include/Embedded_graph.h"
-#include "include/Surface_recipe.h"
+#include <Delaunay_from_surface_3_subgraphs/Embedded_graph.h>
+#include <Delaunay_from_surface_3_subgraphs/Surface_recipe.h>
 
 #include <CGAL/Delaunay_from_surface_3/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_subgraph.h>
@@ -20,6 +20,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+using namespace subgraphs;
 
 namespace {
 

@@ -11,13 +11,19 @@
 #include "named_surfaces.h"
 
 #include <CGAL/Delaunay_from_surface_3/internal/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/test/unit_test.hpp>
 #include <boost/type_index.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,6 +38,12 @@ std::vector<typename Triangulation::Point> points_of(const Indexed_surface& surf
         CGAL::Delaunay_from_surface_3::internal::converted_point<typename Triangulation::Point>(p));
   return points;
 }
+
+// Fails where the subgraph refuses the surface.
+struct Regular_surface_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  void surface_is_irregular(const std::string& reason) { BOOST_ERROR(reason); }
+};
 
 // A surface with CGAL's own triangulation of its points.
 template <class Triangulation>
@@ -68,6 +80,27 @@ public:
       BOOST_TEST(tr.is_valid());
       BOOST_TEST(gained == std::ptrdiff_t(m_stock.number_of_vertices()));
       check_map(tr, map);
+    }
+  }
+
+  // The same from a mesh, where the surface is one: a soup has no halfedges, which T of bounded degree needs.
+  template <class Traits>
+  void check_as_mesh(unsigned int seed = 0) const
+  {
+    namespace PMP = CGAL::Polygon_mesh_processing;
+    if (!PMP::is_polygon_soup_a_polygon_mesh(m_named.surface.faces))
+      return;
+    BOOST_TEST_CONTEXT(m_named.name << " as mesh, seed " << seed)
+    {
+      using Mesh = CGAL::Surface_mesh<Indexed_surface::Point_3>;
+      const Mesh mesh = surfaces::to_mesh<Mesh>(m_named.surface);
+      BOOST_TEST_REQUIRE(mesh.number_of_vertices() == m_points.size());
+      Triangulation tr;
+      Regular_surface_visitor visitor;
+      CGAL::insert_surface_vertices_3(
+          tr, mesh, Traits(), CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
+      BOOST_TEST((tr == m_stock));
+      BOOST_TEST(tr.is_valid());
     }
   }
 

@@ -58,6 +58,7 @@ void check_named_traits(const Case& stock_case, unsigned int seed = 0)
 {
   stock_case.template check<CGAL::Surface_insertion_traits_3>(seed);
   stock_case.template check<CGAL::Tracing_traits_3>(seed);
+  stock_case.template check_as_mesh<CGAL::Tracing_traits_3>(seed);
   stock_case.template check<CGAL::Stock_order_traits_3>(seed);
 }
 

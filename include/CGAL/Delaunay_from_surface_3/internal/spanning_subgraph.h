@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// T, made by the functor of the traits. A functor may need more than the graph has, or refuse the
+// T, made by the functor of the traits. A functor may need more than the graph has, as halfedges, or refuse the
 // surface by a Surface_input_error; a spanning forest serves then, and the visitor is told why.
 template <class SurfaceSubgraph, class Graph, class VertexIndexMap, class Visitor>
 Index_graph spanning_subgraph(const SurfaceSubgraph& subgraph, const Graph& graph,
@@ -34,7 +34,9 @@ Index_graph spanning_subgraph(const SurfaceSubgraph& subgraph, const Graph& grap
       visitor.surface_is_irregular(refusal.what());
     }
   } else {
-    visitor.surface_is_irregular("the graph has no faces");
+    visitor.surface_is_irregular(
+        "the subgraph needs halfedges, which a soup or a plain graph does not "
+        "have: a spanning forest is used");
   }
   return index_graph(Spanning_forest(), graph, index_map, numbers);
 }

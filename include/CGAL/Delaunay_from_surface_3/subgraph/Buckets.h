@@ -10,6 +10,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_BUCKETS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_BUCKETS_H
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -22,6 +23,12 @@ class Buckets
 {
 public:
   static constexpr Index empty = (std::numeric_limits<Index>::max)();
+
+  void reserve(std::size_t number_of_values)
+  {
+    m_values.reserve(number_of_values);
+    m_next.reserve(number_of_values);
+  }
 
   // The head of a bucket is wherever the caller keeps it; it starts as `empty`.
   void add(Index& head, Index value)

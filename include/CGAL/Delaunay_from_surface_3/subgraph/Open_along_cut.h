@@ -41,6 +41,7 @@ public:
   void operator()()
   {
     m_slot.assign(m_surface.number_of_vertices(), Buckets<Index>::empty);
+    reserve();
     for (Index v = 0; v < m_surface.number_of_vertices(); ++v) {
       if (has_copies(v))
         make_copies(v);
@@ -63,6 +64,17 @@ private:
   bool has_copies(Index v) const { return m_cut.degree[v] > (m_surface.on_boundary[v] ? 2u : 1u); }
   Index& head(Index v) { return has_copies(v) ? m_head_of_copied[m_slot[v]] : m_slot[v]; }
   Index vertex_of_copy(Index c) const { return m_surface.number_of_vertices() + c; }
+
+  // Lists that grow would take three times their memory while they move.
+  void reserve()
+  {
+    std::size_t entries = 0;
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+      if (has_copies(v))
+        entries += std::size_t(m_surface.degree(v)) + m_cut.degree[v];
+    m_opened.copy_neighbor.reserve(entries);
+    m_told.reserve(entries);
+  }
 
   void make_copies(Index v)
   {

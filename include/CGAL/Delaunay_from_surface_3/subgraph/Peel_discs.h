@@ -21,6 +21,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_PEEL_DISCS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_PEEL_DISCS_H
 
+#include <CGAL/Delaunay_from_surface_3/internal/prefetch.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Opened_surface.h>
 
 #include <limits>
@@ -77,8 +78,11 @@ private:
     Index state = 1;
     for (Index i = 0; i < star.size(); ++i) {
       const Index u = star[i];
-      if (!is_on_cycle(m_state[u]))
+      if (!is_on_cycle(m_state[u])) {
+        if (m_state[u] == inside) // never a copy; its star is read soon
+          prefetch(&m_discs.surface.first[u]);
         continue;
+      }
       ++m_state[u];
       ++state;
       if (u == previous)
@@ -122,15 +126,17 @@ private:
   void advance_cycle(Index z, const Star<Index>& star, Index begin)
   {
     m_fan.clear();
+    for (Index i = begin; m_state[star[i]] == inside; i = i + 1 < star.size() ? i + 1 : 0) {
+      prefetch(m_discs.star(star[i]).first);
+      m_fan.push_back(star[i]);
+    }
+    if (m_fan.empty())
+      return;
+    m_subgraph[m_discs.dart(z, begin)] = true;
     Index previous = none;
-    for (Index i = begin; m_state[star[i]] == inside;) {
-      const Index w = star[i];
-      if (previous == none)
-        m_subgraph[m_discs.dart(z, i)] = true;
+    for (Index w : m_fan) {
       m_state[w] = join_cycle(w, previous);
-      m_fan.push_back(w);
       previous = w;
-      i = i + 1 < star.size() ? i + 1 : 0;
     }
     m_inside -= m_fan.size();
     for (Index w : m_fan)

@@ -4,16 +4,18 @@
 //
 // Random surfaces by recipe. A recipe is a handful of numbers, so a failing one shrinks by making them smaller.
 
-#ifndef CGAL_TEST_DELAUNAY_FROM_SURFACE_3_SURFACE_RECIPE_H
-#define CGAL_TEST_DELAUNAY_FROM_SURFACE_3_SURFACE_RECIPE_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_SURFACE_RECIPE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_SURFACE_RECIPE_H
 
-#include "Triangle_list.h"
+#include <Delaunay_from_surface_3_subgraphs/Triangle_list.h>
 
 #include <array>
 #include <ostream>
 #include <sstream>
 #include <random>
 #include <string>
+
+namespace subgraphs {
 
 struct Surface_recipe
 {
@@ -148,4 +150,6 @@ std::string check_and_shrink(Surface_recipe recipe, const Property& property)
   return out.str();
 }
 
-#endif // CGAL_TEST_DELAUNAY_FROM_SURFACE_3_SURFACE_RECIPE_H
+} // namespace subgraphs
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_SURFACE_RECIPE_H

@@ -4,16 +4,18 @@
 //
 // A triangle list as a Boost graph with cyclic orders; each list starts anywhere and runs in either direction.
 
-#ifndef CGAL_TEST_DELAUNAY_FROM_SURFACE_3_EMBEDDED_GRAPH_H
-#define CGAL_TEST_DELAUNAY_FROM_SURFACE_3_EMBEDDED_GRAPH_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_EMBEDDED_GRAPH_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_EMBEDDED_GRAPH_H
 
-#include "Triangle_list.h"
+#include <Delaunay_from_surface_3_subgraphs/Triangle_list.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
 #include <map>
 #include <utility>
 #include <vector>
+
+namespace subgraphs {
 
 struct Embedded_graph
 {
@@ -92,4 +94,6 @@ Embedded_graph embed(const Triangle_list& s, Random& random)
   return result;
 }
 
-#endif // CGAL_TEST_DELAUNAY_FROM_SURFACE_3_EMBEDDED_GRAPH_H
+} // namespace subgraphs
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_EMBEDDED_GRAPH_H

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Combinatorial surfaces for the tests: triangle lists without geometry, built by surgery.
+// Combinatorial surfaces: triangle lists without geometry, built by surgery.
 
-#ifndef CGAL_TEST_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LIST_H
-#define CGAL_TEST_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LIST_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_TRIANGLE_LIST_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_TRIANGLE_LIST_H
 
 #include <algorithm>
 #include <array>
@@ -16,6 +16,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+namespace subgraphs {
 
 using Triangle = std::array<int, 3>;
 
@@ -281,4 +283,6 @@ void shuffle_names(Triangle_list& s, Random& random)
   std::shuffle(s.triangles.begin(), s.triangles.end(), random);
 }
 
-#endif // CGAL_TEST_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LIST_H
+} // namespace subgraphs
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_TRIANGLE_LIST_H
