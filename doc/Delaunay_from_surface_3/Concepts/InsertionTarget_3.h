@@ -52,9 +52,16 @@ public:
   /// @{
 
   /*!
-  `true` if any points can be inserted into any triangulation; `obstacle()` need not exist then.
+  `true` if any points can be inserted into any triangulation; `serves_geom_traits()` and
+  `obstacle()` need not exist then.
   */
   static constexpr bool serves_everything = unspecified_value;
+
+  /*!
+  returns whether triangulations with these geometric traits can be served at all. If not, no more than `obstacle()` is
+  compiled.
+  */
+  static constexpr bool serves_geom_traits();
 
   /*!
   returns why `points` cannot be inserted into `tr` this way, in words; an empty string if they can. It is

@@ -89,13 +89,15 @@ public:
   static std::string obstacle(const Triangulation& tr, const std::vector<Point>& points)
   {
     using namespace Delaunay_from_surface_3::internal;
-    if (!serves_geom_traits())
+    if constexpr (serves_geom_traits()) {
+      if (tr.number_of_vertices() > 0)
+        return "the triangulation is not empty";
+      if (!starting_simplex(Predicates(tr.geom_traits(), points), points.size()).is_found)
+        return "the points lie in one plane";
+      return "";
+    } else {
       return "the coordinates are not doubles with filtered predicates";
-    if (tr.number_of_vertices() > 0)
-      return "the triangulation is not empty";
-    if (!starting_simplex(Predicates(tr.geom_traits(), points), points.size()).is_found)
-      return "the points lie in one plane";
-    return "";
+    }
   }
 
   /// is to insert `points` into `tr`; keeps references to both. Four of the points that do not lie

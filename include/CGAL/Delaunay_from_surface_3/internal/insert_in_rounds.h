@@ -120,15 +120,18 @@ void insert_surface(Triangulation& tr, const std::vector<typename Triangulation:
                     unsigned int seed, Visitor& visitor, const Write& write)
 {
   using Target = typename Traits::template Insertion_target_3<Triangulation>;
-  if constexpr (!Target::serves_everything) {
+  if constexpr (Target::serves_everything) {
+    insert_surface_into<Target>(tr, points, graph, index_map, traits, seed, visitor, write);
+  } else {
     const std::string obstacle = Target::obstacle(tr, points);
-    if (!obstacle.empty()) {
-      visitor.target_is_replaced(obstacle);
-      return insert_surface_into<Triangulation_target_3<Triangulation>>(
-          tr, points, graph, index_map, traits, seed, visitor, write);
-    }
+    if constexpr (Target::serves_geom_traits()) // otherwise it need not be compiled
+      if (obstacle.empty())
+        return insert_surface_into<Target>(tr, points, graph, index_map, traits, seed, visitor,
+                                           write);
+    visitor.target_is_replaced(obstacle);
+    insert_surface_into<Triangulation_target_3<Triangulation>>(tr, points, graph, index_map, traits,
+                                                               seed, visitor, write);
   }
-  insert_surface_into<Target>(tr, points, graph, index_map, traits, seed, visitor, write);
 }
 
 } // namespace internal
