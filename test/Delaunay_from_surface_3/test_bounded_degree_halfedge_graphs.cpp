@@ -367,3 +367,22 @@ BOOST_AUTO_TEST_CASE(edges_without_triangles_are_refused_by_name)
   mesh.set_halfedge(b, h);
   check_refused(mesh, {"edge (0, 1) lies in no triangle"});
 }
+
+// The two vertices have equally many edges: the walk around the other one would close as well.
+BOOST_AUTO_TEST_CASE(stored_halfedges_that_lead_elsewhere_are_refused_by_name)
+{
+  const auto tetrahedron = [] { return mesh_of(4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}); };
+  const Surface_mesh::Vertex_index v(2);
+  Surface_mesh astray = tetrahedron();
+  astray.set_halfedge(v, astray.opposite(astray.halfedge(v)));
+  check_refused(astray, {"vertex 2 has a halfedge that does not lead to it"});
+
+  Surface_mesh without = tetrahedron();
+  without.set_halfedge(v, Surface_mesh::null_halfedge());
+  check_refused(without, {"vertex 2 has edges, but no halfedge of its own"});
+
+  Surface_mesh isolated = tetrahedron();
+  const auto lonely = isolated.add_vertex();
+  isolated.set_halfedge(lonely, isolated.halfedge(v));
+  check_refused(isolated, {"vertex 4 has a halfedge that does not lead to it"});
+}

@@ -181,11 +181,14 @@ private:
     walk.dart = walk.after_border = surface.first[i];
     walk.end = surface.first[i + 1];
     walk.start = walk.h = start;
-    const bool is_isolated = start == boost::graph_traits<Graph>::null_halfedge();
-    if (is_isolated != (surface.degree(i) == 0))
-      refuse(vertex_name(i) + (is_isolated ? " has edges, but no halfedge of its own"
-                                           : " has a halfedge that does not lead to it"));
-    return !is_isolated;
+    if (start == boost::graph_traits<Graph>::null_halfedge()) {
+      if (surface.degree(i) > 0)
+        refuse(vertex_name(i) + " has edges, but no halfedge of its own");
+      return false;
+    }
+    if (target(start, m_graph) != v)
+      refuse(vertex_name(i) + " has a halfedge that does not lead to it");
+    return true;
   }
 
   // Notes one edge. No branches, or they would keep the next look waiting.
