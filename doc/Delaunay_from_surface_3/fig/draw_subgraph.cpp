@@ -11,17 +11,21 @@
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
+#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_marks.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Peel_discs.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/cut_graph.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <random>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -205,128 +209,91 @@ void draw_torus(const std::string& file_name)
 
 // --- the peeling of a disc ---
 
-// A hexagon of the triangular lattice, four steps wide, and the loop of Fig. 3 in slow motion.
-class Slow_peeling
+// A hexagon of the triangular lattice, four steps wide.
+struct Hexagon
 {
-public:
-  Slow_peeling()
-  {
-    for (int r = -radius; r <= radius; ++r)
-      for (int q = -radius; q <= radius; ++q)
-        if (std::abs(q + r) <= radius)
-          m_vertices.push_back({q, r});
-    for (std::size_t v = 0; v < m_vertices.size(); ++v)
-      if (ring(m_vertices[v]) == radius)
-        m_cycle.insert(v);
-    for (std::size_t v : m_cycle)
-      for (std::size_t w : neighbors(v))
-        if (v < w && m_cycle.count(w))
-          m_subgraph.push_back({v, w});
-    m_stack.assign(m_cycle.begin(), m_cycle.end());
-  }
-
-  void peel(int steps)
-  {
-    for (; steps > 0 && !is_done(); --steps)
-      while (!peel_one() && !m_stack.empty()) {
-      }
-  }
-
-  bool is_done() const { return m_cycle.size() + m_peeled.size() == m_vertices.size(); }
-
-  void draw(Svg& svg, double left) const
-  {
-    Segments all, cycle, subgraph;
-    for (std::size_t v = 0; v < m_vertices.size(); ++v)
-      for (std::size_t w : neighbors(v))
-        if (v < w)
-          all.push_back({at(v, left), at(w, left)});
-    for (const auto& [v, w] : m_subgraph)
-      subgraph.push_back({at(v, left), at(w, left)});
-    svg.lines("e", all);
-    svg.lines("h", subgraph);
-    for (std::size_t v : m_cycle)
-      svg.circle("z", at(v, left), 3.4);
-  }
-
-private:
-  static constexpr int radius = 4;
-  using Cell = std::pair<int, int>;
-
-  static int ring(Cell c)
-  {
-    return (std::max)({std::abs(c.first), std::abs(c.second), std::abs(c.first + c.second)});
-  }
-
-  // In the order in which they stand around v.
-  std::vector<std::size_t> neighbors(std::size_t v) const
-  {
-    std::vector<std::size_t> result;
-    for (const Cell& d :
-         {Cell(1, 0), Cell(0, 1), Cell(-1, 1), Cell(-1, 0), Cell(0, -1), Cell(1, -1)}) {
-      const auto found =
-          std::find(m_vertices.begin(), m_vertices.end(),
-                    Cell(m_vertices[v].first + d.first, m_vertices[v].second + d.second));
-      if (found != m_vertices.end())
-        result.push_back(std::size_t(found - m_vertices.begin()));
-    }
-    return result;
-  }
-
-  bool peel_one()
-  {
-    const std::size_t z = m_stack.back();
-    m_stack.pop_back();
-    const auto around = neighbors(z);
-    const auto is_inside = [&](std::size_t v) { return !m_cycle.count(v) && !m_peeled.count(v); };
-    if (!m_cycle.count(z) || std::count_if(around.begin(), around.end(), [&](std::size_t v) {
-                               return m_cycle.count(v) != 0;
-                             }) != 2)
-      return false;
-    // The live fan starts where an inner vertex follows one that is not.
-    std::size_t begin = 0;
-    while (begin < around.size() &&
-           !(is_inside(around[begin]) &&
-             !is_inside(around[(begin + around.size() - 1) % around.size()])))
-      ++begin;
-    m_cycle.erase(z);
-    m_peeled.insert(z);
-    std::size_t previous = z;
-    for (std::size_t i = 0; begin < around.size() && is_inside(around[(begin + i) % around.size()]);
-         ++i) {
-      const std::size_t w = around[(begin + i) % around.size()];
-      m_subgraph.push_back({previous, w});
-      m_cycle.insert(w);
-      previous = w;
-    }
-    for (std::size_t v : around)
-      if (m_cycle.count(v))
-        m_stack.push_back(v);
-    return true;
-  }
-
-  Place at(std::size_t v, double left) const
-  {
-    const auto [q, r] = m_vertices[v];
-    return {left + 115 + 24 * (q + 0.5 * r), 122 + 24 * 0.866 * r};
-  }
-
-  std::vector<Cell> m_vertices;
-  std::set<std::size_t> m_cycle, m_peeled;
-  std::vector<std::size_t> m_stack;
-  std::vector<std::pair<std::size_t, std::size_t>> m_subgraph;
+  std::vector<Place> places; // on the first panel
+  internal::Rotation_system<std::uint32_t> surface;
+  std::uint32_t number_of_inner_vertices = 0;
 };
+
+Hexagon hexagon()
+{
+  constexpr int radius = 4;
+  using Cell = std::pair<int, int>;
+  const Cell directions[] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
+  std::map<Cell, std::uint32_t> vertices;
+  for (int q = -radius; q <= radius; ++q) // in the order of the map
+    for (int r = -radius; r <= radius; ++r)
+      if (std::abs(q + r) <= radius)
+        vertices.emplace(Cell(q, r), std::uint32_t(vertices.size()));
+
+  Hexagon result;
+  result.surface.first.assign(1, 0);
+  result.surface.on_boundary.assign(vertices.size(), false);
+  result.places.resize(vertices.size());
+  for (const auto& [cell, v] : vertices) {
+    const auto [q, r] = cell;
+    const auto neighbor = [&, q = q, r = r](std::size_t i) {
+      return vertices.find(Cell(q + directions[i % 6].first, r + directions[i % 6].second));
+    };
+    result.places[v] = {123 + 24 * (q + 0.5 * r), 122 + 24 * 0.866 * r};
+    // A list on the boundary starts behind the gap.
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < 6; ++i)
+      if (neighbor(i) == vertices.end()) {
+        result.surface.on_boundary[v] = true;
+        if (neighbor(i + 1) != vertices.end())
+          begin = i + 1;
+      }
+    for (std::size_t i = begin; i < begin + 6; ++i)
+      if (neighbor(i) != vertices.end())
+        result.surface.neighbor.push_back(neighbor(i)->second);
+    result.surface.first.push_back(std::uint32_t(result.surface.neighbor.size()));
+    result.number_of_inner_vertices += result.surface.on_boundary[v] ? 0 : 1;
+  }
+  return result;
+}
+
+Segments segments(const Hexagon& hexagon, const internal::Dart_marks& marks, double shift)
+{
+  Segments result;
+  for (std::uint32_t v = 0; v < hexagon.surface.number_of_vertices(); ++v)
+    for (std::uint32_t dart = hexagon.surface.first[v]; dart < hexagon.surface.first[v + 1]; ++dart)
+      if (marks[dart]) {
+        const Place p = hexagon.places[v], q = hexagon.places[hexagon.surface.neighbor[dart]];
+        result.push_back({{p.x + shift, p.y}, {q.x + shift, q.y}});
+      }
+  return result;
+}
 
 void draw_peeling(const std::string& file_name)
 {
+  Hexagon disc = hexagon();
+  const internal::Dart_marks all(disc.surface.number_of_darts(), true);
+  internal::Dart_marks subgraph(disc.surface.number_of_darts(), false);
+  internal::Opened_surface<std::uint32_t> opened(disc.surface);
+  for (std::uint32_t v = 0; v < disc.surface.number_of_vertices(); ++v)
+    if (disc.surface.on_boundary[v]) {
+      opened.rim.push_back(v);
+      subgraph[disc.surface.first[v]] = true; // once around
+    }
+  internal::Peel_discs<std::uint32_t> peeling(opened, subgraph);
+  peeling.start(disc.number_of_inner_vertices);
+
   Svg svg(720, 276, style);
-  Slow_peeling peeling;
   const char* const words[] = {"the rim, before the first step", "after 5 steps",
                                "no vertex is inside"};
   for (int panel = 0; panel < 3; ++panel) {
-    peeling.draw(svg, 8 + 237 * panel);
-    svg.text("", {123. + 237 * panel, 262}, words[panel]);
-    peeling.peel(panel == 0 ? 5 : 1000);
+    const double shift = 237 * panel;
+    svg.lines("e", segments(disc, all, shift));
+    svg.lines("h", segments(disc, subgraph, shift));
+    for (std::uint32_t v = 0; v < disc.surface.number_of_vertices(); ++v)
+      if (peeling.is_on_cycle(v))
+        svg.circle("z", {disc.places[v].x + shift, disc.places[v].y}, 3.4);
+    svg.text("", {123 + shift, 262}, words[panel]);
+    for (int steps = panel == 0 ? 5 : 1000; steps > 0 && peeling.peel_next(); --steps) {
+    }
   }
   svg.write(file_name);
 }

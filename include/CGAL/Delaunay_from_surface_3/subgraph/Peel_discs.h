@@ -46,20 +46,38 @@ public:
   // Peels until no vertex is inside or none can be peeled; returns how many vertices were not reached.
   std::size_t operator()(std::size_t number_of_inner_vertices)
   {
+    start(number_of_inner_vertices);
+    while (peel_next()) {
+    }
+    return m_inside;
+  }
+
+  // C becomes the rim.
+  void start(std::size_t number_of_inner_vertices)
+  {
     m_inside = number_of_inner_vertices;
     for (Index v : m_discs.rim)
       m_state[v] = join_cycle(v, none);
     for (Index v : m_discs.rim)
       push_if_free(v);
+  }
+
+  // One round of the loop; returns whether a vertex was peeled.
+  bool peel_next()
+  {
     while (m_inside > 0 && !m_candidates.empty()) {
       const Index z = m_candidates.back();
       m_candidates.pop_back();
       m_state[z] &= ~queued;
-      if (m_state[z] == free)
+      if (m_state[z] == free) {
         peel(z);
+        return true;
+      }
     }
-    return m_inside;
+    return false;
   }
+
+  bool is_on_cycle(Index v) const { return Index(m_state[v] - 1) < peeled - 1; }
 
 private:
   // The state of a vertex: 0 inside; 1 + count on C, with a bit for being on the stack; peeled.
@@ -69,8 +87,6 @@ private:
   static constexpr Index free = 3; // a count of two: no chord
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
-  static bool is_on_cycle(Index state) { return Index(state - 1) < peeled - 1; }
-
   // Returns w's state once it stands on C, and counts w at its neighbours there. Adds previous-w to H.
   Index join_cycle(Index w, Index previous)
   {
@@ -78,7 +94,7 @@ private:
     Index state = 1;
     for (Index i = 0; i < star.size(); ++i) {
       const Index u = star[i];
-      if (!is_on_cycle(m_state[u])) {
+      if (!is_on_cycle(u)) {
         if (m_state[u] == inside) // never a copy; its star is read soon
           prefetch(&m_discs.surface.first[u]);
         continue;
@@ -104,10 +120,10 @@ private:
     const Star<Index> star = m_discs.star(z);
     const Index degree = star.size();
     Index i1 = 0;
-    while (!is_on_cycle(m_state[star[i1]]))
+    while (!is_on_cycle(star[i1]))
       ++i1;
     Index i2 = i1 + 1;
-    while (!is_on_cycle(m_state[star[i2]]))
+    while (!is_on_cycle(star[i2]))
       ++i2;
     const Index z1 = star[i1], z2 = star[i2];
     m_state[z] = peeled;
