@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Draws the figures on subgraphs of bounded degree: a surface of genus 3 with its cut graph and its subgraph; the
-// cut of a torus step by step, on the square it unrolls to; the peeling of a disc step by step.
+// cut of a torus step by step, on the square it unrolls to, and a tree of it; the peeling of a disc step by step.
 //
 //   draw_subgraph FOLDER
 
@@ -170,9 +170,30 @@ Segments segments(const Flat_torus& torus, const internal::Dart_marks& marks, do
   return result;
 }
 
-void draw_torus(const std::string& file_name)
+// Marks in a style, over one another.
+using Layers = std::vector<std::pair<std::string, internal::Dart_marks>>;
+
+void draw_panel(Svg& svg, const Flat_torus& torus, int panel, const Layers& layers,
+                const std::string& words)
 {
-  Flat_torus torus = flat_torus();
+  const double left = 8 + 237 * panel;
+  svg.begin_clip("panel" + std::to_string(panel), {left, 10}, 230, 230);
+  svg.rectangle("l", {left, 10}, 230, 230);
+  for (const auto& [layer_style, marks] : layers)
+    svg.lines(layer_style, segments(torus, marks, left));
+  svg.end_clip();
+  svg.text("", {left + 115, 262}, words);
+}
+
+internal::Dart_marks subgraph_of(Flat_torus torus,
+                                 internal::Subgraph_kind kind) // opening changes it
+{
+  return internal::Bounded_degree_marks<std::uint32_t>(torus.surface, kind)();
+}
+
+void draw_torus(const std::string& cut_file_name, const std::string& tree_file_name)
+{
+  const Flat_torus torus = flat_torus();
   const internal::Dart_marks all(torus.surface.number_of_darts(), true);
   internal::Cut_candidate<std::uint32_t> candidate(torus.surface);
   internal::Search_triangles<std::uint32_t>(torus.surface, candidate)();
@@ -183,28 +204,23 @@ void draw_torus(const std::string& file_name)
     if (candidate.degree[v] == 0)
       std::fill(cut.begin() + torus.surface.first[v], cut.begin() + torus.surface.first[v + 1],
                 false);
-  internal::Rotation_system<std::uint32_t> copy = torus.surface; // opening changes it
-  const internal::Dart_marks subgraph =
-      internal::Bounded_degree_marks<std::uint32_t>(copy, internal::Subgraph_kind::SUBGRAPH)();
+  const internal::Dart_marks subgraph = subgraph_of(torus, internal::Subgraph_kind::SUBGRAPH);
+  const internal::Dart_marks tree = subgraph_of(torus, internal::Subgraph_kind::TREE);
+  internal::Dart_marks dropped = subgraph;
+  for (std::size_t dart = 0; dart < dropped.size(); ++dart)
+    dropped[dart] = subgraph[dart] && !tree[dart];
 
-  Svg svg(720, 276, style);
-  const char* const words[] = {"edges that the search leaves", "pruned: the cut graph",
-                               "the subgraph"};
-  for (int panel = 0; panel < 3; ++panel) {
-    const double left = 8 + 237 * panel;
-    svg.begin_clip("panel" + std::to_string(panel), {left, 10}, 230, 230);
-    svg.rectangle("l", {left, 10}, 230, 230);
-    svg.lines("e", segments(torus, all, left));
-    if (panel == 0)
-      svg.lines("g", segments(torus, uncrossed, left));
-    if (panel == 2)
-      svg.lines("h", segments(torus, subgraph, left));
-    if (panel >= 1)
-      svg.lines("c", segments(torus, cut, left));
-    svg.end_clip();
-    svg.text("", {left + 115, 262}, words[panel]);
-  }
-  svg.write(file_name);
+  Svg steps(720, 276, style);
+  draw_panel(steps, torus, 0, {{"e", all}, {"g", uncrossed}}, "edges that the search leaves");
+  draw_panel(steps, torus, 1, {{"e", all}, {"c", cut}}, "pruned: the cut graph");
+  draw_panel(steps, torus, 2, {{"e", all}, {"h", subgraph}, {"c", cut}}, "the subgraph");
+  steps.write(cut_file_name);
+
+  Svg trees(483, 276, style);
+  draw_panel(trees, torus, 0, {{"e", all}, {"h", subgraph}, {"c", cut}}, "the subgraph, its rim");
+  draw_panel(trees, torus, 1, {{"e", all}, {"h", tree}, {"c", dropped}},
+             "the tree, what is dropped");
+  trees.write(tree_file_name);
 }
 
 // --- the peeling of a disc ---
@@ -306,7 +322,7 @@ try {
     throw std::invalid_argument("usage: draw_subgraph FOLDER");
   const std::string folder = argv[1];
   draw_genus_3(folder + "/subgraph_genus_3.svg");
-  draw_torus(folder + "/subgraph_cut.svg");
+  draw_torus(folder + "/subgraph_cut.svg", folder + "/subgraph_tree.svg");
   draw_peeling(folder + "/subgraph_peel.svg");
 } catch (const std::exception& e) {
   std::cerr << "draw_subgraph: " << e.what() << "\n";
