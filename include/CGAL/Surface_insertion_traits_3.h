@@ -11,11 +11,13 @@
 #include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
@@ -82,6 +84,22 @@ not claimed for the walk.
 */
 struct Tracing_traits_3
   : Surface_insertion_policies_3<Bounded_degree_subgraph, Log_star_rounds, Traced_hints_3>
+{
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Traits
+
+is the algorithm of the paper to the letter (\cgalCite{choi-dtsm-02}, Fig.\ 1): random order, rounds that end at
+N_h, traces of a spanning subgraph of bounded degree, and the history DAG for Q. It is here to study
+the theorem, not to save time: it takes several times the memory of the others, and is slower.
+
+O(n log* n) expected time under the assumptions of the paper. Not with `Fast_location`.
+
+\cgalModels{SurfaceInsertionTraits_3}
+*/
+struct History_tracing_traits_3
+  : Surface_insertion_policies_3<Bounded_degree_subgraph, Random_log_star_rounds, History_hints_3>
 {
 };
 

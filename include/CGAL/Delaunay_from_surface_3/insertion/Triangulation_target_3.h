@@ -40,6 +40,10 @@ Memory: a vertex handle per point.
 template <class Triangulation>
 class Triangulation_target_3
 {
+  template <class Tr>
+  static std::true_type has_hierarchy(const Triangulation_hierarchy_3<Tr>*);
+  static std::false_type has_hierarchy(...);
+
 public:
   using Point = typename Triangulation::Point;          ///< the points inserted.
   using Vertex = typename Triangulation::Vertex_handle; ///< `Vertex()` stands for none.
@@ -57,6 +61,10 @@ public:
   /// `true`: any points can be inserted into any triangulation.
   static constexpr bool serves_everything = true;
 
+  /// whether observers are told of every conflict zone in dimension 3: not with `Fast_location`.
+  static constexpr bool reports_conflict_zones =
+      !decltype(has_hierarchy(static_cast<Triangulation*>(nullptr)))::value;
+
   /// is to insert `points` into `tr`; keeps references to both.
   Triangulation_target_3(Triangulation& tr, const std::vector<Point>& points)
     : m_tr(tr)
@@ -67,6 +75,12 @@ public:
 
   /// returns the number of points.
   std::size_t size() const { return m_points.size(); }
+
+  /// returns the triangulation.
+  const Triangulation& triangulation() const { return m_tr; }
+
+  /// returns point `i`.
+  const Point& point(std::size_t i) const { return m_points[i]; }
 
   /// returns the vertex at point `i`; none if the point is not inserted yet.
   Vertex vertex(std::size_t i) const { return m_vertices[i]; }
@@ -118,15 +132,10 @@ public:
   std::vector<Vertex> take_vertices() { return std::move(m_vertices); }
 
 private:
-  template <class Tr>
-  static std::true_type has_hierarchy(const Triangulation_hierarchy_3<Tr>*);
-  static std::false_type has_hierarchy(...);
-
   template <class Observer>
   Vertex insert_at(std::size_t i, const Location& location, Observer& observer)
   {
-    using Has_hierarchy = decltype(has_hierarchy(static_cast<Triangulation*>(nullptr)));
-    if constexpr (Observer::observes_conflict_zone && !Has_hierarchy::value) {
+    if constexpr (Observer::observes_conflict_zone && reports_conflict_zones) {
       if (m_tr.dimension() == 3 && location.type != Triangulation::VERTEX)
         return insert_in_conflict_zone(i, location, observer);
     }

@@ -5,28 +5,25 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_LOG_STAR_ROUNDS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_LOG_STAR_ROUNDS_H
 
-// Choi 2002, §2: "Let s_1, s_2, …, s_n be a random ordering", and Fig. 1, line 2a: the traces come
-// after s_i with i = N_h = ⌈n / log^(h) n⌉, 1 <= h <= log* n.
+// The plan of the paper for points that are located by walking.
 
 #include <CGAL/Delaunay_from_surface_3/internal/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-is the plan of the paper (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1): a uniformly random order, and
-rounds that end at N_h = ⌈n / log⁽ʰ⁾ n⌉ (log to base 2, iterated h times) for h = 1, …, log* n, and
-at n. Here log* n is the largest h with log⁽ʰ⁾ n ≥ 1. Where two round ends coincide, or one is not
-less than n, the empty round is dropped.
-
-The first round has no trace before it to start from. While points are located by walking it follows
-a Hilbert order instead of the random one: the set of its points is random all the same, and only
-the set enters the analysis of the later rounds.
+is the plan of the paper (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1), `Random_log_star_rounds`, with one
+difference: the first round follows a Hilbert curve. It has no trace before it to start from, and a walk
+from one random point to the next would be long. The set of its points is random all the same, and
+only the set enters the analysis of the later rounds.
 
 O(n + N_1 log N_1) = O(n) expected.
 
@@ -43,30 +40,19 @@ public:
 
   /// returns order and rounds of `points`. The graph is not looked at.
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt, const Graph&,
-                             VertexIndexMap) const
+  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
+                             const Graph& graph, VertexIndexMap index_map) const
   {
-    using namespace Delaunay_from_surface_3::internal;
-    Insertion_order plan;
-    plan.order = random_order(points.size(), m_seed);
-    plan.round_ends = round_ends(points.size());
-    hilbert_sort_rounds(points, gt, plan, (std::min)(std::size_t(1), plan.round_ends.size()));
+    Insertion_order plan = Random_log_star_rounds(m_seed)(points, gt, graph, index_map);
+    Delaunay_from_surface_3::internal::hilbert_sort_rounds(
+        points, gt, plan, (std::min)(std::size_t(1), plan.round_ends.size()));
     return plan;
   }
 
-  /// returns N_1 < N_2 < … < n, n included; nothing for n = 0.
+  /// returns N_1 < N_2 < … < n, those of `Random_log_star_rounds`.
   static std::vector<std::size_t> round_ends(std::size_t n)
   {
-    std::vector<std::size_t> ends;
-    // log* n is the largest h with log^(h) n >= 1: the loop runs for exactly these h.
-    for (double log_h = n > 1 ? std::log2(double(n)) : 0.; log_h >= 1.; log_h = std::log2(log_h)) {
-      const auto end = static_cast<std::size_t>(std::ceil(double(n) / log_h));
-      if (end < n && (ends.empty() || end > ends.back()))
-        ends.push_back(end);
-    }
-    if (n > 0)
-      ends.push_back(n);
-    return ends;
+    return Random_log_star_rounds::round_ends(n);
   }
 
 private:

@@ -14,12 +14,10 @@
 // Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/internal/Trace_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -59,7 +57,7 @@ public:
   Traced_hints_3(const Target& target, const Subgraph& subgraph,
                  const Insertion_order& = Insertion_order())
     : m_target(target)
-    , m_subgraph(subgraph)
+    , m_trace(target, subgraph)
     , m_record(target.size())
   {
   }
@@ -82,54 +80,17 @@ public:
   /// \pre A point is inserted.
   std::size_t trace()
   {
-    m_is_traced.assign(m_target.size(), false);
-    std::size_t located = 0;
-    for (std::size_t i = 0; i < m_target.size(); ++i) // components that touch the triangulation
-      if (m_target.vertex(i) != Vertex())
-        located += trace_component(i);
-    for (std::size_t i = 0; i < m_target.size(); ++i) // the others, each from its last record
-      located += trace_component(i);
-    return located;
+    return m_trace([this](std::size_t i) { return start(i); },
+                   [this](std::size_t i, const typename Target::Location& location) {
+                     m_record[i] = m_target.nearest_vertex(i, location);
+                   });
   }
 
 private:
-  // Depth first, with a stack of our own: T may be a path of millions of vertices.
-  std::size_t trace_component(std::size_t root)
-  {
-    if (m_is_traced[root])
-      return 0;
-    std::size_t located = 0;
-    m_is_traced[root] = true;
-    m_stack.emplace_back(root, start(root));
-    while (!m_stack.empty()) {
-      const auto [i, neighbor_cell] = m_stack.back();
-      m_stack.pop_back();
-      const Vertex v = m_target.vertex(i);
-      const Cell cell = v != Vertex() ? m_target.cell(v) : locate_and_record(i, neighbor_cell);
-      located += v == Vertex();
-      for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u) {
-        if (m_is_traced[*u])
-          continue;
-        m_is_traced[*u] = true;
-        m_stack.emplace_back(*u, cell);
-      }
-    }
-    return located;
-  }
-
-  Cell locate_and_record(std::size_t i, Cell neighbor_cell)
-  {
-    const typename Target::Location location = m_target.locate(i, neighbor_cell);
-    m_record[i] = m_target.nearest_vertex(i, location);
-    return location.cell;
-  }
-
   const Target& m_target;
-  const Subgraph& m_subgraph;
+  Delaunay_from_surface_3::internal::Trace_subgraph<Target, Subgraph> m_trace;
   Vertex m_previous = {};
   std::vector<Vertex> m_record;
-  std::vector<char> m_is_traced;
-  std::vector<std::pair<std::size_t, Cell>> m_stack;
 };
 
 } // namespace CGAL
