@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_THEORY_WHOLE_RUNS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_THEORY_WHOLE_RUNS_H
+
+// Ways to locate that have an order or a triangulation of their own, and the times of all of them: each is a
+// run of insert_surface_vertices_3() with a visitor that meters the phases.
+
+#include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_surfaces/random.h>
+
+#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace theory {
+
+using comparison::Json;
+using comparison::Mesh;
+using comparison::Phase;
+using comparison::rounded;
+
+// From the root of the history, always: Q without traces.
+template <class Target, class Subgraph>
+struct Root_hints_3 : CGAL::History_hints_3<Target, Subgraph>
+{
+  static constexpr bool uses_subgraph = false;
+  using CGAL::History_hints_3<Target, Subgraph>::History_hints_3;
+  std::size_t trace() { return 0; }
+};
+
+// None: where a triangulation can do without, as with Fast_location.
+template <class Target, class Subgraph>
+struct No_hint_3 : CGAL::Null_update_observer
+{
+  static constexpr bool uses_subgraph = false;
+  No_hint_3(const Target&, const Subgraph&, const CGAL::Insertion_order&) {}
+  typename Target::Cell start(std::size_t) const { return {}; }
+  std::size_t trace() { return 0; }
+};
+
+// From any of the points inserted.
+template <class Target, class Subgraph>
+class Random_hint_3 : public CGAL::Null_update_observer
+{
+public:
+  static constexpr bool uses_subgraph = false;
+  Random_hint_3(const Target& target, const Subgraph&, const CGAL::Insertion_order&)
+    : m_target(target)
+    , m_random(0)
+  {
+  }
+  typename Target::Cell start(std::size_t i)
+  {
+    return m_target.cell(i == 0 ? typename Target::Vertex() : m_target.vertex(m_random.below(i)));
+  }
+  std::size_t trace() { return 0; }
+
+private:
+  const Target& m_target;
+  surfaces::Random m_random;
+};
+
+template <template <class, class> class Hints, class Subgraph = CGAL::Full_graph>
+using Random_order_traits =
+    CGAL::Surface_insertion_policies_3<Subgraph, CGAL::Random_log_star_rounds, Hints>;
+
+template <class Traits, class Triangulation, class Visitor>
+void insert(Triangulation& tr, const Mesh& mesh, unsigned int seed, Visitor& visitor)
+{
+  CGAL::insert_surface_vertices_3(tr, mesh, Traits(),
+                                  CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
+}
+
+// Cells entered and calls per point, and the same for the traces.
+template <class Traits, class Triangulation>
+Json counts_of_run(const Mesh& mesh, unsigned int seed)
+{
+  Triangulation tr;
+  comparison::Counting_visitor visitor(comparison::Counted_calls{&tr.geom_traits().counts()});
+  insert<Traits>(tr, mesh, seed, visitor);
+  const double n = double(mesh.number_of_vertices());
+  const CGAL::Predicate_counts location = visitor.total(Phase::LOCATION),
+                               trace = visitor.total(Phase::TRACE);
+  Json result = {{"cells_entered", rounded(double(location.cells_entered()) / n, 1e4)},
+                 {"calls", rounded(double(location.all()) / n, 1e4)}};
+  if (trace.all() > 0) {
+    result["trace_cells_entered"] = rounded(double(trace.cells_entered()) / n, 1e4);
+    result["trace_calls"] = rounded(double(trace.all()) / n, 1e4);
+  }
+  return result;
+}
+
+// CPU seconds by phase; the clock on the wall gives the shares.
+template <class Traits, class Triangulation>
+Json times_of_run(const Mesh& mesh, unsigned int seed)
+{
+  Triangulation tr;
+  comparison::Timing_visitor visitor;
+  const comparison::Time total =
+      comparison::time_of([&] { insert<Traits>(tr, mesh, seed, visitor); });
+  Json result = {{"cpu", rounded(total.cpu, 1e3)}, {"wall", rounded(total.wall, 1e3)}};
+  for (const auto& [name, phase] : comparison::phases())
+    result[name] = rounded(visitor.total(phase) * total.cpu / total.wall, 1e3);
+  return result;
+}
+
+using Fast_triangulation = CGAL::Delaunay_triangulation_3<comparison::Kernel, CGAL::Fast_location>;
+using Counted_fast_triangulation =
+    CGAL::Delaunay_triangulation_3<comparison::Counting_kernel, CGAL::Fast_location>;
+
+struct Whole_run
+{
+  std::string name;
+  std::function<Json(const Mesh&, unsigned int seed)> count; // empty if the laboratory counts it
+  std::function<Json(const Mesh&, unsigned int seed)> time;
+};
+
+inline std::vector<Whole_run> whole_runs()
+{
+  using namespace comparison;
+  using Tracing = CGAL::Tracing_traits_3;
+  using Stock = CGAL::Stock_order_traits_3;
+  using Fast = Random_order_traits<No_hint_3>;
+  return {
+      {"history-root", nullptr, times_of_run<Random_order_traits<Root_hints_3>, Triangulation>},
+      {"history-trace", nullptr, times_of_run<CGAL::History_tracing_traits_3, Triangulation>},
+      {"walk-trace", counts_of_run<Tracing, Counted_triangulation>,
+       times_of_run<Tracing, Triangulation>},
+      {"walk-neighbor", nullptr,
+       times_of_run<Random_order_traits<CGAL::Neighbor_hints_3>, Triangulation>},
+      {"walk-random", nullptr, times_of_run<Random_order_traits<Random_hint_3>, Triangulation>},
+      {"fast-location", counts_of_run<Fast, Counted_fast_triangulation>,
+       times_of_run<Fast, Fast_triangulation>},
+      {"stock", counts_of_run<Stock, Counted_triangulation>, times_of_run<Stock, Triangulation>}};
+}
+
+} // namespace theory
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_THEORY_WHOLE_RUNS_H

@@ -1,0 +1,308 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The claims of Choi 2002, measured: what it costs to locate a point, by history and by walk, from the last
+// trace and from elsewhere; how many triangles a trace crosses; and what becomes of it when T is not Delaunay.
+
+#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_surfaces/jitter.h>
+#include <Delaunay_from_surface_3_surfaces/topology.h>
+#include <Delaunay_from_surface_3_theory/report.h>
+#include <Delaunay_from_surface_3_theory/surfaces.h>
+#include <Delaunay_from_surface_3_theory/whole_runs.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <future>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace theory;
+namespace po = boost::program_options;
+
+const char* const introduction =
+    R"(Measures what it costs to locate points while a surface is inserted in the order of the paper.
+
+  location_costs --data-dir meshes --cache-dir surfaces --output location_costs.json
+
+Cells entered and predicate calls are counted in runs that are not timed.
+
+Options)";
+
+struct Options
+{
+  std::vector<std::string> surfaces;
+  std::vector<std::size_t> sizes, time_sizes;
+  std::size_t hypothesis_size = 32768, threads = 1;
+  std::string output = "location_costs.json", data_dir, cache_dir, command;
+  unsigned int seed = 0;
+};
+
+po::options_description describe(Options& o)
+{
+  po::options_description options(introduction);
+  auto add = options.add_options();
+  add("help,h", "say this and stop");
+  add("surfaces", po::value(&o.surfaces)->multitoken()->value_name("NAME..."),
+      "delaunay-sphere, delaunay-genus-3, bunny, armadillo, delaunay-round-genus-3; default: all");
+  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."),
+      "numbers of points to count at; default: the powers of 2 from 1024 to 1048576");
+  add("time-sizes", po::value(&o.time_sizes)->multitoken()->value_name("N..."),
+      "numbers of points to measure times at; default: 16384 131072 1048576");
+  add("hypothesis-size",
+      po::value(&o.hypothesis_size)->value_name("N")->default_value(o.hypothesis_size),
+      "number of points with which the hypothesis is made to fail; 0: not at all");
+  add("output,o", po::value(&o.output)->value_name("FILE")->default_value(o.output),
+      "where the JSON goes");
+  add("data-dir,d", po::value(&o.data_dir)->value_name("FOLDER"),
+      "where bunny00.off and armadillo.off are (Debian: libcgal-demo)");
+  add("cache-dir", po::value(&o.cache_dir)->value_name("FOLDER"),
+      "where surfaces are kept that take minutes to make");
+  add("threads", po::value(&o.threads)->value_name("N")->default_value(o.threads),
+      "how many surfaces to count on at a time; times are measured one at a time");
+  add("seed", po::value(&o.seed)->value_name("N")->default_value(o.seed),
+      "of surfaces and insertion orders");
+  return options;
+}
+
+std::vector<Theory_surface> chosen_surfaces(const Options& options)
+{
+  std::vector<Theory_surface> chosen;
+  for (const Theory_surface& surface :
+       theory_surfaces(options.data_dir, options.cache_dir, options.seed)) {
+    const auto& names = options.surfaces;
+    if (names.empty() || std::find(names.begin(), names.end(), surface.name) != names.end())
+      chosen.push_back(surface);
+  }
+  if (!options.surfaces.empty() && chosen.size() != options.surfaces.size())
+    throw std::invalid_argument("a surface of --surfaces is not known (--help lists them)");
+  return chosen;
+}
+
+void write(const Json& report, const std::string& file_name)
+{
+  std::ofstream file(file_name);
+  file << report.dump(1) << '\n';
+  if (!file.flush())
+    throw std::runtime_error("cannot write '" + file_name + "'");
+}
+
+// Everything that is counted on one surface.
+Json counts_on(const Indexed_surface& surface, unsigned int seed)
+{
+  const Edges edges = edges_of(surface), subgraph = bounded_degree_edges(surface);
+  Laboratory laboratory(surface.points, edges, subgraph, seed);
+  const std::vector<Round_cost> rounds = laboratory.run();
+  Json result = {{"points", surface.points.size()},
+                 {"euler_characteristic", surfaces::euler_characteristic(surface)},
+                 {"assumptions", assumptions_as_json(laboratory, surface, edges, subgraph)},
+                 {"locations", locations_as_json(rounds)},
+                 {"traces", traces_as_json(rounds)},
+                 {"rounds", rounds_as_json(rounds)}};
+  return result;
+}
+
+Json count(const Theory_surface& surface, std::size_t size, unsigned int seed)
+{
+  const Indexed_surface indexed = surface.make(size);
+  Json result = {{"surface", surface.name}, {"size", size}};
+  result.update(counts_on(indexed, seed));
+  const Mesh mesh = surfaces::to_mesh<Mesh>(indexed);
+  for (const Whole_run& run : whole_runs())
+    if (run.count)
+      result["locations"][run.name] = run.count(mesh, seed);
+  return result;
+}
+
+Json time(const Theory_surface& surface, std::size_t size, unsigned int seed)
+{
+  const Mesh mesh = surfaces::to_mesh<Mesh>(surface.make(size));
+  Json seconds;
+  for (const Whole_run& run : whole_runs())
+    seconds[run.name] = run.time(mesh, seed);
+  return {{"surface", surface.name},
+          {"size", size},
+          {"points", mesh.number_of_vertices()},
+          {"load_average", rounded(comparison::load_average(), 100)},
+          {"seconds", seconds}};
+}
+
+// T and the surface, changed so that T is no longer in D(S).
+void break_hypothesis(const Theory_surface& surface, const Options& options, Json& report)
+{
+  const Indexed_surface original = surface.make(options.hypothesis_size);
+  const std::size_t n = original.points.size();
+  const Edges edges = edges_of(original), subgraph = bounded_degree_edges(original);
+  const Rooted_tree tree = depth_first_tree(subgraph, n);
+  std::cerr << "hypothesis: " << surface.name << ", " << n << " points\n";
+  const auto measure = [&](const std::string& change, double amount, const Indexed_surface& changed,
+                           const Edges& T) {
+    Laboratory laboratory(changed.points, edges, T, options.seed);
+    const std::vector<Round_cost> rounds = laboratory.run();
+    Json result = {
+        {"surface", surface.name}, {"points", n}, {"change", change}, {"amount", amount}};
+    result["assumptions"] = assumptions_as_json(laboratory, changed, edges, T);
+    result["locations"] = locations_as_json(rounds);
+    result["traces"] = traces_as_json(rounds);
+    report["hypothesis"].push_back(result);
+    write(report, options.output);
+  };
+  measure("none", 0, original, subgraph);
+  for (const double share : {0.05, 0.1, 0.2, 0.3, 0.45}) {
+    Indexed_surface changed = original;
+    surfaces::jitter(changed, share, options.seed);
+    measure("jitter", share, changed, subgraph);
+  }
+  for (const std::size_t k : {2, 4, 8, 16})
+    measure("decimated", double(k), original, decimated(tree, k));
+  measure("random spanning tree of F", 1, original, random_spanning_tree(edges, n, options.seed));
+  for (const double share : {0.01, 0.1, 1.})
+    measure("random edges", share, original, with_random_edges(tree, share, options.seed));
+}
+
+// a + b log2 n for every surface and way, without and with the cells that traces enter.
+Json fits(const Json& results)
+{
+  struct Series
+  {
+    std::vector<double> n, cells, with_traces;
+  };
+  std::map<std::string, std::map<std::string, Series>> all;
+  for (const Json& result : results)
+    for (const auto& [way, cost] : result["locations"].items()) {
+      Series& series = all[result["surface"]][way];
+      const double cells = cost["cells_entered"];
+      series.n.push_back(result["points"]);
+      series.cells.push_back(cells);
+      series.with_traces.push_back(cells + cost.value("trace_cells_entered", 0.));
+    }
+  Json report = Json::object();
+  for (const auto& [surface, ways] : all)
+    for (const auto& [way, series] : ways)
+      if (series.n.size() > 1) {
+        report[surface][way] = fit(series.n, series.cells);
+        if (series.with_traces != series.cells)
+          report[surface][way]["with_traces"] = fit(series.n, series.with_traces);
+      }
+  return report;
+}
+
+Json description_of(const Options& options, const std::vector<Theory_surface>& surfaces)
+{
+  Json names = Json::object();
+  for (const Theory_surface& surface : surfaces)
+    names[surface.name] = surface.description;
+  return {{"program", "location_costs"},
+          {"command", options.command},
+          {"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)},
+          {"surfaces", names},
+          {"fits", Json::object()},
+          {"results", Json::array()},
+          {"hypothesis", Json::array()},
+          {"times", Json::array()}};
+}
+
+// Calls measure(surface, size) for all surfaces and sizes, smaller sizes first, and hands every result to keep()
+// as soon as it is there. Counts depend on nothing that other threads do; times do.
+template <class Measure, class Keep>
+void everywhere(const std::vector<Theory_surface>& surfaces, const std::vector<std::size_t>& sizes,
+                std::size_t number_of_threads, const Measure& measure, const Keep& keep)
+{
+  std::vector<std::pair<const Theory_surface*, std::size_t>> jobs;
+  for (const std::size_t size : sizes)
+    for (const Theory_surface& surface : surfaces)
+      if (size <= surface.largest_size)
+        jobs.emplace_back(&surface, size);
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  const auto work = [&] {
+    for (std::size_t k = next++; k < jobs.size(); k = next++) {
+      const Json result = measure(*jobs[k].first, jobs[k].second);
+      const std::lock_guard<std::mutex> lock(mutex);
+      std::cerr << result["surface"] << ' ' << result["points"] << '\n';
+      keep(result);
+    }
+  };
+  std::vector<std::future<void>> workers;
+  for (std::size_t t = 0; t < number_of_threads; ++t)
+    workers.push_back(std::async(std::launch::async, work));
+  for (std::future<void>& worker : workers)
+    worker.get(); // throws what the thread threw
+}
+
+// What is measured is written at once, should the rest be interrupted.
+void run(const Options& options)
+{
+  const std::vector<Theory_surface> surfaces = chosen_surfaces(options);
+  Json report = description_of(options, surfaces);
+  const auto keep_in = [&](const char* list) {
+    return [&report, &options, list](const Json& result) {
+      report[list].push_back(result);
+      report["fits"] = fits(report["results"]);
+      write(report, options.output);
+    };
+  };
+  for (const Theory_surface& surface : surfaces)
+    if (options.hypothesis_size > 0 && surface.meets_assumptions)
+      break_hypothesis(surface, options, report);
+  everywhere(
+      surfaces, options.sizes, options.threads,
+      [&](const Theory_surface& surface, std::size_t size) {
+        return count(surface, size, options.seed);
+      },
+      keep_in("results"));
+  everywhere(
+      surfaces, options.time_sizes, 1,
+      [&](const Theory_surface& surface, std::size_t size) {
+        return time(surface, size, options.seed);
+      },
+      keep_in("times"));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    Options options;
+    const po::options_description description = describe(options);
+    po::variables_map given;
+    // An empty positional description: a stray word is an error.
+    po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), given);
+    po::notify(given);
+    if (options.sizes.empty())
+      for (std::size_t size = 1024; size <= 1048576; size *= 2)
+        options.sizes.push_back(size);
+    if (options.time_sizes.empty())
+      options.time_sizes = {16384, 131072, 1048576};
+    options.command = "location_costs";
+    for (int i = 1; i < argc; ++i)
+      options.command += std::string(" ") + argv[i];
+    if (options.threads == 0)
+      throw std::invalid_argument("--threads must be at least 1");
+    if (given.count("help"))
+      std::cout << description;
+    else
+      run(options);
+    return EXIT_SUCCESS;
+  } catch (const std::exception& error) {
+    std::cerr << "location_costs: " << error.what() << '\n';
+  }
+  return EXIT_FAILURE;
+}
