@@ -191,8 +191,9 @@ def draw_hypothesis(report, file_name):
     svg, surfaces = Svg(), {}
     for row in report["hypothesis"]:
         surfaces.setdefault(row["surface"], []).append(row)
-    heading(svg, "When T is not Delaunay", "crossings per trace and point, mean of the traces; y logarithmic")
-    mean = lambda row: sum(t["crossings_per_point"] for t in row["traces"]) / len(row["traces"])
+    heading(svg, "When T is not Delaunay", "crossings per trace and point, mean of the traces; y logarithmic, what is "
+            "below 0.1 (0 on the sphere) drawn at 0.1")
+    mean = lambda row: max(0.1, sum(t["crossings_per_point"] for t in row["traces"]) / len(row["traces"]))
     values = [mean(row) for row in report["hypothesis"]]
     ticks = log_ticks(min(values), max(values))
     for index, (surface, rows) in enumerate(surfaces.items()):

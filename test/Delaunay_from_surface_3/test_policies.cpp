@@ -101,7 +101,7 @@ template <class Tr, template <class, class> class Hints, class Subgraph = CGAL::
           class Plan = CGAL::Log_star_rounds>
 void insert_twice(const Named_surface& named, unsigned int seed)
 {
-  using Traits = CGAL::Surface_insertion_policies_3<Subgraph, Plan, Hints, tests::Open_target>;
+  using Traits = CGAL::Surface_insertion_policies_3<Subgraph, Plan, Hints>;
   BOOST_TEST_CONTEXT(named.name << ", seed " << seed)
   {
     const std::vector<Point>& points = named.surface.points;
@@ -117,11 +117,11 @@ void insert_twice(const Named_surface& named, unsigned int seed)
 }
 
 template <class Tr>
-using Zone_hints = tests::Zone_checking_hints<tests::Open_target<Tr>,
+using Zone_hints = tests::Zone_checking_hints<CGAL::Triangulation_target_3<Tr>,
                                               CGAL::Delaunay_from_surface_3::internal::Index_graph>;
 template <class Tr>
 using Traced_hints =
-    tests::Checking_traced_hints<tests::Open_target<Tr>,
+    tests::Checking_traced_hints<CGAL::Triangulation_target_3<Tr>,
                                  CGAL::Delaunay_from_surface_3::internal::Index_graph>;
 
 std::vector<Named_surface> small_surfaces()
@@ -183,6 +183,7 @@ BOOST_AUTO_TEST_CASE(geometric_round_ends)
 BOOST_AUTO_TEST_CASE(plans_are_permutations_with_increasing_rounds)
 {
   check_plan<CGAL::Log_star_rounds>();
+  check_plan<CGAL::Random_log_star_rounds>();
   check_plan<CGAL::Geometric_rounds>();
   check_plan<CGAL::Spatial_sort_order>();
   check_plan<CGAL::Hilbert_sorted_rounds<CGAL::Log_star_rounds>>();
@@ -195,6 +196,8 @@ BOOST_AUTO_TEST_CASE(seeds_draw_the_order)
   const std::vector<Point> points = surfaces::sphere(500, 0.1).points;
   BOOST_TEST((order_by(CGAL::Log_star_rounds(1), points).order !=
               order_by(CGAL::Log_star_rounds(2), points).order));
+  BOOST_TEST((order_by(CGAL::Random_log_star_rounds(1), points).order !=
+              order_by(CGAL::Random_log_star_rounds(2), points).order));
   BOOST_TEST((order_by(CGAL::Geometric_rounds(1), points).order !=
               order_by(CGAL::Geometric_rounds(2), points).order));
   BOOST_TEST((order_by(CGAL::Spatial_sort_order(1), points).order ==
@@ -217,6 +220,19 @@ BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
   BOOST_TEST(!std::equal(random.order.begin() + std::ptrdiff_t(N_1),
                          random.order.begin() + std::ptrdiff_t(N_2),
                          sorted.order.begin() + std::ptrdiff_t(N_1)));
+}
+
+// The plan of the paper to the letter is random in the first round too; from then on the two are one.
+BOOST_AUTO_TEST_CASE(only_the_first_of_the_papers_rounds_is_sorted)
+{
+  const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
+  const auto random = order_by(CGAL::Random_log_star_rounds(5), points);
+  const auto sorted = order_by(CGAL::Log_star_rounds(5), points);
+  BOOST_TEST((sets_of_rounds(random) == sets_of_rounds(sorted)));
+  const auto N_1 = std::ptrdiff_t(random.round_ends[0]);
+  BOOST_TEST(!std::equal(random.order.begin(), random.order.begin() + N_1, sorted.order.begin()));
+  BOOST_TEST(
+      std::equal(random.order.begin() + N_1, random.order.end(), sorted.order.begin() + N_1));
 }
 
 // A starting point that comes later in the new order would be no start at all.
@@ -274,7 +290,8 @@ BOOST_AUTO_TEST_CASE(planned_starts_are_the_neighbors_inserted_last)
   for (const Named_surface& named : small_surfaces())
     insert_twice<Triangulation, tests::Checking_planned_hints, CGAL::Full_graph,
                  CGAL::Neighbor_started_rounds<CGAL::Geometric_rounds>>(named, 1);
-  using Hints = tests::Checking_planned_hints<tests::Open_target<Triangulation>, Index_graph>;
+  using Hints =
+      tests::Checking_planned_hints<CGAL::Triangulation_target_3<Triangulation>, Index_graph>;
   BOOST_TEST(2 * Hints::number_of_neighbors > Hints::number_of_starts);
   BOOST_TEST(Hints::number_of_starts > 300u);
 }

@@ -9,7 +9,8 @@ the surface through the triangulation at the end of a round.
 A start is a hint: every cell is right, a near one is fast.
 
 What is remembered must be vertices, not cells. While points are only inserted a vertex never dies;
-a cell does with the next insertion near it, and its memory may then hold another cell.
+a cell does with the next insertion near it, and its memory may then hold another cell. A policy that
+observes conflict zones may remember the history of the cells instead.
 
 A model is a class template with two parameters: `Target`, a model of `InsertionTarget_3`, and
 `Subgraph`, a model of `boost::AdjacencyGraph` whose vertices are the numbers of the points, of type
@@ -20,6 +21,7 @@ in the order of their insertion, as in the target.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Traced_hints_3<Target\, Subgraph>}
+\cgalHasModels{CGAL::History_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Neighbor_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Planned_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Previous_hint_3<Target\, Subgraph>}

@@ -10,6 +10,7 @@ The triangulation is right for any order. A model has never heard of a cell.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Log_star_rounds}
+\cgalHasModels{CGAL::Random_log_star_rounds}
 \cgalHasModels{CGAL::Geometric_rounds}
 \cgalHasModels{CGAL::Hilbert_sorted_rounds<Plan>}
 \cgalHasModels{CGAL::Neighbor_started_rounds<Plan>}

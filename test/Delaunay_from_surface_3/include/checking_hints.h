@@ -23,30 +23,6 @@
 
 namespace tests {
 
-// CGAL's insertion as target, which lets the hints look at the triangulation.
-template <class Triangulation>
-class Open_target : public CGAL::Triangulation_target_3<Triangulation>
-{
-  using Base = CGAL::Triangulation_target_3<Triangulation>;
-
-public:
-  using Tr = Triangulation;
-
-  Open_target(Triangulation& tr, const std::vector<typename Base::Point>& points)
-    : Base(tr, points)
-    , m_tr(tr)
-    , m_points(points)
-  {
-  }
-
-  const Triangulation& triangulation() const { return m_tr; }
-  const typename Base::Point& point(std::size_t i) const { return m_points[i]; }
-
-private:
-  const Triangulation& m_tr;
-  const std::vector<typename Base::Point>& m_points;
-};
-
 // Whether the point is in the closed cell, or beyond the facet of an infinite one.
 template <class Triangulation>
 bool contains(const Triangulation& tr, typename Triangulation::Cell_handle cell,
