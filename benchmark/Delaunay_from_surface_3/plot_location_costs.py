@@ -20,7 +20,8 @@ import math
 import os
 import textwrap
 
-from plot_results import Svg, size_name
+from plot_svg import Svg
+from results import size_name
 
 WAYS = {  # colour and label; the order is that of the legends
     "history-root": ("#7a3b00", "history DAG, from the root"),

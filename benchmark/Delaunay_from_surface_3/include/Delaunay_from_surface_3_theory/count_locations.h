@@ -8,10 +8,11 @@
 // The laboratory: points are inserted once, in the paper's random order, and each of them is located in
 // every way that can start from the same triangulation. What is counted does not depend on the machine.
 
-#include <Delaunay_from_surface_3_comparison/methods.h>
+#include <Delaunay_from_surface_3_comparison/triangulations.h>
 #include <Delaunay_from_surface_3_theory/crossings.h>
 #include <Delaunay_from_surface_3_theory/trees.h>
 
+#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>

@@ -8,11 +8,16 @@
 // Ways to locate that have an order or a triangulation of their own, and the times of all of them: each is a
 // run of insert_surface_vertices_3() with a visitor that meters the phases.
 
+#include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/phases.h>
+#include <Delaunay_from_surface_3_comparison/triangulations.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
 
 #include <cstddef>
 #include <functional>
@@ -111,7 +116,6 @@ Json times_of_run(const Mesh& mesh, unsigned int seed)
   return result;
 }
 
-using Fast_triangulation = CGAL::Delaunay_triangulation_3<comparison::Kernel, CGAL::Fast_location>;
 using Counted_fast_triangulation =
     CGAL::Delaunay_triangulation_3<comparison::Counting_kernel, CGAL::Fast_location>;
 
