@@ -21,11 +21,11 @@ The bars are those of the largest size of every surface at which phases were mea
 import argparse
 import math
 import os
-import sys
 
+import manual_tables
 from plot_svg import COLUMNS, GAP_X, GAP_Y, LEFT, PANEL_HEIGHT, PANEL_WIDTH, TOP, Panel, Svg, heading, \
     legend_and_commands
-from result_tables import all_blocks, filled
+from result_tables import all_blocks
 from results import PHASES, cells_entered, label_of, method_of, methods_that_walk, microseconds, read, \
     size_name, used_methods
 
@@ -154,32 +154,14 @@ def draw_before_and_now(reports, surfaces, file_name):
               "insertions", [phases[p] for p in phases if p not in ("trace",)], file_name)
 
 
-def refill(manual, blocks, check):
-    with open(manual, encoding="utf-8") as file:
-        before = file.read()
-    after = filled(before, blocks)
-    if check and before != after:
-        sys.exit(f"plot_results.py: the tables in {manual} are not those of the results; --manual without --check "
-                 "refills them")
-    if not check:
-        with open(manual, "w", encoding="utf-8") as file:
-            file.write(after)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="+", metavar="JSON", help="what compare_with_stock wrote")
     parser.add_argument("--output-dir", metavar="FOLDER", help="draw; where the SVG files go")
-    parser.add_argument("--tables", action="store_true", help="print the tables of the manual")
-    parser.add_argument("--manual", metavar="FILE", help="put the tables where they belong in this text")
-    parser.add_argument("--check", action="store_true", help="only say whether the text has these tables")
+    manual_tables.add_options(parser)
     arguments = parser.parse_args()
     reports, surfaces = read(arguments.files)
-    blocks = all_blocks(reports, surfaces)
-    if arguments.tables:
-        print("\n\n".join(f"<!-- {name} -->\n\n{text}" for name, text in blocks.items()))
-    if arguments.manual:
-        refill(arguments.manual, blocks, arguments.check)
+    manual_tables.serve(arguments, all_blocks(reports, surfaces))
     if arguments.output_dir:
         for name, draw in (("before_and_now", draw_before_and_now), ("ratio", draw_ratio), ("phases", draw_phases),
                            ("cells", draw_cells)):

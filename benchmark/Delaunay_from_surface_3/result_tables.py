@@ -4,20 +4,9 @@
 
 """The tables of the manual's page on performance, in Markdown, from what compare_with_stock measured."""
 
-import re
-
+from manual_tables import cell, commands_of, machine_of, table
 from results import (PAPER, cells_entered, method_of, methods_that_walk, microseconds, peers, size_name,
                      used_methods, without_export)
-
-
-def cell(value, form):
-    return "–" if value is None else form.format(value)
-
-
-def table(titles, rows, left=1):
-    """The first columns are aligned to the left, the others, numbers, to the right."""
-    lines = ["| " + " | ".join(titles) + " |", "|" + "---|" * left + "--:|" * (len(titles) - left)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
 
 def results_of(surfaces):
@@ -207,28 +196,12 @@ TABLES = {"summary": summary, "surfaces": surfaces_measured, "ratios": main_rati
 
 def machine(reports):
     loads = [load for r in reports for load in (r["load_average_at_start"], r.get("load_average_at_end")) if load]
-    texts = {}
-    for report in reports:
-        m = report["machine"]
-        text = (f'Machine: {m["cpu"]}, {m["cores"]} cores, {int(m["memory"].split()[0]) / 1e6:.0f} GB. '
-                f'Compiler: {m["compiler"]}, `{" ".join(m["flags"].split())}`. %CGAL {m["cgal"]}, '
-                "`Exact_predicates_inexact_constructions_kernel`, one thread.")
-        texts.setdefault(text, None)
+    texts = dict.fromkeys(f"{machine_of(r)}, `Exact_predicates_inexact_constructions_kernel`, one thread."
+                          for r in reports)
     return "\n".join(texts) + f"\nLoad average of the machine at start and end of the runs: {min(loads)} to {max(loads)}."
-
-
-def commands(reports):
-    return "\\verbatim\n" + "\n".join(r["command"] for r in reports) + "\n\\endverbatim"
 
 
 def all_blocks(reports, surfaces):
     """{name: text} of all that the manual shows."""
     blocks = {name: make(surfaces) for name, make in TABLES.items()}
-    return {"machine": machine(reports), **blocks, "commands": commands(reports)}
-
-
-def filled(manual, blocks):
-    """The manual with the text between <!-- NAME --> and <!-- end --> replaced by the block of that name."""
-    def block(match):
-        return f"<!-- {match[1]} -->\n\n{blocks[match[1]]}\n\n<!-- end -->"
-    return re.sub(r"<!-- (\w+) -->\n.*?<!-- end -->", block, manual, flags=re.S)
+    return {"machine": machine(reports), **blocks, "commands": commands_of(*reports)}
