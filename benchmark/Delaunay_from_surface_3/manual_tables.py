@@ -39,7 +39,7 @@ def filled(page, blocks):
     places = [match[1] for match in BLOCK.finditer(page)]
     wrong = sorted({name for name in [*places, *blocks] if name not in blocks or places.count(name) != 1})
     if wrong:
-        raise ValueError(f"not one block and one place for it: {', '.join(wrong)}")
+        raise ValueError(f"needs one block and one place each: {', '.join(wrong)}")
     return BLOCK.sub(lambda match: f"<!-- {match[1]} -->\n\n{blocks[match[1]]}\n\n<!-- end -->", page)
 
 

@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Puts what measure_subgraphs wrote as tables on the manual's page on subgraphs; needs nothing but Python.
+
+  subgraph_tables.py results/subgraph_*.json --tables
+  subgraph_tables.py results/subgraph_*.json --manual bounded_degree_subgraphs.txt [--check]
+
+The tables, as far as the files hold them:
+  bounds   degrees beside their bounds, on surfaces of all kinds
+  degrees  degrees by genus, with both kinds of cut
+  times    times and memory
+"""
+
+import argparse
+import json
+
+import manual_tables
+from manual_tables import cell, commands_of, machine_of, table
+
+
+def bounds_row(row):
+    return [row["surface"], row["bound_of_the_paper"], row["bound"], row["maximum_degree"], row["bound_of_tree"],
+            row["maximum_degree_of_tree"]]
+
+
+def degrees_row(row):
+    cells = [row["genus"], row["bound_of_the_paper"], row["bound"], row["bound_of_tree"]]
+    for cut in ("cut_graph", "loops"):
+        found = row.get(cut)
+        cells += [found["maximum_degree"], f'{100 * found["share_above_3"]:.4f} %',
+                  found["maximum_degree_of_tree"]] if found else [None] * 3
+    return cells
+
+
+def times_row(row):
+    n = f'{row["vertices"]:,}'.replace(",", " ")
+    cells = [f'{row["surface"]}, {row["order"]}', n]
+    cells += [round(row[what]["nanoseconds_per_vertex"]) for what in ("subgraph", "tree", "cut_graph")]
+    cells += [f'{row["subgraph"]["bytes_per_vertex"]:.1f}', row["subgraph"]["maximum_degree"]]
+    for what in ("minimum_spanning_tree", "depth_first_tree"):
+        found = row.get(what)
+        cells += [round(found["nanoseconds_per_vertex"]), found["maximum_degree"]] if found else [None] * 2
+    return cells
+
+
+TABLES = {  # how a row is made, the titles, how many columns are text
+    "bounds": (bounds_row, ["surface", "paper's bound", "bound", "observed", "tree's bound", "tree, observed"], 1),
+    "degrees": (degrees_row, ["genus", "paper's bound", "bound", "tree's bound", "subgraph", "above 3", "tree",
+                              "loops: subgraph", "above 3", "tree"], 0),
+    "times": (times_row, ["surface, order of its vertices", "n", "subgraph", "tree", "cut graph", "bytes", "degree",
+                          "Kruskal", "degree", "depth-first", "degree"], 1),
+}
+
+
+def machine(report):
+    return f'{machine_of(report)}. Load average before the run: {report["machine"]["load_before"]:.1f}.'
+
+
+def all_blocks(reports):
+    """{name: text} of all that the manual shows."""
+    blocks = {}
+    for report in reports:
+        for key, (row_of, titles, texts) in TABLES.items():
+            if report.get(key):
+                rows = [[cell(value) for value in row_of(row)] for row in report[key]]
+                blocks[key] = table(titles, rows, texts)
+                blocks[f"command_of_{key}"] = commands_of(report)
+                if key == "times":
+                    blocks["machine"] = machine(report)
+    return blocks
+
+
+def read(file_name):
+    with open(file_name, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_subgraphs wrote")
+    manual_tables.add_options(parser)
+    arguments = parser.parse_args()
+    manual_tables.serve(arguments, all_blocks([read(name) for name in arguments.files]))
+
+
+if __name__ == "__main__":
+    main()
