@@ -3,11 +3,13 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Draws what location_costs counted as SVG files; needs nothing but Python.
+"""Draws what location_costs counted as SVG files and fills the tables of the manual; needs nothing but Python.
 
   plot_location_costs.py results/location_costs.json --output-dir fig
+  plot_location_costs.py results/location_costs.json --tables
+  plot_location_costs.py results/location_costs.json --manual Theory.txt [--check]
 
-Written are
+Drawn are
   theory_locations.svg   cells entered per located point, against the number of points
   theory_crossings.svg   crossings of each trace per point, against the number of points
   theory_rounds.svg      cells entered inside round h, against log^(h) n
@@ -20,18 +22,11 @@ import math
 import os
 import textwrap
 
+import manual_tables
 from plot_svg import Svg
 from results import size_name
+from theory_tables import WAYS, all_blocks, by_surface, mean_crossings
 
-WAYS = {  # colour and label; the order is that of the legends
-    "history-root": ("#7a3b00", "history DAG, from the root"),
-    "history-trace": ("#d00000", "history DAG, from the last trace (the paper)"),
-    "walk-trace": ("#e69f00", "walk, from the last trace"),
-    "walk-neighbor": ("#56b4e9", "walk, from the nearest surface neighbour"),
-    "fast-location": ("#009e73", "Fast_location, random order"),
-    "stock": ("#000000", "stock: spatial sort, previous point"),
-    "walk-random": ("#8a8a8a", "walk, from a random point"),
-}
 COLORS = ["#d00000", "#0072b2", "#009e73", "#e69f00", "#7a3b00", "#cc79a7"]
 WIDTH, HEIGHT, LEFT, TOP, GAP_X, GAP_Y = 380, 250, 58, 92, 60, 74
 
@@ -123,13 +118,6 @@ def linear_ticks(high, number=5):
     return [round(step * i, 6) for i in range(math.ceil(high / step - 1e-9) + 1)]
 
 
-def by_surface(results):
-    surfaces = {}
-    for result in sorted(results, key=lambda r: r["size"]):
-        surfaces.setdefault(result["surface"], []).append(result)
-    return {name: surfaces[name] for name in sorted(surfaces, key=lambda s: -len(surfaces[s]))}
-
-
 def size_ticks(results):
     """The powers of four, and what there is besides."""
     sizes = sorted({r["size"] for r in results})
@@ -137,7 +125,7 @@ def size_ticks(results):
 
 
 def draw_locations(report, file_name):
-    svg, surfaces = Svg(), by_surface(report["results"])
+    svg, surfaces = Svg(), by_surface(report)
     heading(svg, "Cells entered to locate a point", "per point, traces not counted; paper's random order, except for "
             "stock; both axes logarithmic")
     values = [w["cells_entered"] for r in report["results"] for w in r["locations"].values()]
@@ -155,8 +143,9 @@ def draw_locations(report, file_name):
 
 
 def draw_crossings(report, file_name):
-    svg, surfaces = Svg(), by_surface(report["results"])
-    heading(svg, "Crossings of a trace per point", "triangles of D(S_{N_h}) that T goes through / n; Theorem 3: constant")
+    svg, surfaces = Svg(), by_surface(report)
+    heading(svg, "Crossings of a trace per point",
+            "triangles of D(S_{N_h}) that T goes through / n; Theorem 3: constant")
     most = max(t["crossings_per_point"] for r in report["results"] for t in r["traces"])
     rounds = max(len(r["traces"]) for r in report["results"])
     for index, (surface, results) in enumerate(surfaces.items()):
@@ -169,7 +158,7 @@ def draw_crossings(report, file_name):
 
 
 def draw_rounds(report, file_name):
-    svg, surfaces = Svg(), by_surface(report["results"])
+    svg, surfaces = Svg(), by_surface(report)
     heading(svg, "Location inside a round",
             "nodes entered per point by a descent from the last trace, from the root in round 1; one dot per size")
     rows = [(row["iterated_log"], row["history-trace"]) for r in report["results"] for row in r["rounds"]]
@@ -194,77 +183,31 @@ def draw_hypothesis(report, file_name):
         surfaces.setdefault(row["surface"], []).append(row)
     heading(svg, "When T is not Delaunay", "crossings per trace and point, mean of the traces; y logarithmic, what is "
             "below 0.1 (0 on the sphere) drawn at 0.1")
-    mean = lambda row: max(0.1, sum(t["crossings_per_point"] for t in row["traces"]) / len(row["traces"]))
-    values = [mean(row) for row in report["hypothesis"]]
+    drawn = lambda row: max(0.1, mean_crossings(row))
+    values = [drawn(row) for row in report["hypothesis"]]
     ticks = log_ticks(min(values), max(values))
     for index, (surface, rows) in enumerate(surfaces.items()):
         axes = Axes(svg, index, 2, f'{surface}, {rows[0]["points"]} points', [0, 0.2, 0.4, 0.6, 0.8, 1], ticks, "y",
                     "{:g}".format)
         for row in rows:
-            axes.dot(row["assumptions"]["subgraph_edges_delaunay"], mean(row), CHANGES[row["change"]])
+            axes.dot(row["assumptions"]["subgraph_edges_delaunay"], drawn(row), CHANGES[row["change"]])
     finish(svg, report, [(color, change, False) for change, color in CHANGES.items()], len(surfaces), 2,
            "share of the edges of T that are Delaunay", file_name)
-
-
-def table(header, rows):
-    print("\n| " + " | ".join(header) + " |\n|---|" + "--:|" * (len(header) - 1))
-    for row in rows:
-        print("| " + " | ".join(f"{v:.2f}" if isinstance(v, float) else str(v) for v in row) + " |")
-
-
-def print_tables(report):
-    """The figures as the tables of the manual."""
-    surfaces, ways = by_surface(report["results"]), list(WAYS)
-    table(["surface", "points"] + ways, [
-        [name, r["points"]] + [round(r["locations"][way]["cells_entered"], 1) for way in ways]
-        for name, results in surfaces.items() for r in (results[0], results[-1])])
-    table(["calls: surface", "points"] + ways, [
-        [name, r["points"]] + [round(r["locations"][way]["calls"]) for way in ways]
-        for name, results in surfaces.items() for r in results[-1:]])
-    fits = report["fits"]
-    table(["b of the fit", "from the root", "from the trace", "ratio", "from the trace, with traces", "walk from the trace"],
-          [[name, f["history-root"]["b"], f["history-trace"]["b"],
-            round(f["history-trace"]["b"] / f["history-root"]["b"], 3), f["history-trace"]["with_traces"]["b"],
-            f["walk-trace"]["b"]] for name, f in ((name, fits[name]) for name in surfaces)])
-    table(["surface", "points", "N_1", "N_2", "N_3", "N_4", "all"], [
-        [name, r["points"]] + [float(t["crossings_per_point"]) for t in r["traces"]]
-        + ["–"] * (4 - len(r["traces"])) + [sum(t["crossings_per_point"] for t in r["traces"])]
-        for name, results in surfaces.items() for r in results if r["size"] >= 2**14])
-    table(["surface", "points", "round", "log^(h) n", "points in it", "Lemma 4", "from the trace", "from the root"], [
-        [name, r["points"], h + 1, row["iterated_log"], row["points"], row["lemma_4"], row["history-trace"],
-         row["history-root"]]
-        for name, results in surfaces.items() for r in results[-1:] for h, row in enumerate(r["rounds"])])
-    keys = ["subgraph_edges_delaunay", "surface_triangles_delaunay", "emst_edges_in_surface", "emst_edges_in_subgraph",
-            "delaunay_cells_per_point", "cells_created_per_point"]
-    table(["surface", "points"] + keys, [
-        [name, r["points"]] + [f'{r["assumptions"][key]:.4g}' for key in keys]
-        for name, results in surfaces.items() for r in (results[0], results[-1])])
-    table(["change", "surface", "amount", "Delaunay edges of T", "crossings per trace", "cells per traced point",
-           "from the trace"], [
-        [h["change"], h["surface"], f'{h["amount"]:g}', f'{h["assumptions"]["subgraph_edges_delaunay"]:.3f}',
-         sum(t["crossings_per_point"] for t in h["traces"]) / len(h["traces"]),
-         sum(t["cells_entered"] * t["located"] for t in h["traces"]) / sum(t["located"] for t in h["traces"]),
-         h["locations"]["history-trace"]["cells_entered"]] for h in report["hypothesis"]])
-    table(["seconds: surface", "points", "load"] + ways, [
-        [t["surface"], t["points"], t["load_average"]]
-        + [f'{t["seconds"][way]["location"] + t["seconds"][way]["trace"]:.2f} + {t["seconds"][way]["update"]:.2f}'
-           for way in ways] for t in report["times"]])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", metavar="JSON", help="what location_costs wrote")
-    parser.add_argument("--output-dir", default=".", metavar="FOLDER", help="where the SVG files go")
-    parser.add_argument("--tables", action="store_true", help="print tables, draw nothing")
+    parser.add_argument("--output-dir", metavar="FOLDER", help="draw; where the SVG files go")
+    manual_tables.add_options(parser)
     arguments = parser.parse_args()
     with open(arguments.file, encoding="utf-8") as file:
         report = json.load(file)
-    if arguments.tables:
-        print_tables(report)
-        return
-    for name, draw in (("locations", draw_locations), ("crossings", draw_crossings), ("rounds", draw_rounds),
-                       ("hypothesis", draw_hypothesis)):
-        draw(report, os.path.join(arguments.output_dir, f"theory_{name}.svg"))
+    manual_tables.serve(arguments, all_blocks(report))
+    if arguments.output_dir:
+        for name, draw in (("locations", draw_locations), ("crossings", draw_crossings), ("rounds", draw_rounds),
+                           ("hypothesis", draw_hypothesis)):
+            draw(report, os.path.join(arguments.output_dir, f"theory_{name}.svg"))
 
 
 if __name__ == "__main__":
