@@ -60,7 +60,8 @@ po::options_description describe(Options& o)
   auto add = options.add_options();
   add("help,h", "say this and stop");
   add("surfaces", po::value(&o.surfaces)->multitoken()->value_name("NAME..."),
-      "delaunay-sphere, delaunay-genus-3, bunny, armadillo, delaunay-round-genus-3; default: all");
+      "delaunay-sphere, delaunay-genus-3, bunny, armadillo, bunny-alike, delaunay-round-genus-3; "
+      "default: all");
   add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."),
       "numbers of points to count at; default: the powers of 2 from 1024 to 1048576");
   add("time-sizes", po::value(&o.time_sizes)->multitoken()->value_name("N..."),

@@ -27,11 +27,15 @@ inline Indexed_surface simplified(Mesh mesh, std::size_t n)
 }
 
 /// A closed triangle mesh with `n` vertices, exactly if it has no more of them, else about: `simplified()` or
-/// `densified()`.
+/// `densified()`, with jitter in both cases, so that the surfaces of all sizes are equally rough.
 inline Indexed_surface resized(const Mesh& mesh, std::size_t n, double fraction = 0.05,
                                std::uint64_t seed = 0)
 {
-  return mesh.number_of_vertices() > n ? simplified(mesh, n) : densified(mesh, n, fraction, seed);
+  if (mesh.number_of_vertices() <= n)
+    return densified(mesh, n, fraction, seed);
+  Indexed_surface surface = simplified(mesh, n);
+  jitter(surface, fraction, seed);
+  return surface;
 }
 
 } // namespace surfaces

@@ -11,6 +11,7 @@
 #include <Delaunay_from_surface_3_surfaces/restricted_delaunay.h>
 #include <Delaunay_from_surface_3_surfaces/simplify.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -46,12 +47,16 @@ inline std::vector<Theory_surface> theory_surfaces(const std::string& data_dir,
       return surface;
     };
   };
-  const auto scan = [data_dir, seed](const std::string& file) {
+  const auto scan = [data_dir, seed](const std::string& file, double (*jitter)(std::size_t)) {
     return [=](std::size_t n) {
       return surfaces::resized(
-          surfaces::read_mesh((data_dir.empty() ? "." : data_dir) + "/" + file), n, 0.05, seed);
+          surfaces::read_mesh((data_dir.empty() ? "." : data_dir) + "/" + file), n, jitter(n),
+          seed);
     };
   };
+  const auto same_jitter = [](std::size_t) { return 0.05; };
+  // The bend of a surface over an edge goes with the square of the length of the edge.
+  const auto jitter_as_bend = [](std::size_t n) { return 0.05 * std::sqrt(16384. / double(n)); };
   const std::size_t any = std::size_t(1) << 30;
   return {
       {"delaunay-sphere", "restricted Delaunay triangulation of the unit sphere", true, any,
@@ -59,10 +64,15 @@ inline std::vector<Theory_surface> theory_surfaces(const std::string& data_dir,
       {"delaunay-genus-3", "restricted Delaunay triangulation of three joined tori with oval tubes",
        true, any, cached("delaunay-genus-3", surfaces::delaunay_genus_3)},
       {"bunny", "bunny00.off, simplified or densified, then with jitter of 5 % of the edge length",
-       false, any, scan("bunny00.off")},
+       false, any, scan("bunny00.off", same_jitter)},
       {"armadillo",
        "armadillo.off, simplified or densified, then with jitter of 5 % of the edge length", false,
-       any, scan("armadillo.off")},
+       any, scan("armadillo.off", same_jitter)},
+      {"bunny-alike",
+       "bunny00.off, simplified or densified, then with jitter in proportion to the square of the "
+       "edge length, "
+       "5 % of the edge length at 16384 points",
+       false, any, scan("bunny00.off", jitter_as_bend)},
       {"delaunay-round-genus-3",
        "restricted Delaunay triangulation of three joined tori with round tubes: D(S) is larger",
        false, 131072, cached("delaunay-round-genus-3", surfaces::delaunay_round_genus_3)}};
