@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/integer_sphere_sign.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/lattice_sphere_sign.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>
@@ -63,7 +64,7 @@ struct Tally
 struct Tallies
 {
   Tally first, facets, second;
-  std::size_t cells = 0, integers = 0, wrong_integers = 0;
+  std::size_t cells = 0, integers = 0, lattices = 0, wrong_integers = 0;
 };
 
 template <class Filter>
@@ -107,6 +108,9 @@ void check(Five f, const Record& apex, Tallies& tallies)
   ++tallies.cells;
   tallies.integers += integer.is_known;
   tallies.wrong_integers += integer.is_known && integer.sign != sphere;
+  const Integer_sign lattice = lattice_sphere_sign(v, f[4].data());
+  tallies.lattices += lattice.is_known;
+  tallies.wrong_integers += lattice.is_known && lattice.sign != sphere;
   check_view<Sphere_filter>(f, sphere, tallies);
   check_neighbors<Sphere_filter>(f, apex, tallies);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
@@ -212,6 +216,27 @@ BOOST_AUTO_TEST_CASE(exactly_degenerate)
 #endif
     if (side == 1 << 29)
       BOOST_TEST(t.integers < t.cells);
+  }
+}
+
+// A box of plates: on each axis the lattice has another step, no power of 2.
+BOOST_AUTO_TEST_CASE(lattices_with_other_steps_on_each_axis)
+{
+  for (const double thin : {.3, .01, 1e-9, 1e-40, 1e-150, 1e-300}) {
+    const Tallies t = check_all(
+        "lattice of thickness " + std::to_string(thin),
+        [thin](CGAL::Random& r) {
+          const double multiples[] = {-2, -1, 0, 1, 2}; // of which differences are exact
+          return Record{std::ldexp(r.get_int(-4, 5), -4), .1 * multiples[r.get_int(0, 5)],
+                        thin * multiples[r.get_int(1, 4)], unused};
+        },
+        2000);
+#ifdef __SIZEOF_INT128__
+    if (thin > 1e-90)
+      BOOST_TEST(t.lattices > t.cells / 2);
+    else
+      BOOST_TEST(t.lattices == 0u);
+#endif
   }
 }
 

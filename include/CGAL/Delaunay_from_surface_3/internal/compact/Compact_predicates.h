@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/integer_sphere_sign.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/lattice_sphere_sign.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
@@ -104,7 +105,9 @@ public:
     const Id v0 = Complex::first_vertex(cell);
     const double* const v[3] = {coordinates(v0), coordinates(cell.v[1]), coordinates(cell.v[2])};
     const std::size_t q[3] = {m_point_of[v0], m_point_of[cell.v[1]], m_point_of[cell.v[2]]};
-    const Integer_sign integer = integer_beyond_sign(v, p);
+    Integer_sign integer = integer_beyond_sign(v, p);
+    if (!integer.is_known)
+      integer = lattice_beyond_sign(v, p);
     if (!integer.is_known)
       return m_exact.is_beyond(q[0], q[1], q[2], i);
     if (integer.sign != 0)
@@ -119,12 +122,15 @@ public:
     const Id v0 = Complex::first_vertex(cell);
     const double* const v[4] = {coordinates(v0), coordinates(cell.v[1]), coordinates(cell.v[2]),
                                 coordinates(cell.v[3])};
-    const Integer_sign integer = integer_sphere_sign(v, p);
-    const int sign = integer.is_known ? integer.sign
-                     : m_is_fused     ? fused_close_sphere_sign(v, p)
-                                      : close_sphere_sign(v, p);
-    if (sign != 0)
-      return sign > 0;
+    Integer_sign integer = integer_sphere_sign(v, p);
+    if (!integer.is_known) {
+      const int close = m_is_fused ? fused_close_sphere_sign(v, p) : close_sphere_sign(v, p);
+      if (close != 0)
+        return close > 0;
+      integer = lattice_sphere_sign(v, p);
+    }
+    if (integer.is_known && integer.sign != 0)
+      return integer.sign > 0;
     ++m_counts.second_failures;
     const std::size_t q[4] = {m_point_of[v0], m_point_of[cell.v[1]], m_point_of[cell.v[2]],
                               m_point_of[cell.v[3]]};

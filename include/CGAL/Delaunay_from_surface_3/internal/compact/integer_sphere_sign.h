@@ -30,18 +30,30 @@ struct Integer_sign
 
 #if defined(__SIZEOF_INT128__)
 
+__extension__ typedef __int128 Wide_integer;
+
+inline int sign_of(Wide_integer i)
+{
+  return (i > 0) - (i < 0);
+}
+
 struct Integer_row
 {
-  std::int64_t x, y, z, w;
+  std::int64_t x, y, z;
 };
 
-// The power of 2 that brings a number of this size to less than 2^24; 0 if there is none.
+inline std::int64_t squared_length(const Integer_row& r)
+{
+  return r.x * r.x + r.y * r.y + r.z * r.z;
+}
+
+// The power of 2 that brings a number of at most 2^23 to less than 2^24; 0 if there is none.
 inline double scale_to_24_bits(double largest)
 {
   std::uint64_t bits;
   std::memcpy(&bits, &largest, sizeof(bits));
   const std::uint64_t exponent = bits >> 52;
-  if (exponent < 32 || exponent > 2000)
+  if (exponent < 32 || exponent > 1023 + 23) // so that no number becomes less
     return 0;
   bits = (2 * 1023 + 23 - exponent) << 52;
   double scale;
@@ -68,63 +80,87 @@ bool integer_rows(const double* const* vertices, const double* p, Integer_row* r
       if (double(row[c]) != d.high * scale || d.low != 0)
         return false;
     }
-    rows[k] = {row[0], row[1], row[2], row[0] * row[0] + row[1] * row[1] + row[2] * row[2]};
+    rows[k] = {row[0], row[1], row[2]};
   }
   return true;
 }
 
-inline int integer_minor(std::int64_t Integer_row::*u, std::int64_t Integer_row::*v,
-                         const Integer_row* r, std::int64_t* minors)
+// The sphere's determinant is that of (x, y, z, w) for w = x^2 + y^2 + z^2: the sum of w times these.
+struct Sphere_minors
 {
-  for (int k = 0; k < 3; ++k) {
-    const Integer_row &s = r[(k + 1) % 3], &t = r[(k + 2) % 3];
-    minors[k] = s.*u * t.*v - s.*v * t.*u;
+  Wide_integer of[4];
+
+  explicit Sphere_minors(const Integer_row* r)
+  {
+    using Wide = Wide_integer;
+    const Integer_row &a = r[0], &b = r[1], &c = r[2], &d = r[3];
+    const std::int64_t ab = a.x * b.y - a.y * b.x, bc = b.x * c.y - b.y * c.x,
+                       cd = c.x * d.y - c.y * d.x, da = d.x * a.y - d.y * a.x,
+                       ac = a.x * c.y - a.y * c.x, bd = b.x * d.y - b.y * d.x;
+    of[0] = Wide(b.z) * cd - Wide(c.z) * bd + Wide(d.z) * bc;
+    of[1] = -(Wide(a.z) * cd + Wide(c.z) * da + Wide(d.z) * ac);
+    of[2] = Wide(a.z) * bd + Wide(b.z) * da + Wide(d.z) * ab;
+    of[3] = -(Wide(a.z) * bc - Wide(b.z) * ac + Wide(c.z) * ab);
   }
-  const std::int64_t sum = minors[0] + minors[1] + minors[2];
-  return (sum > 0) - (sum < 0);
-}
+};
+
+// Where p is in the plane of three vertices. The circle is where w is an affine function of two
+// coordinates, in which the vertices have an area: of it the sum of w times these has the sign.
+struct Circle_minors
+{
+  std::int64_t of[3];
+  int area;   // its sign
+  int height; // of p over the plane: its sign
+
+  explicit Circle_minors(const Integer_row* r)
+  {
+    set(&Integer_row::x, &Integer_row::y, r);
+    height = sign_of(Wide_integer(r[0].z) * of[0] + Wide_integer(r[1].z) * of[1] +
+                     Wide_integer(r[2].z) * of[2]);
+    if (area == 0)
+      set(&Integer_row::y, &Integer_row::z, r);
+    if (area == 0)
+      set(&Integer_row::z, &Integer_row::x, r);
+  }
+
+private:
+  void set(std::int64_t Integer_row::*u, std::int64_t Integer_row::*v, const Integer_row* r)
+  {
+    for (int k = 0; k < 3; ++k) {
+      const Integer_row &s = r[(k + 1) % 3], &t = r[(k + 2) % 3];
+      of[k] = s.*u * t.*v - s.*v * t.*u;
+    }
+    area = sign_of(of[0] + of[1] + of[2]);
+  }
+};
 
 // Positive if p is inside the sphere through the four vertices of a positively oriented cell.
 inline Integer_sign integer_sphere_sign(const double* const* vertices, const double* p)
 {
-  __extension__ typedef __int128 Wide;
   Integer_row r[4];
   if (!integer_rows<4>(vertices, p, r))
     return {false, 0};
-  const Integer_row &a = r[0], &b = r[1], &c = r[2], &d = r[3];
-  const std::int64_t ab = a.x * b.y - a.y * b.x, bc = b.x * c.y - b.y * c.x,
-                     cd = c.x * d.y - c.y * d.x, da = d.x * a.y - d.y * a.x,
-                     ac = a.x * c.y - a.y * c.x, bd = b.x * d.y - b.y * d.x;
-  const Wide bcd = Wide(b.z) * cd - Wide(c.z) * bd + Wide(d.z) * bc;
-  const Wide acd = Wide(a.z) * cd + Wide(c.z) * da + Wide(d.z) * ac;
-  const Wide abd = Wide(a.z) * bd + Wide(b.z) * da + Wide(d.z) * ab;
-  const Wide abc = Wide(a.z) * bc - Wide(b.z) * ac + Wide(c.z) * ab;
-  const Wide value = (a.w * bcd - b.w * acd) + (c.w * abd - d.w * abc);
-  return {true, (value > 0) - (value < 0)};
+  const Sphere_minors minors(r);
+  Wide_integer sum = 0;
+  for (int k = 0; k < 4; ++k)
+    sum += squared_length(r[k]) * minors.of[k];
+  return {true, sign_of(sum)};
 }
 
 // Positive if p is beyond the facet (a, b, c) of the convex hull, or in its plane and inside its
-// circle; negative if not; 0 if p is on the circle. In the plane the circle is where w is an affine
-// function of two coordinates, in which the facet has an area.
+// circle; negative if not; 0 if p is on the circle.
 inline Integer_sign integer_beyond_sign(const double* const* vertices, const double* p)
 {
-  __extension__ typedef __int128 Wide;
-  using Row = Integer_row;
-  Row r[3];
+  Integer_row r[3];
   if (!integer_rows<3>(vertices, p, r))
     return {false, 0};
-  std::int64_t minors[3];
-  int area = integer_minor(&Row::x, &Row::y, r, minors);
-  const Wide height =
-      Wide(r[0].z) * minors[0] + Wide(r[1].z) * minors[1] + Wide(r[2].z) * minors[2];
-  if (height != 0)
-    return {true, height < 0 ? 1 : -1};
-  if (area == 0)
-    area = integer_minor(&Row::y, &Row::z, r, minors);
-  if (area == 0)
-    area = integer_minor(&Row::z, &Row::x, r, minors);
-  const Wide value = Wide(r[0].w) * minors[0] + Wide(r[1].w) * minors[1] + Wide(r[2].w) * minors[2];
-  return {true, area * ((value > 0) - (value < 0))};
+  const Circle_minors minors(r);
+  if (minors.height != 0)
+    return {true, -minors.height};
+  Wide_integer sum = 0;
+  for (int k = 0; k < 3; ++k)
+    sum += Wide_integer(squared_length(r[k])) * minors.of[k];
+  return {true, minors.area * sign_of(sum)};
 }
 
 #else
