@@ -8,6 +8,9 @@
 // Nets of a graph, each a maximal independent set of the one before, with the cluster of every net
 // vertex: itself and the neighbours that chose it.
 //
+// A graph is given by the neighbours of each vertex that have smaller numbers: each edge once, at the
+// end that is looked at last.
+//
 // Invariant: a level's vertices are numbered in the order in which those of the level below are, so
 // that a mesh that is coherent in memory gives levels that are. No search through the graph: where
 // the mesh is not coherent it would miss the cache at every vertex.
@@ -15,6 +18,7 @@
 // shrink by a constant factor (4 to 5) and their edges with them: linear altogether. On other
 // graphs a level may keep nearly all its vertices; such a level ends the hierarchy.
 
+#include <CGAL/Delaunay_from_surface_3/internal/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/internal/prefetch.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -32,68 +36,83 @@ namespace internal {
 template <class Index>
 struct Lists
 {
-  std::vector<Index> first;
-  std::vector<Index> items;
+  Large_vector<Index> first;
+  Large_vector<Index> items;
 
   std::size_t size() const { return first.size() - 1; }
   const Index* begin(std::size_t i) const { return items.data() + first[i]; }
   const Index* end(std::size_t i) const { return items.data() + first[i + 1]; }
 };
 
-// The neighbours of every vertex, by counting sort. Twice the number of edges must be an Index.
-template <class Index, class Graph, class VertexIndexMap>
-Lists<Index> neighbor_lists(const Graph& graph, VertexIndexMap index_map, std::size_t n)
+// An edge of a graph whose vertices are numbered: the larger number, and the smaller.
+template <class Index>
+struct Numbered_edge
 {
-  std::vector<std::pair<Index, Index>> edge_list;
-  edge_list.reserve(std::size_t(num_edges(graph)));
+  Index upper, lower;
+
+  Numbered_edge(Index s, Index t)
+    : upper((std::max)(s, t))
+    , lower((std::min)(s, t))
+  {
+  }
+};
+
+// The neighbours of each of n vertices that have smaller numbers, by counting sort.
+template <class Index>
+Lists<Index> lower_neighbors(const Large_vector<Numbered_edge<Index>>& edges, std::size_t n)
+{
   Lists<Index> lists;
   lists.first.assign(n + 2, 0);
-  const auto range = edges(graph);
-  for (auto e = range.first; e != range.second; ++e) {
-    const Index s = Index(get(index_map, source(*e, graph)));
-    const Index t = Index(get(index_map, target(*e, graph)));
-    edge_list.emplace_back(s, t);
-    ++lists.first[s + 2], ++lists.first[t + 2];
-  }
+  for (const Numbered_edge<Index>& e : edges)
+    ++lists.first[e.upper + 2];
   for (std::size_t v = 2; v < lists.first.size(); ++v)
     lists.first[v] += lists.first[v - 1];
-  lists.items.resize(2 * edge_list.size());
+  lists.items.resize(edges.size());
   // first[v + 1] runs from the begin to the end of v's list
-  const auto next_of = [&lists](Index v) { return lists.items.data() + lists.first[v + 1]; };
-  for (std::size_t k = 0; k < edge_list.size(); ++k) {
-    const auto& ahead = edge_list[(std::min)(k + 16, edge_list.size() - 1)];
-    prefetch(next_of(ahead.first));
-    prefetch(next_of(ahead.second));
-    const auto [s, t] = edge_list[k];
-    lists.items[lists.first[s + 1]++] = t;
-    lists.items[lists.first[t + 1]++] = s;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const Index ahead = edges[(std::min)(k + 16, edges.size() - 1)].upper;
+    prefetch(lists.items.data() + lists.first[ahead + 1]);
+    lists.items[lists.first[edges[k].upper + 1]++] = edges[k].lower;
   }
   lists.first.pop_back();
   return lists;
+}
+
+// The same for the n vertices of a graph. Its number of edges must be an Index.
+template <class Index, class Graph, class VertexIndexMap>
+Lists<Index> lower_neighbors(const Graph& graph, VertexIndexMap index_map, std::size_t n)
+{
+  Large_vector<Numbered_edge<Index>> numbered;
+  numbered.reserve(std::size_t(num_edges(graph)));
+  const auto range = edges(graph);
+  for (auto e = range.first; e != range.second; ++e)
+    numbered.emplace_back(Index(get(index_map, source(*e, graph))),
+                          Index(get(index_map, target(*e, graph))));
+  return lower_neighbors(numbered, n);
 }
 
 // A net and who belongs to whom.
 template <class Index>
 struct Net
 {
-  std::vector<Index> cluster_of; // by vertex: the number of its cluster
+  Large_vector<Index> cluster_of; // by vertex: the number of its cluster
   std::size_t number_of_clusters = 0;
 };
 
 // A maximal independent set, chosen greedily in the order of the numbers: a vertex joins the net
-// unless a neighbour is in it already; then it joins the cluster of that neighbour. Clusters are
-// numbered as their net vertices are. One pass over the lists, in the order in which they lie in
-// memory; all that is looked up beyond them is a byte and a number of each neighbour.
+// unless a neighbour is in it already; then it joins the cluster of that neighbour, whose number is
+// the smaller. Clusters are numbered as their net vertices are. One pass over the lists, in the order
+// in which they lie in memory; all that is looked up beyond them is a byte and a number of each neighbour.
 template <class Index>
-Net<Index> net_of(const Lists<Index>& graph)
+Net<Index> net_of(const Lists<Index>& lower)
 {
   Net<Index> net;
-  net.cluster_of.resize(graph.size());
-  std::vector<char> is_in_net(graph.size(), false);
-  for (std::size_t v = 0; v < graph.size(); ++v) {
-    const Index* const end = graph.end(v);
+  net.cluster_of.resize(lower.size());
+  std::vector<char> is_in_net(lower.size(), false);
+  for (std::size_t v = 0; v < lower.size(); ++v) {
+    const Index* const end = lower.end(v);
     const Index* const center =
-        std::find_if(graph.begin(v), end, [&](Index u) { return is_in_net[u] != 0; });
+        std::find_if(lower.begin(v), end, [&](Index u) { return is_in_net[u] != 0; });
     is_in_net[v] = center == end;
     net.cluster_of[v] = center == end ? Index(net.number_of_clusters++) : net.cluster_of[*center];
   }
@@ -118,34 +137,32 @@ Lists<Index> members(const Net<Index>& net)
   return lists;
 }
 
-// The graph of the clusters: two are neighbours if members of theirs are. Every edge once.
+// The graph of the clusters: two are neighbours if members of theirs are. An edge is met from each of
+// its clusters at most once, so that it is there twice at most.
 template <class Index>
-Lists<Index> contracted(const Lists<Index>& graph, const std::vector<Index>& cluster_of,
+Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cluster_of,
                         const Lists<Index>& clusters)
 {
-  Lists<Index> coarse;
-  coarse.first.reserve(clusters.size() + 1);
-  coarse.first.push_back(0);
-  const Index none = Index(clusters.size());
-  std::vector<Index> last_met_by(clusters.size(), none);
+  Large_vector<Numbered_edge<Index>> edges;
+  edges.reserve(4 * clusters.size()); // on a surface
+  Large_vector<Index> last_met_by(clusters.size(), Index(clusters.size()));
   const std::size_t last = clusters.items.size() - 1;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     last_met_by[c] = Index(c);
     for (std::size_t k = clusters.first[c]; k < clusters.first[c + 1]; ++k) {
-      prefetch(&graph.first[clusters.items[(std::min)(k + 16, last)]]);
-      prefetch(graph.begin(clusters.items[(std::min)(k + 8, last)]));
+      prefetch(&lower.first[clusters.items[(std::min)(k + 16, last)]]);
+      prefetch(lower.begin(clusters.items[(std::min)(k + 8, last)]));
       const Index v = clusters.items[k];
-      for (const Index *u = graph.begin(v), *end = graph.end(v); u != end; ++u) {
+      for (const Index *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
         const Index d = cluster_of[*u];
         if (last_met_by[d] == Index(c))
           continue;
         last_met_by[d] = Index(c);
-        coarse.items.push_back(d);
+        edges.emplace_back(Index(c), d);
       }
     }
-    coarse.first.push_back(Index(coarse.items.size()));
   }
-  return coarse;
+  return lower_neighbors(edges, clusters.size());
 }
 
 // The levels, finest first. clusters[l] lists the clusters of the vertices of level l; they are the
@@ -155,23 +172,23 @@ template <class Index>
 struct Net_hierarchy
 {
   std::vector<Lists<Index>> clusters;
-  std::vector<std::vector<Index>> points;
+  std::vector<Large_vector<Index>> points;
   std::size_t number_of_coarsest;
 
-  // Nets of `graph` until at most `enough` vertices are left, or a net keeps more than the share
+  // Nets of the graph with these lower neighbours until at most `enough` vertices are left, or a net keeps more than the share
   // `stall` of them.
-  Net_hierarchy(Lists<Index> graph, std::size_t enough, double stall)
+  Net_hierarchy(Lists<Index> lower, std::size_t enough, double stall)
     : points(1)
-    , number_of_coarsest(graph.size())
+    , number_of_coarsest(lower.size())
   {
     while (number_of_coarsest > enough) {
-      const Net<Index> net = net_of(graph);
+      const Net<Index> net = net_of(lower);
       if (double(net.number_of_clusters) > stall * double(number_of_coarsest))
         break;
       clusters.push_back(members(net));
       points.push_back(net_points());
-      graph = contracted(graph, net.cluster_of, clusters.back());
-      number_of_coarsest = graph.size();
+      lower = contracted(lower, net.cluster_of, clusters.back());
+      number_of_coarsest = lower.size();
     }
   }
 
@@ -184,10 +201,10 @@ struct Net_hierarchy
 
 private:
   // The points of the clusters made last.
-  std::vector<Index> net_points() const
+  Large_vector<Index> net_points() const
   {
     const Lists<Index>& finest = clusters.back();
-    std::vector<Index> result(finest.size());
+    Large_vector<Index> result(finest.size());
     for (std::size_t c = 0; c < result.size(); ++c)
       result[c] = Index(point(points.size() - 1, *finest.begin(c)));
     return result;

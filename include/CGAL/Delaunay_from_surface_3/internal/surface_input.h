@@ -111,7 +111,8 @@ template <class VertexRange, class VertexIndexMap>
 std::vector<std::size_t> dense_indices(const VertexRange& vertices, VertexIndexMap index_map,
                                        std::size_t bound)
 {
-  std::vector<std::size_t> dense;
+  std::vector<std::size_t> dense(
+      std::size_t(std::distance(std::begin(vertices), std::end(vertices))), no_index);
   std::size_t position = 0;
   for (const auto& v : vertices) {
     const auto index = get(index_map, v);

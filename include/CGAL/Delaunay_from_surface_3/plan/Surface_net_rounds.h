@@ -71,7 +71,7 @@ public:
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
                              const Graph& graph, VertexIndexMap index_map) const
   {
-    const std::size_t larger = (std::max)(points.size(), 2 * std::size_t(num_edges(graph)));
+    const std::size_t larger = (std::max)(points.size(), std::size_t(num_edges(graph)));
     if (larger < (std::numeric_limits<std::uint32_t>::max)())
       return order<std::uint32_t>(points, gt, graph, index_map);
     return order<std::size_t>(points, gt, graph, index_map);
@@ -83,12 +83,12 @@ private:
                         VertexIndexMap index_map) const
   {
     using namespace Delaunay_from_surface_3::internal;
-    const Net_hierarchy<Index> nets(neighbor_lists<Index>(graph, index_map, points.size()),
+    const Net_hierarchy<Index> nets(lower_neighbors<Index>(graph, index_map, points.size()),
                                     coarsest, stall);
     Insertion_order plan;
     plan.order.reserve(points.size());
     plan.starting_places.reserve(points.size());
-    std::vector<Placed<Index>> sequence = order_coarsest<Index>(points, gt, nets, plan);
+    Sequence<Index> sequence = order_coarsest<Index>(points, gt, nets, plan);
     for (std::size_t l = nets.clusters.size(); l-- > 0;)
       sequence = append_round(nets, l, sequence, plan);
     return plan;
@@ -102,10 +102,14 @@ private:
     Index place;
   };
 
+  // All vertices of a level, in their order.
+  template <class Index>
+  using Sequence = Delaunay_from_surface_3::internal::Large_vector<Placed<Index>>;
+
   // The first rounds: the vertices of the coarsest level. Returns them in their order.
   template <class Index, class Point, class GeomTraits, class Nets>
-  std::vector<Placed<Index>> order_coarsest(const std::vector<Point>& points, const GeomTraits& gt,
-                                            const Nets& nets, Insertion_order& plan) const
+  Sequence<Index> order_coarsest(const std::vector<Point>& points, const GeomTraits& gt,
+                                 const Nets& nets, Insertion_order& plan) const
   {
     const std::size_t level = nets.number_of_levels() - 1;
     std::vector<Point> coarse_points;
@@ -115,7 +119,7 @@ private:
 
     Insertion_order coarse = Geometric_rounds(m_seed)(coarse_points, gt, 0, 0);
     plan.round_ends = std::move(coarse.round_ends);
-    std::vector<Placed<Index>> sequence;
+    Sequence<Index> sequence;
     sequence.reserve(coarse.order.size());
     for (const std::size_t c : coarse.order) {
       const std::size_t place = plan.order.size();
@@ -129,11 +133,10 @@ private:
   // The round of the vertices of level l that are not in its net. `parents` are those in the net,
   // in their order; returns all vertices of the level in theirs.
   template <class Nets, class Index>
-  static std::vector<Placed<Index>> append_round(const Nets& nets, std::size_t l,
-                                                 const std::vector<Placed<Index>>& parents,
-                                                 Insertion_order& plan)
+  static Sequence<Index> append_round(const Nets& nets, std::size_t l,
+                                      const Sequence<Index>& parents, Insertion_order& plan)
   {
-    std::vector<Placed<Index>> sequence;
+    Sequence<Index> sequence;
     sequence.reserve(nets.clusters[l].items.size());
     for (const auto& [c, place_of_center] : parents) {
       const Index* member = nets.clusters[l].begin(c);

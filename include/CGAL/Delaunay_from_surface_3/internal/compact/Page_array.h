@@ -5,23 +5,19 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_PAGE_ARRAY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_PAGE_ARRAY_H
 
+#include <CGAL/Delaunay_from_surface_3/internal/Large_page_allocator.h>
+
 #include <cstddef>
 #include <cstring>
-#include <limits>
-#include <new>
 #include <type_traits>
-
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// A growing array of trivial elements, made for hundreds of megabytes: large pages where the system
-// offers them, memory that is not cleared first, and the front can be given back while the rest is
-// still read. Elements up to capacity() may be written; there is no size to keep.
+// A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared first,
+// and the front can be given back while the rest is still read. Elements up to capacity() may be written;
+// there is no size to keep.
 template <class T>
 class Page_array
 {
@@ -44,17 +40,12 @@ public:
   {
     if (n <= m_capacity)
       return;
-    if (n > (std::numeric_limits<std::size_t>::max)() / sizeof(T))
-      throw std::bad_alloc();
-    const std::size_t bytes = (n * sizeof(T) + page - 1) / page * page;
-    T* data = static_cast<T*>(::operator new(bytes, std::align_val_t(alignment(bytes))));
-    advise_large_pages(data, bytes);
+    T* const data = Large_page_allocator<T>().allocate(n);
     if (used > 0)
       std::memcpy(static_cast<void*>(data), m_data, used * sizeof(T));
     deallocate();
     m_data = data;
-    m_bytes = bytes;
-    m_capacity = bytes / sizeof(T);
+    m_capacity = n;
   }
 
   // The elements before the k-th are not read any more.
@@ -62,7 +53,7 @@ public:
   {
 #if defined(__linux__)
     const std::size_t end = k * sizeof(T) / large_page * large_page;
-    if (end <= m_released || alignment(m_bytes) != large_page)
+    if (end <= m_released || !has_large_pages(m_capacity * sizeof(T)))
       return;
     madvise(reinterpret_cast<char*>(m_data) + m_released, end - m_released, MADV_DONTNEED);
     m_released = end;
@@ -74,33 +65,13 @@ public:
   void deallocate()
   {
     if (m_data != nullptr)
-      ::operator delete(m_data, std::align_val_t(alignment(m_bytes)));
+      Large_page_allocator<T>().deallocate(m_data, m_capacity);
     m_data = nullptr;
-    m_bytes = m_capacity = m_released = 0;
+    m_capacity = m_released = 0;
   }
 
 private:
-  static constexpr std::size_t page = 4096;
-  static constexpr std::size_t large_page = std::size_t(1) << 21;
-
-  // Small arrays do not take a large page for themselves.
-  static std::size_t alignment(std::size_t bytes)
-  {
-    return bytes < 2 * large_page ? 64 : large_page;
-  }
-
-  static void advise_large_pages(void* data, std::size_t bytes)
-  {
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    if (alignment(bytes) == large_page) // advice: it is no error if it is not taken
-      madvise(data, bytes / large_page * large_page, MADV_HUGEPAGE);
-#else
-    (void)data, (void)bytes;
-#endif
-  }
-
   T* m_data = nullptr;
-  std::size_t m_bytes = 0;
   std::size_t m_capacity = 0;
   std::size_t m_released = 0;
 };

@@ -11,6 +11,7 @@
 // is read once and its memory can go back to the system while CGAL's grows. Linear.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/internal/prefetch.h>
 
 #include <CGAL/Triangulation_hierarchy_3.h>
@@ -31,12 +32,12 @@ std::false_type has_upper_levels(const void*);
 // The cells alone. Returns their handles by cell. Links to cells that are not made yet go to
 // `scratch` and are set when these are made: which ones they are cannot be predicted.
 template <class Tds, class Id, class Vertex>
-std::vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<Id>& complex,
-                                                    const std::vector<Vertex>& vertices,
-                                                    typename Tds::Cell_handle scratch)
+Large_vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<Id>& complex,
+                                                     const std::vector<Vertex>& vertices,
+                                                     typename Tds::Cell_handle scratch)
 {
   constexpr std::size_t release_interval = std::size_t(1) << 16;
-  std::vector<typename Tds::Cell_handle> cells(complex.cells_end(), scratch);
+  Large_vector<typename Tds::Cell_handle> cells(complex.cells_end(), scratch);
   const std::size_t last = cells.size() - 1;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     for (const Id link : complex.cell((std::min)(c + 24, last)).links)
@@ -74,7 +75,7 @@ export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& p
     vertices[v] = tds.create_vertex();
     vertices[v]->set_point(point(v));
   }
-  std::vector<Id> cell_of(vertices.size());
+  Large_vector<Id> cell_of(vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v)
     cell_of[v] = complex.vertex(v).cell;
   complex.deallocate_vertices();
