@@ -34,6 +34,10 @@ using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS
 template <class Tr>
 using Compact_with_16_bits = CGAL::Compact_delaunay_with_ids_3<Tr, std::uint16_t>;
 
+// Ids of another size than 32 bits are served by scalar code.
+template <class Tr>
+using Compact_with_64_bits = CGAL::Compact_delaunay_with_ids_3<Tr, std::uint64_t>;
+
 // In the order of the points.
 struct As_given
 {
@@ -62,12 +66,13 @@ struct Fallback_visitor : CGAL::Default_surface_insertion_visitor_3
 namespace {
 
 // Inserts the points with the compact kernel, which must serve, and compares.
-template <class Tr = Triangulation, class Plan = As_given>
+template <class Tr = Triangulation, class Plan = As_given,
+          template <class> class Target = CGAL::Compact_delaunay_3>
 void check_equal(const std::vector<Point>& points, const Graph& graph)
 {
   Fallback_visitor visitor;
   Tr tr;
-  CGAL::insert_points_along_graph_3(tr, points, graph, Traits<Plan, CGAL::Compact_delaunay_3>(),
+  CGAL::insert_points_along_graph_3(tr, points, graph, Traits<Plan, Target>(),
                                     CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.reason == "");
   BOOST_TEST(tr.is_valid());
@@ -78,6 +83,8 @@ void check_equal(const std::vector<Point>& points)
 {
   check_equal<Triangulation>(points, Graph(points.size()));
   check_equal<Triangulation, CGAL::Spatial_sort_order>(points, Graph(points.size()));
+  check_equal<Triangulation, CGAL::Spatial_sort_order, Compact_with_64_bits>(points,
+                                                                             Graph(points.size()));
 }
 
 std::vector<Point> random_points(std::size_t n, unsigned int seed = 1)

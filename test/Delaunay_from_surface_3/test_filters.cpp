@@ -78,6 +78,20 @@ void check_view(const Five& f, int sphere, Tallies& tallies)
                          exact_orientation(f[4], f[k ^ 1], f[k ^ 2], f[k ^ 3]));
 }
 
+Sphere_signs signs_of(Sphere_filter, const double* const* v, const double* const* opposite,
+                      const double* p)
+{
+  return Sphere_filter::neighbors(v, opposite, p, 15);
+}
+
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
+__attribute__((target("avx2"))) Sphere_signs
+signs_of(Wide_sphere_filter, const double* const* v, const double* const* opposite, const double* p)
+{
+  return Wide_sphere_filter::signs(v, opposite, p);
+}
+#endif
+
 // The cell's neighbours as the kernel sees them: here beyond facet k lies `apex`, and the neighbour's
 // sphere is that of (apex, facet).
 template <class Filter>
@@ -85,7 +99,7 @@ void check_neighbors(const Five& f, const Record& apex, Tallies& tallies)
 {
   const double* const v[4] = {f[0].data(), f[1].data(), f[2].data(), f[3].data()};
   const double* const opposite[4] = {apex.data(), apex.data(), apex.data(), apex.data()};
-  const Sphere_signs signs = Filter::neighbors(v, opposite, f[4].data(), 15);
+  const Sphere_signs signs = signs_of(Filter(), v, opposite, f[4].data());
   for (unsigned k = 0; k < 4; ++k) {
     const int certified = int(signs.inside >> k & 1) - int(signs.outside >> k & 1);
     tallies.first.count(certified, -exact_sphere({apex, f[k ^ 1], f[k ^ 2], f[k ^ 3], f[4]}));

@@ -59,6 +59,7 @@ inline std::vector<Named_surface> degenerate_surfaces(std::size_t n)
         {"lattice of genus " + std::to_string(genus), surfaces::lattice_surface(genus, n)});
   all.push_back({"plate of genus 1", surfaces::plate_surface(1, (std::max)(n, std::size_t(1000)))});
   all.push_back({"thin plate", surfaces::thin_plate(n, 1e-9)});
+  all.push_back({"plate of another thickness than its lattice", surfaces::thin_plate(n, 0.3)});
   all.push_back({"sphere in rings", surfaces::sphere(n)});
   all.push_back({"integer points on a sphere", surfaces::integer_sphere(n / 2)});
   all.push_back({"grid torus", surfaces::grid_torus(n)});

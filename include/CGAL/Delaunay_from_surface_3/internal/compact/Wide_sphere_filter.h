@@ -74,12 +74,6 @@ struct Wide_sphere_filter
 {
   static bool is_supported() { return __builtin_cpu_supports("avx2"); }
 
-  __attribute__((target("avx2"))) static Sphere_signs
-  neighbors(const double* const* vertices, const double* const* opposite, const double* p, unsigned)
-  {
-    return signs(vertices, opposite, p);
-  }
-
   CGAL_DELAUNAY_FROM_SURFACE_3_WIDE static Sphere_signs
   signs(const double* const* vertices, const double* const* opposite, const double* p)
   {
