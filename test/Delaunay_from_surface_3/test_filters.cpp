@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/flat_beyond_sign.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/integer_sphere_sign.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/lattice_sphere_sign.h>
 
@@ -162,6 +163,46 @@ Tallies check_all(const std::string& name, const Make_point& make, std::size_t n
   return tallies;
 }
 
+// Beyond the facet of the convex hull, or in its plane and inside its circle?
+int exact_beyond(const Record& a, const Record& b, const Record& c, const Record& p)
+{
+  const int orientation = exact_orientation(a, b, c, p);
+  return orientation != 0
+             ? orientation
+             : int(CGAL::coplanar_side_of_bounded_circle(exact(a), exact(b), exact(c), exact(p)));
+}
+
+struct Beyond_tallies
+{
+  Tally flat;
+  std::size_t facets = 0, on_circle = 0, integers = 0, lattices = 0, wrong = 0;
+};
+
+Beyond_tallies check_beyond(const std::function<Record(CGAL::Random&)>& make, std::size_t n)
+{
+  CGAL::Random random(3);
+  Beyond_tallies tallies;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Record a = make(random), b = make(random), c = make(random), p = make(random);
+    if (CGAL::collinear(exact(a), exact(b), exact(c)))
+      continue;
+    const double* const v[3] = {a.data(), b.data(), c.data()};
+    const int truth = exact_beyond(a, b, c, p);
+    const Integer_sign integer = integer_beyond_sign(v, p.data()),
+                       lattice = lattice_beyond_sign(v, p.data());
+    ++tallies.facets;
+    tallies.on_circle += truth == 0;
+    tallies.flat.count(flat_beyond_sign(v, p.data()), truth);
+    tallies.integers += integer.is_known;
+    tallies.lattices += lattice.is_known;
+    tallies.wrong += integer.is_known && integer.sign != truth;
+    tallies.wrong += lattice.is_known && lattice.sign != truth;
+  }
+  BOOST_TEST(tallies.flat.wrong == 0u);
+  BOOST_TEST(tallies.wrong == 0u);
+  return tallies;
+}
+
 // What lies in the unused lane must not matter.
 const double unused = std::numeric_limits<double>::quiet_NaN();
 
@@ -252,6 +293,51 @@ BOOST_AUTO_TEST_CASE(lattices_with_other_steps_on_each_axis)
       BOOST_TEST(t.lattices == 0u);
 #endif
   }
+}
+
+BOOST_AUTO_TEST_CASE(infinite_cells)
+{
+  for (const std::size_t axis : {0, 1, 2}) {
+    const auto in_plane = [axis](double height, double u, double v) {
+      Record r = {0, 0, 0, unused};
+      r[axis] = height;
+      r[(axis + 1) % 3] = u;
+      r[(axis + 2) % 3] = v;
+      return r;
+    };
+    const Beyond_tallies disc = check_beyond(
+        [&](CGAL::Random& r) { return in_plane(.1, r.get_double(-1, 1), r.get_double(-1, 1)); },
+        2000);
+    BOOST_TEST(disc.flat.open == 0u);
+    for (int e = -60; e <= -10; e += 10) {
+      const Beyond_tallies circle = check_beyond(
+          [&](CGAL::Random& r) {
+            const double radius = 1 - std::ldexp(r.get_double(), e), a = r.get_double(0, 6.28);
+            return in_plane(.1, .5 * radius * std::cos(a), .5 * radius * std::sin(a));
+          },
+          500);
+      BOOST_TEST((e < -10 || circle.flat.open < circle.flat.tests / 10));
+    }
+    const Beyond_tallies lattice = check_beyond(
+        [&](CGAL::Random& r) {
+          return in_plane(.1, std::ldexp(r.get_int(-3, 4), -3), .1 * r.get_int(-1, 2));
+        },
+        1000);
+    BOOST_TEST(lattice.on_circle > 0u);
+#ifdef __SIZEOF_INT128__
+    BOOST_TEST(lattice.lattices > lattice.facets / 2);
+#endif
+  }
+  const Beyond_tallies box = check_beyond(
+      [](CGAL::Random& r) {
+        return Record{std::ldexp(r.get_int(-2, 3), -3), std::ldexp(r.get_int(-2, 3), -3),
+                      std::ldexp(r.get_int(-2, 3), -3), unused};
+      },
+      2000);
+  BOOST_TEST(box.on_circle > 0u);
+#ifdef __SIZEOF_INT128__
+  BOOST_TEST(box.integers == box.facets);
+#endif
 }
 
 BOOST_AUTO_TEST_CASE(far_from_the_origin_and_mixed_scales)

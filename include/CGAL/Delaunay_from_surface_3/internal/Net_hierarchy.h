@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,6 +43,26 @@ struct Lists
   const Index* end(std::size_t i) const { return items.data() + first[i + 1]; }
 };
 
+// Puts item_of(k) into the list list_of(k), k = 0, …, m-1, of n lists: a counting sort.
+template <class Index, class ListOf, class ItemOf>
+Lists<Index> in_lists(std::size_t n, std::size_t m, const ListOf& list_of, const ItemOf& item_of)
+{
+  Lists<Index> lists;
+  lists.first.assign(n + 2, 0);
+  for (std::size_t k = 0; k < m; ++k)
+    ++lists.first[list_of(k) + 2];
+  for (std::size_t i = 2; i < lists.first.size(); ++i)
+    lists.first[i] += lists.first[i - 1];
+  lists.items.resize(m);
+  // first[i + 1] runs from the begin to the end of the list i
+  for (std::size_t k = 0; k < m; ++k) {
+    prefetch(lists.items.data() + lists.first[list_of((std::min)(k + 16, m - 1)) + 1]);
+    lists.items[lists.first[list_of(k) + 1]++] = item_of(k);
+  }
+  lists.first.pop_back();
+  return lists;
+}
+
 // An edge of a graph whose vertices are numbered: the larger number, and the smaller.
 template <class Index>
 struct Numbered_edge
@@ -57,25 +76,13 @@ struct Numbered_edge
   }
 };
 
-// The neighbours of each of n vertices that have smaller numbers, by counting sort.
+// The neighbours of each of n vertices that have smaller numbers.
 template <class Index>
 Lists<Index> lower_neighbors(const Large_vector<Numbered_edge<Index>>& edges, std::size_t n)
 {
-  Lists<Index> lists;
-  lists.first.assign(n + 2, 0);
-  for (const Numbered_edge<Index>& e : edges)
-    ++lists.first[e.upper + 2];
-  for (std::size_t v = 2; v < lists.first.size(); ++v)
-    lists.first[v] += lists.first[v - 1];
-  lists.items.resize(edges.size());
-  // first[v + 1] runs from the begin to the end of v's list
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const Index ahead = edges[(std::min)(k + 16, edges.size() - 1)].upper;
-    prefetch(lists.items.data() + lists.first[ahead + 1]);
-    lists.items[lists.first[edges[k].upper + 1]++] = edges[k].lower;
-  }
-  lists.first.pop_back();
-  return lists;
+  return in_lists<Index>(
+      n, edges.size(), [&](std::size_t k) { return std::size_t(edges[k].upper); },
+      [&](std::size_t k) { return edges[k].lower; });
 }
 
 // The same for the n vertices of a graph. Its number of edges must be an Index.
@@ -102,7 +109,8 @@ struct Net
 // A maximal independent set, chosen greedily in the order of the numbers: a vertex joins the net
 // unless a neighbour is in it already; then it joins the cluster of that neighbour, whose number is
 // the smaller. Clusters are numbered as their net vertices are. One pass over the lists, in the order
-// in which they lie in memory; all that is looked up beyond them is a byte and a number of each neighbour.
+// in which they lie in memory; all that is looked up beyond them is a byte and a number of each
+// neighbour.
 template <class Index>
 Net<Index> net_of(const Lists<Index>& lower)
 {
@@ -124,17 +132,10 @@ Net<Index> net_of(const Lists<Index>& lower)
 template <class Index>
 Lists<Index> members(const Net<Index>& net)
 {
-  Lists<Index> lists;
-  lists.first.assign(net.number_of_clusters + 2, 0);
-  for (const Index c : net.cluster_of)
-    ++lists.first[c + 2];
-  for (std::size_t c = 2; c < lists.first.size(); ++c)
-    lists.first[c] += lists.first[c - 1];
-  lists.items.resize(net.cluster_of.size());
-  for (std::size_t v = 0; v < net.cluster_of.size(); ++v)
-    lists.items[lists.first[net.cluster_of[v] + 1]++] = Index(v);
-  lists.first.pop_back();
-  return lists;
+  return in_lists<Index>(
+      net.number_of_clusters, net.cluster_of.size(),
+      [&](std::size_t v) { return std::size_t(net.cluster_of[v]); },
+      [](std::size_t v) { return Index(v); });
 }
 
 // The graph of the clusters: two are neighbours if members of theirs are. An edge is met from each of

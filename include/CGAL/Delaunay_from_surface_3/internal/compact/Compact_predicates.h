@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/flat_beyond_sign.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/integer_sphere_sign.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/lattice_sphere_sign.h>
 
@@ -104,6 +105,8 @@ public:
   {
     const Id v0 = Complex::first_vertex(cell);
     const double* const v[3] = {coordinates(v0), coordinates(cell.v[1]), coordinates(cell.v[2])};
+    if (const int flat = flat_beyond_sign(v, p))
+      return flat > 0;
     const std::size_t q[3] = {m_point_of[v0], m_point_of[cell.v[1]], m_point_of[cell.v[2]]};
     Integer_sign integer = integer_beyond_sign(v, p);
     if (!integer.is_known)

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -41,7 +42,7 @@ bool all_of_first(int n, const Predicate& holds)
 template <int N>
 double common_step(const double* d, std::int64_t* multiples)
 {
-  double largest = 0, least = 1;
+  double largest = 0, least = (std::numeric_limits<double>::max)();
   for (int k = 0; k < N; ++k) {
     largest = (std::max)(largest, std::abs(d[k]));
     least = d[k] == 0 ? least : (std::min)(least, std::abs(d[k]));
@@ -50,7 +51,7 @@ double common_step(const double* d, std::int64_t* multiples)
     std::fill(multiples, multiples + N, 0);
     return 1;
   }
-  if (largest > 1 || least < 1e-100)
+  if (largest > 8388608. || least < 1e-100)
     return 0;
   const double scale = scale_to_24_bits(largest);
   const auto is_power_step = [&](int k) {
