@@ -166,8 +166,8 @@ private:
     m_number_of_facets = 0;
     m_complex.cell(first).v[0] |= Complex::doomed;
     for (std::size_t k = 0; k < m_zone_size; ++k) {
-      if (m_zone.size() < m_zone_size + 4)
-        make_room(2 * m_zone.size());
+      if (m_room < m_zone_size + 4)
+        make_room(2 * m_room);
       if (k + 1 < m_zone_size)
         for (const Id link : m_complex.cell(m_zone[k + 1]).links)
           prefetch(&m_complex.cell(link >> 2));
@@ -211,6 +211,7 @@ private:
   {
     m_zone.resize(cells);
     m_facets.resize(2 * cells + 8);
+    m_room = cells;
   }
 
   // --- line 2c: the star -----------------------------------------------------------------------
@@ -221,7 +222,7 @@ private:
     const std::size_t destroyed = m_zone_size, created = m_number_of_facets;
     m_tests.counts().cells_destroyed += destroyed;
     m_tests.counts().cells_created += created;
-    if (m_zone.size() < created)
+    if (m_room < created)
       make_room(2 * created);
     while (m_zone_size < created)
       m_zone[m_zone_size++] = m_complex.take_cell();
@@ -235,6 +236,7 @@ private:
   bool m_is_wide = false;
   std::vector<Id> m_zone;
   std::size_t m_zone_size = 0;
+  std::size_t m_room = 0; // what make_room() was asked for: asked at every cell
   std::vector<Hole_facet<Id>> m_facets;
   std::size_t m_number_of_facets = 0;
   Star_filler<Id> m_filler;
