@@ -7,15 +7,7 @@
 # FOLDER is emptied and written to.
 cmake_minimum_required(VERSION 3.24)
 
-file(REMOVE_RECURSE "${FOLDER}")
-file(MAKE_DIRECTORY "${FOLDER}")
-set(failures 0)
-
-function(fail text)
-  message("FAILED: ${text}")
-  math(EXPR failures "${failures} + 1")
-  set(failures ${failures} PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/checks.cmake")
 
 macro(run)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${FOLDER}"
@@ -31,7 +23,6 @@ function(refuses message)
   if(EXISTS "${FOLDER}/refused.json")
     fail("${ARGN}: it was refused and wrote all the same")
   endif()
-  set(failures ${failures} PARENT_SCOPE)
 endfunction()
 
 # number(LOW HIGH key…): the number of `json` under these keys lies strictly between.
@@ -40,7 +31,6 @@ function(number low high)
   if(NOT error STREQUAL "NOTFOUND" OR NOT value GREATER low OR NOT value LESS high)
     fail("${ARGN}: ${value} is not between ${low} and ${high}")
   endif()
-  set(failures ${failures} PARENT_SCOPE)
 endfunction()
 
 # is(EXPECTED key…)
@@ -49,7 +39,6 @@ function(is expected)
   if(NOT value STREQUAL expected)
     fail("${ARGN}: '${value}', not '${expected}'")
   endif()
-  set(failures ${failures} PARENT_SCOPE)
 endfunction()
 
 # --- All that can be measured ------------------------------------------------------------------------
@@ -150,6 +139,4 @@ if(PYTHON)
   endforeach()
 endif()
 
-if(failures GREATER 0)
-  message(FATAL_ERROR "${failures} checks failed")
-endif()
+finish_checks()

@@ -5,15 +5,7 @@
 # BENCHMARK is the folder of the scripts and of results/, MANUAL that of the pages. FOLDER is emptied and written to.
 cmake_minimum_required(VERSION 3.24)
 
-file(REMOVE_RECURSE "${FOLDER}")
-file(MAKE_DIRECTORY "${FOLDER}")
-set(failures 0)
-
-function(fail text)
-  message("FAILED: ${text}")
-  math(EXPR failures "${failures} + 1")
-  set(failures ${failures} PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/checks.cmake")
 
 # check(PAGE SCRIPT PATTERN…): the patterns name the files in results/.
 function(check page script)
@@ -43,13 +35,10 @@ function(check page script)
   if(NOT code STREQUAL "0" OR NOT refilled STREQUAL text)
     fail("${page}, refilled: exit code ${code}: ${errors}")
   endif()
-  set(failures ${failures} PARENT_SCOPE)
 endfunction()
 
 check(Performance.txt plot_results.py compare_*.json paper_*.json)
 check(Theory.txt plot_location_costs.py location_costs.json)
 check(bounded_degree_subgraphs.txt subgraph_tables.py subgraph_*.json)
 
-if(failures GREATER 0)
-  message(FATAL_ERROR "${failures} checks failed")
-endif()
+finish_checks()

@@ -5,15 +5,7 @@
 # EXAMPLES is the folder of the examples' data, DATA that of the tests'; FOLDER is emptied and written to.
 cmake_minimum_required(VERSION 3.24)
 
-file(REMOVE_RECURSE "${FOLDER}")
-file(MAKE_DIRECTORY "${FOLDER}")
-set(failures 0)
-
-function(fail text)
-  message("FAILED: ${text}")
-  math(EXPR failures "${failures} + 1")
-  set(failures ${failures} PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/checks.cmake")
 
 # works(ARGS argument… PRINTS regular-expression… [NOTES regular-expression])
 # The program ends with 0, prints what is expected, and writes to the standard error nothing or NOTES.
@@ -32,7 +24,6 @@ function(works)
   if(NOT errors MATCHES "^${arg_NOTES}$")
     fail("${arg_ARGS}: the standard error is not '${arg_NOTES}' but:\n${errors}")
   endif()
-  set(failures ${failures} PARENT_SCOPE)
 endfunction()
 
 # refuses(MESSAGE ARGS argument…)
@@ -47,7 +38,6 @@ function(refuses message)
   if(NOT errors MATCHES "^error: ${message}[^\n]*\n$")
     fail("${arg_ARGS}: the standard error is not 'error: ${message}' but:\n${errors}")
   endif()
-  set(failures ${failures} PARENT_SCOPE)
 endfunction()
 
 function(write name)
@@ -213,6 +203,4 @@ if(EXISTS /dev/full)
   endif()
 endif()
 
-if(failures GREATER 0)
-  message(FATAL_ERROR "${failures} checks failed")
-endif()
+finish_checks()

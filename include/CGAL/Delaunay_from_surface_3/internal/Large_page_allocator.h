@@ -26,8 +26,8 @@ constexpr bool has_large_pages(std::size_t bytes)
   return bytes >= 2 * large_page;
 }
 
-// Memory for large arrays that live for a short time: in large pages where the system offers them, since
-// the first touch of 512 small ones takes longer than the work on what is in them.
+// Memory for large arrays that live for a short time: in large pages where the system offers them, so
+// that their first touch is one page fault instead of 512.
 template <class T>
 struct Large_page_allocator
 {
