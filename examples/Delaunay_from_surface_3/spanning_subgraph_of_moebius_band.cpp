@@ -4,9 +4,9 @@
 
 // A Möbius band as a graph with the cyclic order of the edges around every vertex. Boost only.
 
-#include <CGAL/Delaunay_from_surface_3/subgraph/Certify_edges.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_topology.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
 #define CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
 
 namespace CGAL {
 

@@ -5,7 +5,7 @@
 #ifndef CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 #define CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/subgraph/Certify_edges.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
 #include <CGAL/surface_topology.h>
 
 namespace CGAL {

@@ -5,9 +5,9 @@
 #ifndef CGAL_CUT_GRAPH_H
 #define CGAL_CUT_GRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/with_halfedge_graph_reader.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/write_system_of_loops.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_system_of_loops.h>
 
 namespace CGAL {
 

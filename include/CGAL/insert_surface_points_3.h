@@ -5,9 +5,9 @@
 #ifndef CGAL_INSERT_SURFACE_POINTS_3_H
 #define CGAL_INSERT_SURFACE_POINTS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/insert_with_parameters.h>
-#include <CGAL/Delaunay_from_surface_3/internal/soup_graph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_with_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>

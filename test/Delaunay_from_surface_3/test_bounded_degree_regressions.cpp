@@ -10,9 +10,9 @@
 
 #include <Delaunay_from_surface_3_subgraphs/Embedded_graph.h>
 
-#include <CGAL/Delaunay_from_surface_3/subgraph/Certify_edges.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/rotation_system_topology.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
 
 #include <iterator>
 #include <set>

@@ -11,8 +11,8 @@
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
-#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_marks.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Peel_discs.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Bounded_degree_marks.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Peel_discs.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/cut_graph.h>

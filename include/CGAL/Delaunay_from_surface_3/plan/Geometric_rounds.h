@@ -8,7 +8,7 @@
 // A biased randomised insertion order (Amenta, Choi, Rote, SoCG 2003): rounds that grow
 // geometrically, each in a spatially coherent order.
 
-#include <CGAL/Delaunay_from_surface_3/internal/order_of_indices.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <CGAL/assertions.h>

@@ -8,7 +8,7 @@
 // The rounds of another plan, each made coherent: what a plan costs on a machine with caches is
 // decided by the order inside its rounds, what it costs in theory by the rounds.
 
-#include <CGAL/Delaunay_from_surface_3/internal/order_of_indices.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 namespace CGAL {

@@ -8,7 +8,7 @@
 // Choi 2002, §2: "Let s_1, s_2, …, s_n be a random ordering", and Fig. 1, line 2a: the traces come
 // after s_i with i = N_h = ⌈n / log^(h) n⌉, 1 <= h <= log* n.
 
-#include <CGAL/Delaunay_from_surface_3/internal/order_of_indices.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <cmath>

@@ -13,7 +13,7 @@
 // has a neighbour that is already inserted.
 // Cost: see Net_hierarchy.h.
 
-#include <CGAL/Delaunay_from_surface_3/internal/Net_hierarchy.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 

@@ -7,8 +7,8 @@
 
 // A spanning subgraph T of bounded degree, as Choi 2002, §3.2 asks for.
 
-#include <CGAL/Delaunay_from_surface_3/subgraph/Halfedge_graph_reader.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/write_bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
 
 namespace CGAL {
 

@@ -11,7 +11,7 @@
 // Invariant: the record of a point is a node that contains it. A node never dies.
 // Cost: O(log(i/k)) expected for s_i if the last trace was in D(S_k) (Lemma 4).
 
-#include <CGAL/Delaunay_from_surface_3/internal/Trace_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Trace_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_dag_3.h>
 

@@ -14,7 +14,7 @@
 // Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/internal/Trace_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Trace_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <cstddef>

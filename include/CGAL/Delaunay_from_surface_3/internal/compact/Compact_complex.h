@@ -12,7 +12,7 @@
 // A link names a neighbour and, in its two lowest bits, which of the neighbour's facets is shared.
 // Cells that are not in use carry the mark `doomed`.
 
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Page_array.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/Page_array.h>
 
 #include <algorithm>
 #include <array>

@@ -20,7 +20,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Star_filler.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
-#include <CGAL/Delaunay_from_surface_3/internal/prefetch.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
 
 #include <array>
 #include <cstddef>

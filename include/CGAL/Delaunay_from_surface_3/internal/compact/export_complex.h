@@ -11,8 +11,8 @@
 // is read once and its memory can go back to the system while CGAL's grows. Linear.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/internal/Large_page_allocator.h>
-#include <CGAL/Delaunay_from_surface_3/internal/prefetch.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
 
 #include <CGAL/Triangulation_hierarchy_3.h>
 

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_SPANNING_SUBGRAPH_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_SPANNING_SUBGRAPH_H
+
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
+
+#include <CGAL/iterator.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// T, made by the functor of the traits. A functor may need more than the graph has, as halfedges, or refuse the
+// surface by a Surface_input_error; a spanning forest serves then, and the visitor is told why.
+template <class SurfaceSubgraph, class Graph, class VertexIndexMap, class Visitor>
+Index_graph spanning_subgraph(const SurfaceSubgraph& subgraph, const Graph& graph,
+                              VertexIndexMap index_map, const std::vector<std::size_t>& numbers,
+                              Visitor& visitor)
+{
+  if constexpr (std::is_invocable<const SurfaceSubgraph&, const Graph&, VertexIndexMap,
+                                  Emptyset_iterator>::value) {
+    try {
+      return index_graph(subgraph, graph, index_map, numbers);
+    } catch (const Surface_input_error& refusal) {
+      visitor.surface_is_irregular(refusal.what());
+    }
+  } else {
+    visitor.surface_is_irregular(
+        "the subgraph needs halfedges, which a soup or a plain graph does not "
+        "have: a spanning forest is used");
+  }
+  return index_graph(Spanning_forest(), graph, index_map, numbers);
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_SPANNING_SUBGRAPH_H

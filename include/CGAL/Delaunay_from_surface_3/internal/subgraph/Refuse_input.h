@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The words in which the subgraph room refuses its input: what is wrong, and at which vertex or edge.
+// Vertices are named by their index, edges by their two ends.
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_REFUSE_INPUT_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_REFUSE_INPUT_H
+
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+[[noreturn]] inline void refuse(const std::string& what)
+{
+  throw Surface_input_error(what);
+}
+
+inline std::string vertex_name(std::size_t v)
+{
+  return "vertex " + std::to_string(v);
+}
+
+inline std::string edge_name(std::size_t v, std::size_t w)
+{
+  return "edge (" + std::to_string(v) + ", " + std::to_string(w) + ")";
+}
+
+[[noreturn]] inline void refuse_index(std::size_t n, std::size_t index)
+{
+  refuse("the vertex index map is no bijection onto 0 .. n-1: n is " + std::to_string(n) +
+         " and index " + std::to_string(index) + (index < n ? " is there twice" : " is too large"));
+}
+
+// Names two edges with the same ends by their places in the range edges(g).
+template <class Graph, class VertexIndexMap>
+[[noreturn]] void refuse_multi_edge(const Graph& g, VertexIndexMap index, std::size_t v,
+                                    std::size_t w)
+{
+  std::string places;
+  std::size_t place = 0, found = 0;
+  const auto range = edges(g);
+  for (auto e = range.first; e != range.second; ++e, ++place) {
+    const std::size_t a = get(index, source(*e, g)), b = get(index, target(*e, g));
+    if ((a == v && b == w) || (a == w && b == v))
+      places += (found++ == 0 ? "" : found == 2 ? " and " : ", ") + std::to_string(place);
+  }
+  if (found < 2)
+    refuse(edge_name(v, w) + " stands twice in the list of " + vertex_name(v));
+  refuse("the graph is not simple: " + edge_name(v, w) + " is there " + std::to_string(found) +
+         " times, as edges number " + places + " of edges(g)");
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_REFUSE_INPUT_H

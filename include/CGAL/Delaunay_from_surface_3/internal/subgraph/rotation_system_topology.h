@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// This header and all it includes need Boost only.
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_ROTATION_SYSTEM_TOPOLOGY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_ROTATION_SYSTEM_TOPOLOGY_H
+
+#include <CGAL/Delaunay_from_surface_3/Surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Find_topology.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_rotation_system.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+finds the components of a triangulated surface that is given as a graph with the cyclic order of the edges around every vertex, and of each its
+Euler characteristic, boundary loops and orientability.
+
+The parameters, preconditions and exceptions are those of
+`bounded_degree_spanning_subgraph(const Graph&, Embedding, EdgeOutputIterator, VertexIndexMap, EdgeIsBoundaryMap)`.
+This form needs Boost only. Complexity: linear time.
+*/
+template <class Graph, class Embedding, class VertexIndexMap, class EdgeIsBoundaryMap>
+Surface_topology surface_topology(const Graph& graph, Embedding embedding,
+                                  VertexIndexMap vertex_index_map,
+                                  EdgeIsBoundaryMap edge_is_boundary_map)
+{
+  namespace internal = Delaunay_from_surface_3::internal;
+  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
+  return internal::with_rotation_system(
+      Reader(graph, embedding, vertex_index_map, edge_is_boundary_map), [](auto& surface) {
+        using Index = typename std::decay_t<decltype(surface)>::Index;
+        return internal::Find_topology<Index>(surface)();
+      });
+}
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_ROTATION_SYSTEM_TOPOLOGY_H

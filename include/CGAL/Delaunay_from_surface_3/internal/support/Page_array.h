@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUPPORT_PAGE_ARRAY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUPPORT_PAGE_ARRAY_H
+
+#include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
+
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared first,
+// and the front can be given back while the rest is still read. Elements up to capacity() may be written;
+// there is no size to keep.
+template <class T>
+class Page_array
+{
+  static_assert(std::is_trivially_copyable<T>::value, "elements are moved as bytes");
+
+public:
+  Page_array() = default;
+  Page_array(const Page_array&) = delete;
+  Page_array& operator=(const Page_array&) = delete;
+  ~Page_array() { deallocate(); }
+
+  T* data() { return m_data; }
+  const T* data() const { return m_data; }
+  T& operator[](std::size_t i) { return m_data[i]; }
+  const T& operator[](std::size_t i) const { return m_data[i]; }
+  std::size_t capacity() const { return m_capacity; }
+
+  // Makes room for at least n elements and keeps the first `used`.
+  void reserve(std::size_t n, std::size_t used)
+  {
+    if (n <= m_capacity)
+      return;
+    T* const data = Large_page_allocator<T>().allocate(n);
+    if (used > 0)
+      std::memcpy(static_cast<void*>(data), m_data, used * sizeof(T));
+    deallocate();
+    m_data = data;
+    m_capacity = n;
+  }
+
+  // The elements before the k-th are not read any more.
+  void release_front(std::size_t k)
+  {
+#if defined(__linux__)
+    const std::size_t end = k * sizeof(T) / large_page * large_page;
+    if (end <= m_released || !has_large_pages(m_capacity * sizeof(T)))
+      return;
+    madvise(reinterpret_cast<char*>(m_data) + m_released, end - m_released, MADV_DONTNEED);
+    m_released = end;
+#else
+    (void)k;
+#endif
+  }
+
+  void deallocate()
+  {
+    if (m_data != nullptr)
+      Large_page_allocator<T>().deallocate(m_data, m_capacity);
+    m_data = nullptr;
+    m_capacity = m_released = 0;
+  }
+
+private:
+  T* m_data = nullptr;
+  std::size_t m_capacity = 0;
+  std::size_t m_released = 0;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUPPORT_PAGE_ARRAY_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_TRACE_SUBGRAPH_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_TRACE_SUBGRAPH_H
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Choi 2002, Fig. 1, line 2a, whatever is recorded: traverses T depth first from inserted vertices
+// outwards and locates every point not yet inserted from the cell of the neighbour that led to it.
+// O(n + cells entered).
+template <class Target, class Subgraph>
+class Trace_subgraph
+{
+  using Vertex = typename Target::Vertex;
+  using Cell = typename Target::Cell;
+
+public:
+  Trace_subgraph(const Target& target, const Subgraph& subgraph)
+    : m_target(target)
+    , m_subgraph(subgraph)
+  {
+  }
+
+  // Calls record(i, location) for every point i not yet inserted, and returns their number. In a
+  // component without an inserted vertex the first point is located from start(i).
+  template <class Start, class Record>
+  std::size_t operator()(const Start& start, const Record& record)
+  {
+    m_is_traced.assign(m_target.size(), false);
+    std::size_t located = 0;
+    for (std::size_t i = 0; i < m_target.size(); ++i) // components that touch the triangulation
+      if (m_target.vertex(i) != Vertex())
+        located += trace_component(i, Cell(), record);
+    for (std::size_t i = 0; i < m_target.size(); ++i) // the others
+      if (!m_is_traced[i])
+        located += trace_component(i, start(i), record);
+    return located;
+  }
+
+private:
+  // Depth first, with a stack of our own: T may be a path of millions of vertices.
+  template <class Record>
+  std::size_t trace_component(std::size_t root, Cell start, const Record& record)
+  {
+    if (m_is_traced[root])
+      return 0;
+    std::size_t located = 0;
+    m_is_traced[root] = true;
+    m_stack.emplace_back(root, start);
+    while (!m_stack.empty()) {
+      const auto [i, neighbor_cell] = m_stack.back();
+      m_stack.pop_back();
+      const Vertex v = m_target.vertex(i);
+      const Cell cell = v != Vertex() ? m_target.cell(v) : locate(i, neighbor_cell, record);
+      located += v == Vertex();
+      for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u) {
+        if (m_is_traced[*u])
+          continue;
+        m_is_traced[*u] = true;
+        m_stack.emplace_back(*u, cell);
+      }
+    }
+    return located;
+  }
+
+  template <class Record>
+  Cell locate(std::size_t i, Cell start, const Record& record) const
+  {
+    const typename Target::Location location = m_target.locate(i, start);
+    record(i, location);
+    return location.cell;
+  }
+
+  const Target& m_target;
+  const Subgraph& m_subgraph;
+  std::vector<char> m_is_traced;
+  std::vector<std::pair<std::size_t, Cell>> m_stack;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_TRACE_SUBGRAPH_H
