@@ -18,9 +18,7 @@ set(figures_dir "${PROJECT_SOURCE_DIR}/doc/Delaunay_from_surface_3/fig")
 if(PROJECT_IS_TOP_LEVEL)
   foreach(program draw_steps draw_surface draw_subgraph)
     add_executable(${program} EXCLUDE_FROM_ALL "${figures_dir}/${program}.cpp")
-    target_link_libraries(${program} PRIVATE Delaunay_from_surface_3::Delaunay_from_surface_3)
-    target_include_directories(${program} PRIVATE
-      "${PROJECT_SOURCE_DIR}/benchmark/Delaunay_from_surface_3/include") # the generator
+    target_link_libraries(${program} PRIVATE Delaunay_from_surface_3_generator)
   endforeach()
   add_custom_target(figures
     COMMAND draw_steps "${figures_dir}"

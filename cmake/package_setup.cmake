@@ -1,5 +1,6 @@
 # Defines the target Delaunay_from_surface_3::Delaunay_from_surface_3 once: for the top project, and for
-# the folders test/, examples/ and benchmark/ when one of them is configured alone, as CGAL's habit is.
+# the folders test/, examples/, demo/, generator/ and benchmark/ when one of them is configured alone, as
+# CGAL's habit is.
 
 if(TARGET Delaunay_from_surface_3::Delaunay_from_surface_3)
   return()
@@ -23,6 +24,12 @@ else()
   find_package(CGAL REQUIRED)
 endif()
 
+# Tests are made for the top project only, not for one that this package is a part of.
+set(DELAUNAY_FROM_SURFACE_3_TESTING OFF)
+if(PROJECT_IS_TOP_LEVEL AND BUILD_TESTING)
+  set(DELAUNAY_FROM_SURFACE_3_TESTING ON)
+endif()
+
 set(DELAUNAY_FROM_SURFACE_3_DATA_DIR "" CACHE PATH
   "Folder of the meshes (bunny00.off …) of Debian's package libcgal-demo; empty: tests that need one skip")
 
@@ -34,3 +41,10 @@ target_compile_features(Delaunay_from_surface_3 INTERFACE cxx_std_17)
 target_link_libraries(Delaunay_from_surface_3 INTERFACE "$<BUILD_INTERFACE:CGAL::CGAL>")
 target_include_directories(Delaunay_from_surface_3 INTERFACE
   "$<BUILD_INTERFACE:${DELAUNAY_FROM_SURFACE_3_ROOT}/include>")
+
+# The generator of surfaces: headers that tests, benchmark and figures share.
+add_library(Delaunay_from_surface_3_generator INTERFACE)
+target_link_libraries(Delaunay_from_surface_3_generator INTERFACE
+  Delaunay_from_surface_3::Delaunay_from_surface_3)
+target_include_directories(Delaunay_from_surface_3_generator INTERFACE
+  "${DELAUNAY_FROM_SURFACE_3_ROOT}/generator/Delaunay_from_surface_3/include")

@@ -12,8 +12,11 @@
 # meshes of Debian's package libcgal-demo in DELAUNAY_FROM_SURFACE_3_DATA_DIR, defined as a string; a
 # test that does not find one there says so and goes on.
 
+find_package(Boost REQUIRED)
 foreach(label fast slow versions sanitize)
-  add_custom_target(tests_${label})
+  if(NOT TARGET tests_${label})
+    add_custom_target(tests_${label})
+  endif()
 endforeach()
 
 # One header that includes every header of the package, for the units that want them all.
@@ -34,11 +37,10 @@ function(add_package_test name)
 
   add_executable(${name} ${name}.cpp)
   target_link_libraries(${name} PRIVATE
-    Delaunay_from_surface_3::Delaunay_from_surface_3 Boost::headers ${arg_LIBRARIES})
+    Delaunay_from_surface_3_generator Boost::headers ${arg_LIBRARIES})
   target_include_directories(${name} PRIVATE
     "${CMAKE_CURRENT_SOURCE_DIR}/include"
-    "${CMAKE_CURRENT_BINARY_DIR}/include"
-    "${DELAUNAY_FROM_SURFACE_3_ROOT}/benchmark/Delaunay_from_surface_3/include") # the generator
+    "${CMAKE_CURRENT_BINARY_DIR}/include")
   target_compile_definitions(${name} PRIVATE
     "DELAUNAY_FROM_SURFACE_3_DATA_DIR=\"${DELAUNAY_FROM_SURFACE_3_DATA_DIR}\"")
   if(arg_CHECKED)

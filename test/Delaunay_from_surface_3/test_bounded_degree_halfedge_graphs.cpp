@@ -7,8 +7,8 @@
 #define BOOST_TEST_MODULE bounded_degree_halfedge_graphs
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_subgraphs/Embedded_graph.h>
-#include <Delaunay_from_surface_3_subgraphs/Surface_recipe.h>
+#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
+#include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 #include "include/halfedge_mesh.h"
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -36,7 +36,7 @@
 #include <string>
 #include <vector>
 
-using namespace subgraphs;
+using namespace triangle_lists;
 
 namespace {
 

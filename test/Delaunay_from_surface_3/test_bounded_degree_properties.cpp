@@ -8,8 +8,8 @@
 #define BOOST_TEST_MODULE bounded_degree_properties
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_subgraphs/Embedded_graph.h>
-#include <Delaunay_from_surface_3_subgraphs/Surface_recipe.h>
+#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
+#include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-using namespace subgraphs;
+using namespace triangle_lists;
 
 namespace {
 

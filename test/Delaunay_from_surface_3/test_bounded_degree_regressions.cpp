@@ -8,7 +8,7 @@
 #define BOOST_TEST_MODULE bounded_degree_regressions
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_subgraphs/Embedded_graph.h>
+#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
@@ -18,7 +18,7 @@
 #include <set>
 #include <vector>
 
-using namespace subgraphs;
+using namespace triangle_lists;
 
 namespace {
 

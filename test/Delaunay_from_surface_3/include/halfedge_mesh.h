@@ -7,7 +7,7 @@
 #ifndef CGAL_TEST_DELAUNAY_FROM_SURFACE_3_HALFEDGE_MESH_H
 #define CGAL_TEST_DELAUNAY_FROM_SURFACE_3_HALFEDGE_MESH_H
 
-#include <Delaunay_from_surface_3_subgraphs/Triangle_list.h>
+#include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -18,14 +18,14 @@
 #include <vector>
 
 // Turns triangles so that neighbours agree.
-inline void orient(subgraphs::Triangle_list& s)
+inline void orient(triangle_lists::Triangle_list& s)
 {
   std::map<std::pair<int, int>, std::vector<std::size_t>> at_edge;
   for (std::size_t i = 0; i < s.triangles.size(); ++i)
     for (int k = 0; k < 3; ++k)
-      at_edge[subgraphs::ends(s.triangles[i][k], s.triangles[i][(k + 1) % 3])].push_back(i);
+      at_edge[triangle_lists::ends(s.triangles[i][k], s.triangles[i][(k + 1) % 3])].push_back(i);
   const auto runs = [&](std::size_t i, int a, int b) {
-    const subgraphs::Triangle& t = s.triangles[i];
+    const triangle_lists::Triangle& t = s.triangles[i];
     return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
   };
   std::vector<bool> is_done(s.triangles.size(), false);
@@ -39,7 +39,7 @@ inline void orient(subgraphs::Triangle_list& s)
       stack.pop_back();
       for (int k = 0; k < 3; ++k) {
         const int a = s.triangles[i][k], b = s.triangles[i][(k + 1) % 3];
-        for (std::size_t j : at_edge[subgraphs::ends(a, b)]) {
+        for (std::size_t j : at_edge[triangle_lists::ends(a, b)]) {
           if (j == i)
             continue;
           if (!is_done[j]) {
@@ -57,14 +57,14 @@ inline void orient(subgraphs::Triangle_list& s)
 }
 
 template <class Mesh>
-Mesh to_halfedge_mesh(subgraphs::Triangle_list s)
+Mesh to_halfedge_mesh(triangle_lists::Triangle_list s)
 {
   orient(s);
   Mesh mesh;
   std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> vertex;
   for (int v = 0; v < s.n; ++v)
     vertex.push_back(add_vertex(mesh));
-  for (const subgraphs::Triangle& t : s.triangles) {
+  for (const triangle_lists::Triangle& t : s.triangles) {
     const std::array<typename boost::graph_traits<Mesh>::vertex_descriptor, 3> corners{
         vertex[t[0]], vertex[t[1]], vertex[t[2]]};
     if (CGAL::Euler::add_face(corners, mesh) == boost::graph_traits<Mesh>::null_face())

@@ -8,8 +8,8 @@
 // Degrees on random triangulations of surfaces of all kinds, beside their bounds. All surfaces come as graphs
 // with rotation system, as some are not orientable.
 
-#include <Delaunay_from_surface_3_subgraphs/Embedded_graph.h>
-#include <Delaunay_from_surface_3_subgraphs/Surface_recipe.h>
+#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
+#include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
@@ -27,6 +27,10 @@
 #include <vector>
 
 namespace subgraphs {
+
+using triangle_lists::Embedded_graph;
+using triangle_lists::Surface_recipe;
+using triangle_lists::Triangle_list;
 
 struct Named_recipe
 {

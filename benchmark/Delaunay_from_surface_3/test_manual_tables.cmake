@@ -5,7 +5,7 @@
 # BENCHMARK is the folder of the scripts and of results/, MANUAL that of the pages. FOLDER is emptied and written to.
 cmake_minimum_required(VERSION 3.24)
 
-include("${CMAKE_CURRENT_LIST_DIR}/checks.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../../cmake/test_checks.cmake")
 
 # check(PAGE SCRIPT PATTERN…): the patterns name the files in results/.
 function(check page script)

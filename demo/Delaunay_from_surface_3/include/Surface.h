@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_SURFACE_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_SURFACE_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_H
 
 #include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
@@ -57,4 +57,4 @@ std::vector<typename Tr::Vertex_handle> insert_and_watch(Tr& tr, const Surface& 
   return vertices;
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_SURFACE_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_H

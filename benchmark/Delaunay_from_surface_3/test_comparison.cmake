@@ -7,7 +7,7 @@
 # FOLDER is emptied and written to.
 cmake_minimum_required(VERSION 3.24)
 
-include("${CMAKE_CURRENT_LIST_DIR}/checks.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../../cmake/test_checks.cmake")
 
 macro(run)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${FOLDER}"

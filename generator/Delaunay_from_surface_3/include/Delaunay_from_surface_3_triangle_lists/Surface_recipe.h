@@ -4,10 +4,10 @@
 //
 // Random surfaces by recipe. A recipe is a handful of numbers, so a failing one shrinks by making them smaller.
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_SURFACE_RECIPE_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_SURFACE_RECIPE_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_SURFACE_RECIPE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_SURFACE_RECIPE_H
 
-#include <Delaunay_from_surface_3_subgraphs/Triangle_list.h>
+#include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 
 #include <array>
 #include <ostream>
@@ -15,7 +15,7 @@
 #include <random>
 #include <string>
 
-namespace subgraphs {
+namespace triangle_lists {
 
 struct Surface_recipe
 {
@@ -150,6 +150,6 @@ std::string check_and_shrink(Surface_recipe recipe, const Property& property)
   return out.str();
 }
 
-} // namespace subgraphs
+} // namespace triangle_lists
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_SURFACE_RECIPE_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_SURFACE_RECIPE_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_COMPARE_WITH_STOCK_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_COMPARE_WITH_STOCK_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_STOCK_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_STOCK_H
 
 #include "Progress_visitor.h"
 #include "Stopwatch.h"
@@ -91,4 +91,4 @@ bool compare_with_stock(const Surface& surface, const Traits& traits, unsigned i
   return is_equal;
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_COMPARE_WITH_STOCK_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_STOCK_H

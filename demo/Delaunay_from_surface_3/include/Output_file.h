@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_OUTPUT_FILE_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_OUTPUT_FILE_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OUTPUT_FILE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OUTPUT_FILE_H
 
 #include <cerrno>
 #include <filesystem>
@@ -67,4 +67,4 @@ private:
   bool m_is_finished = false;
 };
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_OUTPUT_FILE_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OUTPUT_FILE_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_SURFACE_STATISTICS_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_SURFACE_STATISTICS_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_STATISTICS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_STATISTICS_H
 
 // How much of the surface is in the triangulation.
 
@@ -114,4 +114,4 @@ inline void report_surface(const Surface& surface, const Triangulation& tr,
            std::to_string(simplices.number_of_polygons) + " (not counted as triangles)");
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_SURFACE_STATISTICS_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_STATISTICS_H

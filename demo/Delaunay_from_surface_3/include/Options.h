@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_OPTIONS_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_OPTIONS_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OPTIONS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OPTIONS_H
 
 #include <CGAL/version.h>
 
@@ -117,4 +117,4 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
   return options;
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_OPTIONS_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OPTIONS_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_WRITE_SIMPLICES_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_WRITE_SIMPLICES_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_SIMPLICES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_SIMPLICES_H
 
 #include "Surface.h"
 
@@ -120,4 +120,4 @@ inline void write_vtu(std::ostream& out, const Simplices& s)
   out << "\n  </AppendedData>\n</VTKFile>\n";
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_WRITE_SIMPLICES_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_SIMPLICES_H

@@ -5,7 +5,7 @@
 # EXAMPLES is the folder of the examples' data, DATA that of the tests'; FOLDER is emptied and written to.
 cmake_minimum_required(VERSION 3.24)
 
-include("${CMAKE_CURRENT_LIST_DIR}/checks.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../../cmake/test_checks.cmake")
 
 # works(ARGS argument… PRINTS regular-expression… [NOTES regular-expression])
 # The program ends with 0, prints what is expected, and writes to the standard error nothing or NOTES.

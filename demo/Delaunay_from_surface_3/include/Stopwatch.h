@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_STOPWATCH_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_STOPWATCH_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_STOPWATCH_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_STOPWATCH_H
 
 #include <chrono>
 #include <ctime>
@@ -25,4 +25,4 @@ Seconds time_of(const Work& work)
           std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count()};
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_STOPWATCH_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_STOPWATCH_H

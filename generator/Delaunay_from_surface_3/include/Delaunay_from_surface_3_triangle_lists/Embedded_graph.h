@@ -4,10 +4,10 @@
 //
 // A triangle list as a Boost graph with cyclic orders; each list starts anywhere and runs in either direction.
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_EMBEDDED_GRAPH_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_EMBEDDED_GRAPH_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_EMBEDDED_GRAPH_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_EMBEDDED_GRAPH_H
 
-#include <Delaunay_from_surface_3_subgraphs/Triangle_list.h>
+#include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace subgraphs {
+namespace triangle_lists {
 
 struct Embedded_graph
 {
@@ -94,6 +94,6 @@ Embedded_graph embed(const Triangle_list& s, Random& random)
   return result;
 }
 
-} // namespace subgraphs
+} // namespace triangle_lists
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_EMBEDDED_GRAPH_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_EMBEDDED_GRAPH_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_PROGRESS_VISITOR_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_PROGRESS_VISITOR_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_PROGRESS_VISITOR_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_PROGRESS_VISITOR_H
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 
@@ -66,4 +66,4 @@ private:
   std::size_t m_number_of_points, m_inserted = 0;
 };
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_PROGRESS_VISITOR_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_PROGRESS_VISITOR_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_FILE_EXTENSION_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_FILE_EXTENSION_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_FILE_EXTENSION_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_FILE_EXTENSION_H
 
 #include <algorithm>
 #include <cctype>
@@ -20,4 +20,4 @@ inline std::string file_extension(const std::string& file_name)
   return extension;
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_FILE_EXTENSION_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_FILE_EXTENSION_H

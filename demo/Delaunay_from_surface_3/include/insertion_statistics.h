@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_INSERTION_STATISTICS_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_INSERTION_STATISTICS_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H
 
 // What the insertion does, phase by phase and round by round, seen by two visitors.
 
@@ -85,4 +85,4 @@ void report_seconds(const Surface& surface, const Traits& traits, unsigned int s
     report(name, decimals(visitor.total(phase), 6));
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_INSERTION_STATISTICS_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H

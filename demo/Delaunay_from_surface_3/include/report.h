@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_REPORT_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_REPORT_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_REPORT_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_REPORT_H
 
 #include <cstddef>
 #include <iomanip>
@@ -33,4 +33,4 @@ inline std::string fraction(std::size_t part, std::size_t whole)
          " %)";
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_REPORT_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_REPORT_H

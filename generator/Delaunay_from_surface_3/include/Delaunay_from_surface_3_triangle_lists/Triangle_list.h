@@ -4,8 +4,8 @@
 //
 // Combinatorial surfaces: triangle lists without geometry, built by surgery.
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_TRIANGLE_LIST_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_TRIANGLE_LIST_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_TRIANGLE_LIST_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_TRIANGLE_LIST_H
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace subgraphs {
+namespace triangle_lists {
 
 using Triangle = std::array<int, 3>;
 
@@ -283,6 +283,6 @@ void shuffle_names(Triangle_list& s, Random& random)
   std::shuffle(s.triangles.begin(), s.triangles.end(), random);
 }
 
-} // namespace subgraphs
+} // namespace triangle_lists
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_TRIANGLE_LIST_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_TRIANGLE_LIST_H

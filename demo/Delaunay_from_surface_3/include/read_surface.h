@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_READ_SURFACE_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_READ_SURFACE_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_READ_SURFACE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_READ_SURFACE_H
 
 #include "Surface.h"
 #include "file_extension.h"
@@ -94,4 +94,4 @@ inline Surface read_surface(const std::string& file_name)
   return surface;
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_EXAMPLES_READ_SURFACE_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_READ_SURFACE_H
