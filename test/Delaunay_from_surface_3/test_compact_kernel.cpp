@@ -250,6 +250,63 @@ BOOST_AUTO_TEST_CASE(labels_start_again_when_ids_run_out)
   }
 }
 
+// The filters go past the predicates of the traits: any that is not the kernel's own must stop them.
+template <class Predicate>
+struct Replaced : Predicate
+{
+};
+
+struct Own_circle_test : Kernel
+{
+  Replaced<Kernel::Coplanar_side_of_bounded_circle_3>
+  coplanar_side_of_bounded_circle_3_object() const
+  {
+    return {};
+  }
+};
+
+struct Own_comparison : Kernel
+{
+  Replaced<Kernel::Compare_xyz_3> compare_xyz_3_object() const { return {}; }
+};
+
+struct Own_planar_orientation : Kernel
+{
+  Replaced<Kernel::Coplanar_orientation_3> coplanar_orientation_3_object() const { return {}; }
+};
+
+struct Own_orientation : Kernel
+{
+  Replaced<Kernel::Orientation_3> orientation_3_object() const { return {}; }
+};
+
+struct Own_sphere_test : Kernel
+{
+  Replaced<Kernel::Side_of_oriented_sphere_3> side_of_oriented_sphere_3_object() const
+  {
+    return {};
+  }
+};
+
+struct Nothing_replaced : Kernel
+{
+};
+
+template <class Gt>
+constexpr bool
+    is_served = CGAL::Compact_delaunay_3<CGAL::Delaunay_triangulation_3<Gt>>::serves_geom_traits();
+
+BOOST_AUTO_TEST_CASE(traits_with_predicates_of_their_own_are_not_served)
+{
+  BOOST_TEST(is_served<Kernel>);
+  BOOST_TEST(is_served<Nothing_replaced>);
+  BOOST_TEST(!is_served<Own_circle_test>);
+  BOOST_TEST(!is_served<Own_comparison>);
+  BOOST_TEST(!is_served<Own_planar_orientation>);
+  BOOST_TEST(!is_served<Own_orientation>);
+  BOOST_TEST(!is_served<Own_sphere_test>);
+}
+
 BOOST_AUTO_TEST_CASE(falls_back_and_says_so)
 {
   std::vector<Point> points = random_points(100);

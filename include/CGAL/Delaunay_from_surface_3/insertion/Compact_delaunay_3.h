@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
 
 #include <CGAL/assertions.h>
@@ -75,13 +76,11 @@ public:
   /// bring predicates of their own are not: the filters here would go past them.
   static constexpr bool serves_geom_traits()
   {
-    using Kernel_of_points = typename Kernel_traits<Point>::Kernel;
     return std::is_same<typename Geom_traits::FT, double>::value &&
            std::is_same<typename Geom_traits::Point_3, Point>::value &&
-           std::is_same<typename Geom_traits::Orientation_3,
-                        typename Kernel_of_points::Orientation_3>::value &&
-           std::is_same<typename Geom_traits::Side_of_oriented_sphere_3,
-                        typename Kernel_of_points::Side_of_oriented_sphere_3>::value &&
+           Delaunay_from_surface_3::internal::has_predicates_of_kernel<
+               Geom_traits, typename Kernel_traits<Point>::Kernel>() &&
+           Delaunay_from_surface_3::internal::rounds_every_operation &&
            has_filtered_predicates<Geom_traits>(0);
   }
 

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_HAS_PREDICATES_OF_KERNEL_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_HAS_PREDICATES_OF_KERNEL_H
+
+// What the filters of the compact kernel rely on at compile time.
+
+#include <cfloat>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Whether each operation on doubles is rounded to a double, which the bounds and the error terms of
+// the filters suppose; not on x87. (Methods 1 and 16 evaluate only narrower types in wider ones.)
+constexpr bool rounds_every_operation =
+    FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 16;
+
+// Whether all predicates that the filters decide without asking are those of the kernel. What counts
+// is what the triangulation calls: the objects.
+template <class GeomTraits, class Kernel>
+constexpr bool has_predicates_of_kernel()
+{
+  using Gt = const GeomTraits&;
+  using K = const Kernel&;
+  return std::is_same<decltype(std::declval<Gt>().orientation_3_object()),
+                      decltype(std::declval<K>().orientation_3_object())>::value &&
+         std::is_same<decltype(std::declval<Gt>().side_of_oriented_sphere_3_object()),
+                      decltype(std::declval<K>().side_of_oriented_sphere_3_object())>::value &&
+         std::is_same<
+             decltype(std::declval<Gt>().coplanar_side_of_bounded_circle_3_object()),
+             decltype(std::declval<K>().coplanar_side_of_bounded_circle_3_object())>::value &&
+         std::is_same<decltype(std::declval<Gt>().coplanar_orientation_3_object()),
+                      decltype(std::declval<K>().coplanar_orientation_3_object())>::value &&
+         std::is_same<decltype(std::declval<Gt>().compare_xyz_3_object()),
+                      decltype(std::declval<K>().compare_xyz_3_object())>::value;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_HAS_PREDICATES_OF_KERNEL_H
