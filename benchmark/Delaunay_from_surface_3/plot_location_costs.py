@@ -127,7 +127,7 @@ def size_ticks(results):
 def draw_locations(report, file_name):
     svg, surfaces = Svg(), by_surface(report)
     heading(svg, "Cells entered to locate a point", "per point, traces not counted; paper's random order, except for "
-            "stock; both axes logarithmic")
+            "plain CGAL; both axes logarithmic")
     values = [w["cells_entered"] for r in report["results"] for w in r["locations"].values()]
     ticks = log_ticks(min(values), max(values))
     for index, (surface, results) in enumerate(surfaces.items()):

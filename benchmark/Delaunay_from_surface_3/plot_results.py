@@ -3,7 +3,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Draws what compare_with_stock measured as SVG files and fills the tables of the manual; needs nothing
+"""Draws what compare_with_plain measured as SVG files and fills the tables of the manual; needs nothing
 but Python.
 
   plot_results.py results/compare_*.json --output-dir fig
@@ -11,8 +11,8 @@ but Python.
   plot_results.py results/compare_*.json --manual Performance.txt [--check]
 
 Of several JSON files the results are put together. Drawn are
-  performance_before_and_now.svg  where stock's time goes, and where the default's
-  performance_ratio.svg           time of stock / time of a method, against the number of points
+  performance_before_and_now.svg  where plain CGAL's time goes, and where the default's
+  performance_ratio.svg           time of plain CGAL / time of a method, against the number of points
   performance_phases.svg          where the time of all methods goes
   performance_cells.svg           cells that walks entered, per point, against the number of points
 The bars are those of the largest size of every surface at which phases were measured.
@@ -55,13 +55,13 @@ def values(surfaces, methods, value_of):
 
 
 def draw_ratio(reports, surfaces, file_name):
-    methods = [m for m in used_methods(surfaces) if m != "stock"]
-    ratio = lambda method: method["ratio_stock_to_method"]
+    methods = [m for m in used_methods(surfaces) if m != "plain"]
+    ratio = lambda method: method["ratio_plain_to_method"]
     top = math.ceil(2 * max([1.1] + values(surfaces, methods, ratio))) / 2
     ticks = [0.5 * i for i in range(int(2 * top) + 1)]
     curves(reports, surfaces, ratio, "How fast, compared with CGAL's insert(first, last)",
-           f'median CPU time of stock / median CPU time of the method, {reports[0]["repetitions"]} alternating '
-           "repetitions; above 1: faster than stock", (0, top), ticks, False, methods, file_name)
+           f'median CPU time of plain CGAL / median CPU time of the method, {reports[0]["repetitions"]} alternating '
+           "repetitions; above 1: faster than plain CGAL", (0, top), ticks, False, methods, file_name)
 
 
 def draw_cells(reports, surfaces, file_name):
@@ -125,38 +125,38 @@ def draw_phases(reports, surfaces, file_name):
         bars = []
         for name in used_methods(surfaces):
             method = method_of(result, name)
-            if method and ("phases" in method or name == "stock"):
+            if method and ("phases" in method or name == "plain"):
                 bars.append((label_of(name)[1].split(" (")[0], microseconds(method, result["points"]),
                              method["median_cpu"] / result["points"] * 1e6))
         groups.append((title_of(surface, result), bars))
     draw_bars(reports, groups, "Where the time goes", "CPU time per point in microseconds, by phase, at the largest "
-              "size measured; the phases of stock cannot be seen from outside",
-              [("#666", "stock, all phases")] + list(PHASES.values()), file_name)
+              "size measured; the phases of plain CGAL cannot be seen from outside",
+              [("#666", "plain CGAL, all phases")] + list(PHASES.values()), file_name)
 
 
 def draw_before_and_now(reports, surfaces, file_name):
-    """Stock's bar has the shares of stock-order, which makes the same insertions."""
+    """Plain CGAL's bar has the shares of plain-order, which makes the same insertions."""
     groups = []
     for surface, by_size in surfaces.items():
-        result = largest_with_phases(by_size, "stock-order", "default")
+        result = largest_with_phases(by_size, "plain-order", "default")
         if result is None:
             continue
-        stock, order, ours = (method_of(result, m) for m in ("stock", "stock-order", "default"))
-        scale = stock["median_cpu"] / order["median_cpu"]
+        plain, order, ours = (method_of(result, m) for m in ("plain", "plain-order", "default"))
+        scale = plain["median_cpu"] / order["median_cpu"]
         before = {phase: scale * value for phase, value in microseconds(order, result["points"]).items()}
         groups.append((title_of(surface, result),
                        [(name, parts, method["median_cpu"] / result["points"] * 1e6)
-                        for name, parts, method in (("before: CGAL's insert(first, last)", before, stock),
+                        for name, parts, method in (("before: CGAL's insert(first, last)", before, plain),
                                                     ("now: the default", microseconds(ours, result["points"]), ours))]))
     phases = {**PHASES, "plan": (PHASES["plan"][0], "plan: spatial sort before, nets now")}
     draw_bars(reports, groups, "Where the time went before, and where it goes now",
-              "CPU time per point in microseconds; stock's shares are those of the control, which makes the same "
+              "CPU time per point in microseconds; plain CGAL's shares are those of the control, which makes the same "
               "insertions", [phases[p] for p in phases if p not in ("trace",)], file_name)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="JSON", help="what compare_with_stock wrote")
+    parser.add_argument("files", nargs="+", metavar="JSON", help="what compare_with_plain wrote")
     parser.add_argument("--output-dir", metavar="FOLDER", help="draw; where the SVG files go")
     manual_tables.add_options(parser)
     arguments = parser.parse_args()

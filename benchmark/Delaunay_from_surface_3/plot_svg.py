@@ -82,9 +82,9 @@ class Panel:
         self.y0 = TOP + 20 + (index // COLUMNS) * (PANEL_HEIGHT + GAP_Y)
         self.low, self.high = (math.log(v) for v in y_range) if y_log else y_range
         for tick in y_ticks:
-            stock = tick == 1 and not y_log
-            svg.line(self.x0, self.y(tick), self.x0 + PANEL_WIDTH, self.y(tick), "#555" if stock else "#e3e3e3",
-                     dash="5 3" if stock else "")
+            plain = tick == 1 and not y_log
+            svg.line(self.x0, self.y(tick), self.x0 + PANEL_WIDTH, self.y(tick), "#555" if plain else "#e3e3e3",
+                     dash="5 3" if plain else "")
             svg.text(self.x0 - 6, self.y(tick) + 4, f"{tick:g}", 11, "end")
         for n in sizes:
             svg.line(self.x(n), self.y0 + PANEL_HEIGHT, self.x(n), self.y0 + PANEL_HEIGHT + 4)

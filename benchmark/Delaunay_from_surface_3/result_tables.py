@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""The tables of the manual's page on performance, in Markdown, from what compare_with_stock measured."""
+"""The tables of the manual's page on performance, in Markdown, from what compare_with_plain measured."""
 
 from manual_tables import cell, commands_of, machine_of, table
 from results import (PAPER, cells_entered, method_of, methods_that_walk, microseconds, peers, size_name,
@@ -31,15 +31,15 @@ def over(a, b):
 def ratios(surfaces, methods):
     rows = []
     for names, result in results_of(surfaces):
-        values = [get(method_of(result, m), "ratio_stock_to_method") for m in methods]
+        values = [get(method_of(result, m), "ratio_plain_to_method") for m in methods]
         if any(v is not None for v in values):
-            stock = get(method_of(result, "stock"), "median_cpu")
-            rows.append(names + [f"{stock:.3f}"] + [cell(v, "{:.2f}") for v in values])
-    return table(["surface", "points", "stock, CPU s"] + methods, rows)
+            plain = get(method_of(result, "plain"), "median_cpu")
+            rows.append(names + [f"{plain:.3f}"] + [cell(v, "{:.2f}") for v in values])
+    return table(["surface", "points", "plain CGAL, CPU s"] + methods, rows)
 
 
 def main_ratios(surfaces):
-    left_out = PAPER + ("stock", "stock-fast", "default-fast")
+    left_out = PAPER + ("plain", "plain-fast", "default-fast")
     return ratios(surfaces, [m for m in used_methods(surfaces) if m not in left_out])
 
 
@@ -50,28 +50,28 @@ def paper_ratios(surfaces):
 def fast_location(surfaces):
     rows = []
     for names, result in results_of(surfaces):
-        stock, ours = (get(method_of(result, m), "median_cpu") for m in ("stock-fast", "default-fast"))
-        if stock and ours:
-            rows.append(names + [f"{stock:.3f}", f"{ours:.3f}", f"{stock / ours:.2f}"])
-    return table(["surface", "points", "stock-fast, CPU s", "default-fast, CPU s", "ratio"], rows)
+        plain, ours = (get(method_of(result, m), "median_cpu") for m in ("plain-fast", "default-fast"))
+        if plain and ours:
+            rows.append(names + [f"{plain:.3f}", f"{ours:.3f}", f"{plain / ours:.2f}"])
+    return table(["surface", "points", "plain-fast, CPU s", "default-fast, CPU s", "ratio"], rows)
 
 
 def stages(surfaces):
-    """Microseconds per point, and what that means beside stock and the peers."""
+    """Microseconds per point, and what that means beside plain CGAL and the peers."""
     names_of_peers = [m for m in used_methods(surfaces)
                       if any(p["method"] == m for _, r in results_of(surfaces) for p in peers(r))]
     rows = []
     for names, result in results_of(surfaces):
-        ours, stock = method_of(result, "default"), method_of(result, "stock")
+        ours, plain = method_of(result, "default"), method_of(result, "plain")
         if get(ours, "stages") is None:
             continue
         micro = [ours["stages"][s] * 1e6 / result["points"] for s in ("plan", "build", "export")]
         others = [over(get(method_of(result, p), "median_cpu"), without_export(ours)) for p in names_of_peers]
         rows.append(names + [f"{v:.2f}" for v in micro] +
-                    [f'{100 * ours["stages"]["plan"] / stock["median_cpu"]:.1f} %'] +
-                    [f'{stock["median_cpu"] / without_export(ours):.2f}'] + [cell(v, "{:.2f}") for v in others])
-    return table(["surface", "points", "plan, µs", "build, µs", "export, µs", "plan / stock",
-                  "stock / (plan + build)"] + [f"{p} / (plan + build)" for p in names_of_peers], rows)
+                    [f'{100 * ours["stages"]["plan"] / plain["median_cpu"]:.1f} %'] +
+                    [f'{plain["median_cpu"] / without_export(ours):.2f}'] + [cell(v, "{:.2f}") for v in others])
+    return table(["surface", "points", "plan, µs", "build, µs", "export, µs", "plan / plain CGAL",
+                  "plain CGAL / (plan + build)"] + [f"{p} / (plan + build)" for p in names_of_peers], rows)
 
 
 def yardstick(surfaces):
@@ -81,17 +81,17 @@ def yardstick(surfaces):
         if "total" not in known:
             continue
         values = [get(method_of(result, m), "ratio_method_to_yardstick")
-                  for m in ("stock", "compact-spatial", "default")]
+                  for m in ("plain", "compact-spatial", "default")]
         rows.append(names + [f'{known["verification"]:.3f}', f'{known["export"]:.3f}'] +
                     [cell(v, "{:.2f}") for v in values])
-    return table(["surface", "points", "verification, s", "export, s", "stock", "compact-spatial", "default"], rows)
+    return table(["surface", "points", "verification, s", "export, s", "plain", "compact-spatial", "default"], rows)
 
 
 def work(surfaces):
     """Per insertion."""
     rows = []
     for names, result in results_of(surfaces):
-        order, ours, nets = (method_of(result, m) for m in ("stock-order", "default", "nets"))
+        order, ours, nets = (method_of(result, m) for m in ("plain-order", "default", "nets"))
         if get(ours, "kernel") is None:
             continue
         values = [get(order, "cells", "destroyed"), get(ours, "cells", "destroyed"), get(ours, "cells", "created"),
@@ -99,8 +99,8 @@ def work(surfaces):
                   get(ours, "kernel", "sphere_tests"), get(ours, "kernel", "cells_tested_to_start")]
         failures = [get(ours, "kernel", f"{stage}_filter_failures") for stage in ("first", "second")]
         rows.append(names + [cell(v, "{:.1f}") for v in values] + [cell(v, "{:.4f}") for v in failures])
-    return table(["surface", "points", "cells destroyed, stock-order", "default", "cells created, default",
-                  "in-sphere tests, stock-order", "nets", "cells tested, default", "to start",
+    return table(["surface", "points", "cells destroyed, plain-order", "default", "cells created, default",
+                  "in-sphere tests, plain-order", "nets", "cells tested, default", "to start",
                   "left open by the first filter", "by the second"], rows)
 
 
@@ -109,16 +109,16 @@ def memory(surfaces):
                       if any(p["method"] == m for _, r in results_of(surfaces) for p in peers(r))]
     rows = []
     for names, result in results_of(surfaces):
-        stock, ours = (get(method_of(result, m), "memory") for m in ("stock", "default"))
-        if stock is None or ours is None:
+        plain, ours = (get(method_of(result, m), "memory") for m in ("plain", "default"))
+        if plain is None or ours is None:
             continue
-        above = [m[f"{what}_above_input_per_point"] for what in ("result", "peak") for m in (stock, ours)]
-        others = [over(get(method_of(result, p), "memory", "peak_bytes"), stock["peak_bytes"])
+        above = [m[f"{what}_above_input_per_point"] for what in ("result", "peak") for m in (plain, ours)]
+        others = [over(get(method_of(result, p), "memory", "peak_bytes"), plain["peak_bytes"])
                   for p in names_of_peers]
-        rows.append(names + [f"{v:.0f}" for v in above] + [f'{ours["peak_bytes"] / stock["peak_bytes"]:.2f}'] +
+        rows.append(names + [f"{v:.0f}" for v in above] + [f'{ours["peak_bytes"] / plain["peak_bytes"]:.2f}'] +
                     [cell(v, "{:.2f}") for v in others])
-    return table(["surface", "points", "result, stock", "default", "peak, stock", "default",
-                  "whole process, default / stock"] + [f"{p} / stock" for p in names_of_peers], rows)
+    return table(["surface", "points", "result, plain CGAL", "default", "peak, plain CGAL", "default",
+                  "whole process, default / plain CGAL"] + [f"{p} / plain CGAL" for p in names_of_peers], rows)
 
 
 def growth(surfaces):
@@ -126,7 +126,7 @@ def growth(surfaces):
     rows, sizes = [], sorted({n for by_size in surfaces.values() for n in by_size if n})
     for surface, by_size in surfaces.items():
         measured = {n: r for n, r in by_size.items() if n and get(method_of(r, "default"), "stages")}
-        for name, time in (("stock", lambda m: m["median_cpu"]), ("default", without_export)):
+        for name, time in (("plain", lambda m: m["median_cpu"]), ("default", without_export)):
             times = {n: time(method_of(r, name)) / r["points"] for n, r in measured.items()}
             if len(times) > 2:
                 rows.append([surface, name] + [cell(over(times.get(n), times[min(times)]), "{:.2f}") for n in sizes])
@@ -137,7 +137,7 @@ def traces(surfaces):
     """What the paper's traces do and what its order costs."""
     rows = []
     for names, result in results_of(surfaces):
-        order, sorted_rounds, ours = (method_of(result, m) for m in ("stock-order", "tracing-hilbert", "tracing"))
+        order, sorted_rounds, ours = (method_of(result, m) for m in ("plain-order", "tracing-hilbert", "tracing"))
         located = over(get(ours, "predicates", "traced_points"), result["points"])
         if located is None:
             continue
@@ -146,7 +146,7 @@ def traces(surfaces):
         rows.append(names + [f"{located:.1f}", cell(get(ours, "predicates", "cells_entered_per_traced_point"), "{:.1f}")] +
                     [cell(v, "{:.1f}") for v in calls + updates])
     return table(["surface", "points", "located by traces, per point", "cells entered for each",
-                  "in-sphere tests, stock-order", "tracing", "update, µs, stock-order", "tracing-hilbert", "tracing"],
+                  "in-sphere tests, plain-order", "tracing", "update, µs, plain-order", "tracing-hilbert", "tracing"],
                  rows)
 
 
@@ -160,7 +160,7 @@ def cells(surfaces):
     return table(["surface", "points"] + methods, rows)
 
 
-KINDS = {  # by the descriptions that compare_with_stock gives
+KINDS = {  # by the descriptions that compare_with_plain gives
     "densified meshes": lambda name, text: "densified" in text and "random order" not in text,
     "the same in random order": lambda name, text: "densified" in text and "random order" in text,
     "smooth implicit surfaces and the noisy sphere": lambda name, text: "implicit" in text or name == "sphere",
@@ -170,13 +170,13 @@ KINDS = {  # by the descriptions that compare_with_stock gives
 
 
 def summary(surfaces):
-    """Time of stock over that of the default, by kind of surface, from the least to the most."""
+    """Time of plain CGAL over that of the default, by kind of surface, from the least to the most."""
     rows = []
     for kind, is_one in KINDS.items():
         known = {}
         for surface, by_size in surfaces.items():
             for n, result in by_size.items():
-                ratio = get(method_of(result, "default"), "ratio_stock_to_method")
+                ratio = get(method_of(result, "default"), "ratio_plain_to_method")
                 if ratio is not None and n and is_one(surface, result["description"]):
                     known.setdefault(n, []).append(ratio)
         for n, found in sorted(known.items()):

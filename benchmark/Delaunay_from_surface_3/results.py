@@ -2,20 +2,20 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What compare_with_stock measured, as plot_results.py and its tables look at it."""
+"""What compare_with_plain measured, as plot_results.py and its tables look at it."""
 
 import json
 import sys
 
 METHODS = {  # colour and label; the order is that of the legends and tables
-    "stock": ("#000000", "CGAL's insert(first, last)"),
-    "stock-fast": ("#555555", "insert(first, last), Fast_location"),
+    "plain": ("#000000", "CGAL's insert(first, last)"),
+    "plain-fast": ("#555555", "insert(first, last), Fast_location"),
     "default": ("#d00000", "Surface_insertion_traits_3 (default)"),
     "default-fast": ("#7d0000", "default, Fast_location"),
-    "compact-spatial": ("#b8860b", "stock's order, compact triangulation"),
+    "compact-spatial": ("#b8860b", "plain CGAL's order, compact triangulation"),
     "nets": ("#ff9d9d", "nets of the surface, CGAL's insertion"),
-    "stock-order": ("#8a8a8a", "Stock_order_traits_3 (control)"),
-    "stock-sse2-max": ("#b0b0b0", "stock with CGAL_USE_SSE2_MAX"),
+    "plain-order": ("#8a8a8a", "Stock_order_traits_3 (control)"),
+    "plain-sse2-max": ("#b0b0b0", "plain CGAL with CGAL_USE_SSE2_MAX"),
     "tetgen": ("#2e8b57", "TetGen"),
     "hxt": ("#6a3d9a", "HXT"),
     "geogram": ("#1f9e89", "Geogram"),
@@ -87,7 +87,7 @@ def cells_entered(method):
 
 
 def methods_that_walk(surfaces):
-    """Those of CGAL's walks, which are counted; stock's are those of stock-order."""
+    """Those of CGAL's walks, which are counted; plain CGAL's are those of plain-order."""
     walk = {m["method"] for sizes in surfaces.values() for r in sizes.values() for m in r["methods"]
             if "location" in m.get("predicates", {}) and m["method"] != "default"}
     return [name for name in METHODS if name in walk]

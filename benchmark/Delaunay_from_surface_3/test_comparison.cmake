@@ -1,6 +1,6 @@
-# Runs compare_with_stock at small sizes, with all that it can measure, and looks at what it has written.
+# Runs compare_with_plain at small sizes, with all that it can measure, and looks at what it has written.
 #
-#   cmake -D PROGRAM=… -D STOCK_PEER=… -D TETGEN_PEER=… -D PYTHON=… -D SCRIPT=… -D EXAMPLES=…
+#   cmake -D PROGRAM=… -D PLAIN_PEER=… -D TETGEN_PEER=… -D PYTHON=… -D SCRIPT=… -D EXAMPLES=…
 #         -D FOLDER=… -P test_comparison.cmake
 #
 # TETGEN_PEER and PYTHON may be empty: what needs them is then left out. SCRIPT is plot_results.py.
@@ -17,7 +17,7 @@ endmacro()
 # refuses(MESSAGE argument…)
 function(refuses message)
   run("${PROGRAM}" ${ARGN} --output refused.json)
-  if(code STREQUAL "0" OR NOT errors MATCHES "compare_with_stock: [^\n]*${message}")
+  if(code STREQUAL "0" OR NOT errors MATCHES "compare_with_plain: [^\n]*${message}")
     fail("${ARGN}: exit code ${code}, not '${message}' but: ${errors}")
   endif()
   if(EXISTS "${FOLDER}/refused.json")
@@ -43,12 +43,12 @@ endfunction()
 
 # --- All that can be measured ------------------------------------------------------------------------
 
-set(peers --peer "again=${STOCK_PEER}" --peer broken=false --peer "mute=echo")
+set(peers --peer "again=${PLAIN_PEER}" --peer broken=false --peer "mute=echo")
 if(TETGEN_PEER)
   list(APPEND peers --peer "tetgen=${TETGEN_PEER}")
 endif()
 run("${PROGRAM}" --surfaces genus-3 sphere-exact-shuffled --sizes 2500 --repetitions 2 --memory --output all.json
-  --methods stock-fast default default-fast compact-spatial nets stock-order tracing ${peers})
+  --methods plain-fast default default-fast compact-spatial nets plain-order tracing ${peers})
 if(NOT code STREQUAL "0")
   fail("exit code ${code}: ${errors}")
 endif()
@@ -57,14 +57,14 @@ is(genus-3 results 0 surface)
 is(sphere-exact-shuffled results 1 surface)
 foreach(surface 0 1)
   set(at results ${surface} methods)
-  set(names stock stock-fast default default-fast compact-spatial nets stock-order tracing)
+  set(names plain plain-fast default default-fast compact-spatial nets plain-order tracing)
   foreach(m RANGE 7)
     list(GET names ${m} name)
     is(${name} ${at} ${m} method)
     is(ON ${at} ${m} equal)
     is(== ${at} ${m} equal_checked_by)
     number(0 100 ${at} ${m} median_cpu)
-    number(0 1000 ${at} ${m} ratio_stock_to_method)
+    number(0 1000 ${at} ${m} ratio_plain_to_method)
     number(0 1000 ${at} ${m} ratio_method_to_yardstick)
     number(300 10000 ${at} ${m} memory result_above_input_per_point)
     number(300 10000 ${at} ${m} memory peak_above_input_per_point)

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What measures the theory, measured itself: crossings against all triangles one by one, shares where they are
-// known, minimum spanning trees against all pairs of points, and the laboratory against stock.
+// known, minimum spanning trees against all pairs of points, and the laboratory against plain CGAL.
 
 #define BOOST_TEST_MODULE test_theory
 #include <boost/test/included/unit_test.hpp>
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(changed_trees_span)
   BOOST_TEST(last < 0.1);
 }
 
-BOOST_AUTO_TEST_CASE(the_laboratory_builds_stocks_triangulation_and_counts_all)
+BOOST_AUTO_TEST_CASE(the_laboratory_builds_plain_triangulation_and_counts_all)
 {
   const Indexed_surface surface = surfaces::delaunay_genus_3(3000);
   const theory::Edges edges = theory::edges_of(surface),
@@ -209,8 +209,8 @@ BOOST_AUTO_TEST_CASE(the_laboratory_builds_stocks_triangulation_and_counts_all)
   const std::size_t n = surface.points.size();
   theory::Laboratory laboratory(surface.points, edges, subgraph, 1);
   const auto rounds = laboratory.run();
-  const theory::Counted_triangulation stock(surface.points.begin(), surface.points.end());
-  BOOST_TEST((laboratory.triangulation() == stock));
+  const theory::Counted_triangulation plain(surface.points.begin(), surface.points.end());
+  BOOST_TEST((laboratory.triangulation() == plain));
 
   const auto ends = CGAL::Random_log_star_rounds::round_ends(n);
   BOOST_TEST_REQUIRE(rounds.size() == ends.size());

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A peer of compare_with_stock: TetGen's Delaunay tetrahedralization of points.
+// A peer of compare_with_plain: TetGen's Delaunay tetrahedralization of points.
 
 #include <Delaunay_from_surface_3_comparison/points_file.h>
 

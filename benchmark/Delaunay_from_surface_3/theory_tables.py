@@ -12,7 +12,7 @@ WAYS = {  # colour and label; the order is that of the legends and tables
     "walk-trace": ("#e69f00", "walk, from the last trace"),
     "walk-neighbor": ("#56b4e9", "walk, from the nearest surface neighbour"),
     "fast-location": ("#009e73", "Fast_location, random order"),
-    "stock": ("#000000", "stock: spatial sort, previous point"),
+    "plain": ("#000000", "plain CGAL: spatial sort, previous point"),
     "walk-random": ("#8a8a8a", "walk, from a random point"),
 }
 LARGE = 2**14  # from this size on the constants of Theorem 3 are looked at
@@ -107,9 +107,9 @@ def slopes(report):
         fits = report["fits"][name]
         root, trace, walk = (fits[way] for way in ("history-root", "history-trace", "walk-trace"))
         values = [trace["b"], trace["b"] / root["b"], trace["with_traces"]["b"], walk["b"], walk["with_traces"]["b"]]
-        rows.append([name, f'{root["b"]:.2f}'] + [f"{v:.3f}" for v in values] + [f'{fits["stock"]["b"]:.2f}'])
+        rows.append([name, f'{root["b"]:.2f}'] + [f"{v:.3f}" for v in values] + [f'{fits["plain"]["b"]:.2f}'])
     return table(["surface", "history-root", "history-trace", "ratio", "history-trace with traces", "walk-trace",
-                  "walk-trace with traces", "stock"], rows)
+                  "walk-trace with traces", "plain"], rows)
 
 
 def crossings(report):

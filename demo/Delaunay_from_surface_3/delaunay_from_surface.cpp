@@ -10,7 +10,7 @@
 #include "Progress_visitor.h"
 #include "Stopwatch.h"
 #include "Surface.h"
-#include "compare_with_stock.h"
+#include "compare_with_plain.h"
 #include "file_extension.h"
 #include "insertion_statistics.h"
 #include "read_surface.h"
@@ -102,7 +102,7 @@ int run(const Options& options, const Surface& surface, std::optional<Output_fil
 
   bool is_equal = true;
   if (options.compare)
-    is_equal = compare_with_stock(surface, traits, options.seed, options.repetitions, tr);
+    is_equal = compare_with_plain(surface, traits, options.seed, options.repetitions, tr);
   if (options.stats) {
     report_surface(surface, tr, vertices);
     report_seconds(surface, traits, options.seed);
@@ -124,7 +124,7 @@ int run(const Options& options)
   report_input(options, surface);
   if (options.traits == "tracing")
     return run(options, surface, output, CGAL::Tracing_traits_3());
-  if (options.traits == "stock")
+  if (options.traits == "plain")
     return run(options, surface, output, CGAL::Stock_order_traits_3());
   return run(options, surface, output, CGAL::Surface_insertion_traits_3());
 }

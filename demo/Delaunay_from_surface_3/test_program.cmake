@@ -53,11 +53,11 @@ works(ARGS --version PRINTS "^delaunay_from_surface [0-9]+[.][0-9]+[.][0-9]+ [(]
 # --- A mesh, by all traits -----------------------------------------------------------------------------
 
 set(torus "${EXAMPLES}/torus.off")
-foreach(traits default tracing stock)
+foreach(traits default tracing plain)
   works(ARGS "${torus}" --traits ${traits} --seed 3 --compare --repetitions 2 --stats
     PRINTS "\nsurface: +triangle mesh\n" "\ntraits: +${traits}\n" "\nseed: +3\n" "\ndimension: +3\n"
            "\nvertices: +960\n" "\nduplicates: +0\n" "\nfinite cells: +8317\n" "\nrepetitions: +2\n"
-           "\npackage CPU seconds: +[0-9.]+\n" "\nstock CPU seconds: +[0-9.]+\n" "\nCPU ratio: +[0-9.]+\n"
+           "\npackage CPU seconds: +[0-9.]+\n" "\nplain CPU seconds: +[0-9.]+\n" "\nCPU ratio: +[0-9.]+\n"
            "\nwall ratio: +[0-9.]+\n" "\nequal: +yes\n" "\nDelaunay edges: +2880 of 2880 "
            "\nDelaunay triangles: +1920 of 1920 " "\nlocate: +[0-9.]+\n" "\nall +locate +960 "
            "\nall +update +960 ")

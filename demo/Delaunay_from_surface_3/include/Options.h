@@ -44,7 +44,7 @@ inline const char* const traits_text =
     "  default  \tthe fastest measured\n"
     "  tracing  \tthe algorithm of the paper (Choi, SoCG 2002): random order, rounds, and the "
     "surface traced through the triangulation after each round\n"
-    "  stock    \tthe order and the starting cells of CGAL's own insert(first, last)";
+    "  plain    \tthe order and the starting cells of CGAL's own insert(first, last)";
 
 // A number in [lowest, largest of unsigned int]; Boost alone would take -1 for 4294967295.
 inline unsigned int checked_number(const std::string& option, long long value, long long lowest)
@@ -107,9 +107,9 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
 
   if (options.input.empty())
     throw std::runtime_error("no surface given");
-  if (options.traits != "default" && options.traits != "tracing" && options.traits != "stock")
+  if (options.traits != "default" && options.traits != "tracing" && options.traits != "plain")
     throw std::runtime_error("unknown traits '" + options.traits +
-                             "': they are default, tracing and stock");
+                             "': they are default, tracing and plain");
   if (!options.compare && !given["repetitions"].defaulted())
     throw std::runtime_error("option '--repetitions' needs '--compare'");
   options.seed = checked_number("seed", seed, 0);

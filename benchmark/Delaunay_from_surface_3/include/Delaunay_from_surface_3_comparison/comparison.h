@@ -81,15 +81,15 @@ public:
       for (const Method& method : m_methods)
         memory.push_back(memory_as_json(memory_of_build(method, mesh, m_seed),
                                         double(mesh.number_of_vertices())));
-    const Reference stock(mesh, m_options.largest_compared); // warms up, too
-    time_all(mesh, stock);
+    const Reference plain(mesh, m_options.largest_compared); // warms up, too
+    time_all(mesh, plain);
 
     result["yardstick"] = yardstick();
-    const double stock_cpu = median(m_records.front().cpu);
+    const double plain_cpu = median(m_records.front().cpu);
     bool all_equal = true;
     for (std::size_t m = 0; m < m_methods.size(); ++m) {
-      Json method = method_as_json(m, stock_cpu, result["yardstick"]);
-      method["equal_checked_by"] = stock.how_compared();
+      Json method = method_as_json(m, plain_cpu, result["yardstick"]);
+      method["equal_checked_by"] = plain.how_compared();
       if (m_options.memory)
         method["memory"] = memory[m];
       if (!m_options.only_times)
@@ -99,7 +99,7 @@ public:
       result["methods"].push_back(std::move(method));
     }
     for (const Peer_record& record : m_peer_records) {
-      Json peer = record.as_json(stock_cpu, stock.number_of_tetrahedra());
+      Json peer = record.as_json(plain_cpu, plain.number_of_tetrahedra());
       if (record.failure().empty())
         say(peer, peer["has_as_many_tetrahedra"] ? "as many tetrahedra" : "other tetrahedra");
       else
@@ -112,7 +112,7 @@ public:
 
 private:
   // Alternating repetitions; the r-th begins with the r-th, so that none always comes first.
-  void time_all(const Mesh& mesh, const Reference& stock)
+  void time_all(const Mesh& mesh, const Reference& plain)
   {
     std::optional<Points_file> points;
     if (!m_peers.empty())
@@ -122,25 +122,25 @@ private:
       for (std::size_t k = 0; k < number; ++k) {
         const std::size_t m = (r + k) % number;
         if (m < m_methods.size())
-          time_method(m, mesh, stock, r == 0);
+          time_method(m, mesh, plain, r == 0);
         else
           m_peer_records[m - m_methods.size()].run(m_launcher, points->name());
       }
       const Time verified = time_of([&] {
-        if (!stock.is_locally_delaunay())
-          throw std::runtime_error("stock's triangulation is not Delaunay");
+        if (!plain.is_locally_delaunay())
+          throw std::runtime_error("plain CGAL's triangulation is not Delaunay");
       });
       m_verification.push_back(verified.cpu);
     }
   }
 
   // The same seed makes the same triangulation every time: it is compared once.
-  void time_method(std::size_t m, const Mesh& mesh, const Reference& stock, bool is_compared)
+  void time_method(std::size_t m, const Mesh& mesh, const Reference& plain, bool is_compared)
   {
     Method_record& record = m_records[m];
     record.add(m_methods[m].build(mesh, m_seed, [&](auto tr) {
       if (is_compared)
-        record.is_equal = std::visit([&](auto* t) { return stock.is_equal(*t); }, tr);
+        record.is_equal = std::visit([&](auto* t) { return plain.is_equal(*t); }, tr);
     }));
   }
 
@@ -157,12 +157,12 @@ private:
     return result;
   }
 
-  Json method_as_json(std::size_t m, double stock_cpu, const Json& yardstick) const
+  Json method_as_json(std::size_t m, double plain_cpu, const Json& yardstick) const
   {
     Json result = {{"method", m_methods[m].name}};
     result.update(m_records[m].as_json());
     const double cpu = result["median_cpu"];
-    result["ratio_stock_to_method"] = rounded(stock_cpu / cpu, 1e4);
+    result["ratio_plain_to_method"] = rounded(plain_cpu / cpu, 1e4);
     if (yardstick.contains("total"))
       result["ratio_method_to_yardstick"] = rounded(cpu / double(yardstick["total"]), 1e4);
     result["equal"] = m_records[m].is_equal;
@@ -181,7 +181,7 @@ private:
   {
     std::cerr << "  " << std::left << std::setw(20) << std::string(method["method"]) << std::right
               << std::fixed << std::setprecision(3) << std::setw(9) << double(method["median_cpu"])
-              << " s  " << std::setw(6) << double(method["ratio_stock_to_method"]) << " x  "
+              << " s  " << std::setw(6) << double(method["ratio_plain_to_method"]) << " x  "
               << verdict << '\n';
   }
 

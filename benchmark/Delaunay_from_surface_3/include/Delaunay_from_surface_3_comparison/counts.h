@@ -129,10 +129,10 @@ inline Json cells_as_json(std::size_t destroyed, std::size_t created, double n)
 }
 
 // CGAL's insertion of a range: all that can be seen from outside.
-inline Json counts_of_stock(const Mesh& mesh)
+inline Json counts_of_plain(const Mesh& mesh)
 {
   Counted_triangulation tr;
-  insert_stock(tr, mesh);
+  insert_plain(tr, mesh);
   const double all = double(tr.geom_traits().counts().all());
   return {{"predicates",
            {{"all_calls_per_point", rounded(all / double(mesh.number_of_vertices()), 1e4)}}}};

@@ -45,10 +45,10 @@ struct Method
 
 // CGAL's own insert(first, last).
 template <class Tr>
-Build build_by_stock(const Mesh& mesh, unsigned int, const Look& look)
+Build build_by_plain(const Mesh& mesh, unsigned int, const Look& look)
 {
   Tr tr;
-  const Time time = time_of([&] { insert_stock(tr, mesh); });
+  const Time time = time_of([&] { insert_plain(tr, mesh); });
   look(&tr);
   return {time, std::nullopt};
 }
@@ -90,27 +90,27 @@ Method surface_method(const std::string& name, const std::string& description)
   return method;
 }
 
-// Stock is the first: the others are compared with it.
+// Plain CGAL is the first: the others are compared with it.
 inline std::vector<Method> all_methods()
 {
   using namespace CGAL;
   using Default = Surface_insertion_traits_3;
   return {
-      {"stock", "dt.insert(first, last) of CGAL", build_by_stock<Triangulation>, nullptr,
-       [](const Mesh& mesh, unsigned int) { return counts_of_stock(mesh); }},
-      {"stock-fast", "the same into a triangulation with Fast_location",
-       build_by_stock<Fast_triangulation>, nullptr, nullptr},
+      {"plain", "dt.insert(first, last) of CGAL", build_by_plain<Triangulation>, nullptr,
+       [](const Mesh& mesh, unsigned int) { return counts_of_plain(mesh); }},
+      {"plain-fast", "the same into a triangulation with Fast_location",
+       build_by_plain<Fast_triangulation>, nullptr, nullptr},
       surface_method<Default>("default", "Surface_insertion_traits_3: nets, compact triangulation"),
       {"default-fast", "the same into a triangulation with Fast_location",
        build_by_package<Fast_triangulation, Default>,
        phases_of_package<Fast_triangulation, Default>, nullptr},
       surface_method<Surface_insertion_policies_3<Full_graph, Spatial_sort_order, Previous_hint_3,
                                                   Compact_delaunay_3>>(
-          "compact-spatial", "stock's order, which needs no surface; compact triangulation"),
+          "compact-spatial", "plain CGAL's order, which needs no surface; compact triangulation"),
       surface_method<Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(
           "nets", "nets of the surface, their starting points, CGAL's insertion"),
-      surface_method<Stock_order_traits_3>("stock-order",
-                                           "Stock_order_traits_3: stock's insertions, our loop"),
+      surface_method<Stock_order_traits_3>(
+          "plain-order", "Stock_order_traits_3: plain CGAL's insertions, our loop"),
       surface_method<Surface_insertion_policies_3<
           Full_graph, Neighbor_started_rounds<Geometric_rounds>, Planned_hints_3>>(
           "geometric-started", "rounds that grow geometrically, neighbour inserted last before"),

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_OPTIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_OPTIONS_H
 
-// The command line of compare_with_stock.
+// The command line of compare_with_plain.
 
 #include <Delaunay_from_surface_3_comparison/methods.h>
 #include <Delaunay_from_surface_3_comparison/peers.h>
@@ -29,9 +29,9 @@ inline const char* const introduction =
     R"(Compares ways to build the Delaunay triangulation of a surface's vertices with CGAL's own
 insert(first, last): times, phases, counts, memory, and whether the results are equal.
 
-  compare_with_stock --data-dir meshes --output results.json
-  compare_with_stock --surfaces genus-3 sphere --sizes 16384 65536 --methods stock default
-  compare_with_stock --surfaces sphere --sizes 65536 --methods default --peer tetgen=./tetgen_peer
+  compare_with_plain --data-dir meshes --output results.json
+  compare_with_plain --surfaces genus-3 sphere --sizes 16384 65536 --methods plain default
+  compare_with_plain --surfaces sphere --sizes 65536 --methods default --peer tetgen=./tetgen_peer
 
 Every repetition runs all methods and peers, each time beginning with another one. Phases, counts
 and memory come from runs of their own, since to measure them takes time.
@@ -43,7 +43,7 @@ struct Options
   std::vector<std::string> surfaces, meshes, methods, peers;
   std::vector<std::size_t> sizes = {16384, 65536, 262144, 1048576};
   std::size_t repetitions = 3, largest_compared = 300000;
-  std::string output = "compare_with_stock.json", data_dir;
+  std::string output = "compare_with_plain.json", data_dir;
   std::uint64_t seed = 0;
   bool memory = false, only_times = false;
   std::string command;
@@ -64,7 +64,7 @@ inline boost::program_options::options_description describe(Options& o)
       "numbers of points; default: 16384 65536 262144 1048576. A surface skips those it is too "
       "detailed for. 0 takes those of --mesh as they are.");
   add("methods", po::value(&o.methods)->multitoken()->value_name("NAME..."),
-      "default: all; stock always runs");
+      "default: all; plain always runs");
   add("peer", po::value(&o.peers)->composing()->value_name("NAME=COMMAND"),
       "one more method, by a program of its own; may be repeated");
   add("repetitions,r", po::value(&o.repetitions)->value_name("N")->default_value(o.repetitions),
@@ -103,7 +103,7 @@ inline std::optional<Options> parse_command_line(int argc, char** argv)
   // An empty positional description: a stray word is an error.
   po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), given);
   po::notify(given);
-  options.command = "compare_with_stock";
+  options.command = "compare_with_plain";
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     options.command += word.find(' ') == std::string::npos ? " " + word : " '" + word + "'";
@@ -135,7 +135,7 @@ std::vector<Item> chosen(const std::vector<Item>& all, const std::vector<std::st
   return items;
 }
 
-// The first method is stock, whatever was chosen.
+// The first method is plain CGAL, whatever was chosen.
 inline std::vector<Method> chosen_methods(const Options& options)
 {
   const std::vector<Method> all = all_methods();

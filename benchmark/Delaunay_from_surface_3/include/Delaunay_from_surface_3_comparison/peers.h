@@ -47,7 +47,7 @@ public:
   template <class Points>
   explicit Points_file(const Points& points)
     : m_name((std::filesystem::temp_directory_path() /
-              ("compare_with_stock-" + std::to_string(getpid()) + ".points"))
+              ("compare_with_plain-" + std::to_string(getpid()) + ".points"))
                  .string())
   {
     write_points_file(points, m_name);
@@ -108,8 +108,8 @@ public:
 
   const std::string& failure() const { return m_failure; }
 
-  // `stock`: its median time, and what it found.
-  Json as_json(double stock_cpu, std::size_t stock_tetrahedra) const
+  // `plain`: its median time, and what it found.
+  Json as_json(double plain_cpu, std::size_t plain_tetrahedra) const
   {
     Json result = {{"method", m_peer.name}, {"command", m_peer.command}};
     if (!m_failure.empty()) {
@@ -117,9 +117,9 @@ public:
       return result;
     }
     result.update(with_median("cpu", m_cpu));
-    result["ratio_stock_to_method"] = rounded(stock_cpu / double(result["median_cpu"]), 1e4);
+    result["ratio_plain_to_method"] = rounded(plain_cpu / double(result["median_cpu"]), 1e4);
     result["tetrahedra"] = m_tetrahedra;
-    result["has_as_many_tetrahedra"] = m_tetrahedra == stock_tetrahedra;
+    result["has_as_many_tetrahedra"] = m_tetrahedra == plain_tetrahedra;
     result["memory"] = {{"peak_bytes", m_peak_bytes}};
     return result;
   }

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_REFERENCE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_REFERENCE_H
 
-// Stock's triangulation of a surface: what the others must equal, and what is verified.
+// Plain CGAL's triangulation of a surface: what the others must equal, and what is verified.
 
 #include <Delaunay_from_surface_3_comparison/triangulations.h>
 
@@ -34,14 +34,14 @@ public:
   Reference(const Mesh& mesh, std::size_t largest_compared)
     : m_compares_exactly(mesh.number_of_vertices() <= largest_compared)
   {
-    insert_stock(m_stock, mesh);
-    m_number_of_tetrahedra = m_stock.number_of_finite_cells();
+    insert_plain(m_plain, mesh);
+    m_number_of_tetrahedra = m_plain.number_of_finite_cells();
   }
 
   template <class Tr>
   bool is_equal(const Tr& tr) const
   {
-    return m_compares_exactly ? tr == m_stock : have_same_counts(tr, m_stock);
+    return m_compares_exactly ? tr == m_plain : have_same_counts(tr, m_plain);
   }
 
   const char* how_compared() const
@@ -54,12 +54,12 @@ public:
   // One in-sphere test for every facet between two finite cells: whether all are locally Delaunay.
   bool is_locally_delaunay() const
   {
-    const auto in_sphere = m_stock.geom_traits().side_of_oriented_sphere_3_object();
+    const auto in_sphere = m_plain.geom_traits().side_of_oriented_sphere_3_object();
     std::size_t violations = 0;
-    for (const auto c : m_stock.finite_cell_handles())
+    for (const auto c : m_plain.finite_cell_handles())
       for (int i = 0; i < 4; ++i) {
         const auto d = c->neighbor(i);
-        if (d < c && !m_stock.is_infinite(d))
+        if (d < c && !m_plain.is_infinite(d))
           violations += in_sphere(c->vertex(0)->point(), c->vertex(1)->point(),
                                   c->vertex(2)->point(), c->vertex(3)->point(),
                                   d->vertex(d->index(c))->point()) == CGAL::ON_POSITIVE_SIDE;
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  Triangulation m_stock;
+  Triangulation m_plain;
   bool m_compares_exactly;
   std::size_t m_number_of_tetrahedra;
 };

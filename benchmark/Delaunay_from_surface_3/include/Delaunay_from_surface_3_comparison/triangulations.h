@@ -30,7 +30,7 @@ using Look = std::function<void(std::variant<const Triangulation*, const Fast_tr
 
 // CGAL's own insertion of a range of points, in the order of the mesh.
 template <class Tr>
-void insert_stock(Tr& tr, const Mesh& mesh)
+void insert_plain(Tr& tr, const Mesh& mesh)
 {
   tr.insert(mesh.points().begin(), mesh.points().end());
 }

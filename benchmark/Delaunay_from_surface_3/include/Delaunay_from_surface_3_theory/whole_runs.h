@@ -130,7 +130,7 @@ inline std::vector<Whole_run> whole_runs()
 {
   using namespace comparison;
   using Tracing = CGAL::Tracing_traits_3;
-  using Stock = CGAL::Stock_order_traits_3;
+  using Plain = CGAL::Stock_order_traits_3;
   using Fast = Random_order_traits<No_hint_3>;
   return {
       {"history-root", nullptr, times_of_run<Random_order_traits<Root_hints_3>, Triangulation>},
@@ -142,7 +142,7 @@ inline std::vector<Whole_run> whole_runs()
       {"walk-random", nullptr, times_of_run<Random_order_traits<Random_hint_3>, Triangulation>},
       {"fast-location", counts_of_run<Fast, Counted_fast_triangulation>,
        times_of_run<Fast, Fast_triangulation>},
-      {"stock", counts_of_run<Stock, Counted_triangulation>, times_of_run<Stock, Triangulation>}};
+      {"plain", counts_of_run<Plain, Counted_triangulation>, times_of_run<Plain, Triangulation>}};
 }
 
 } // namespace theory

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_STOCK_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_STOCK_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_PLAIN_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_PLAIN_H
 
 #include "Progress_visitor.h"
 #include "Stopwatch.h"
@@ -23,7 +23,7 @@ Seconds time_package(const Surface& surface, const Traits& traits, unsigned int 
 }
 
 // CGAL's own insertion of the points in the order of the file, from nothing into `tr`.
-inline Seconds time_stock(const Surface& surface, Triangulation& tr)
+inline Seconds time_plain(const Surface& surface, Triangulation& tr)
 {
   return time_of([&] { tr.insert(surface.points.begin(), surface.points.end()); });
 }
@@ -46,28 +46,28 @@ struct Timings
   }
 };
 
-inline void report_timings(const Timings& package, const Timings& stock)
+inline void report_timings(const Timings& package, const Timings& plain)
 {
   const double package_cpu = median(package.cpu), package_wall = median(package.wall);
-  const double stock_cpu = median(stock.cpu), stock_wall = median(stock.wall);
+  const double plain_cpu = median(plain.cpu), plain_wall = median(plain.wall);
   report("repetitions", package.cpu.size());
   report("package CPU seconds", decimals(package_cpu, 6));
-  report("stock CPU seconds", decimals(stock_cpu, 6));
+  report("plain CPU seconds", decimals(plain_cpu, 6));
   report("package wall seconds", decimals(package_wall, 6));
-  report("stock wall seconds", decimals(stock_wall, 6));
-  report("CPU ratio", decimals(stock_cpu / package_cpu, 3));
-  report("wall ratio", decimals(stock_wall / package_wall, 3));
+  report("plain wall seconds", decimals(plain_wall, 6));
+  report("CPU ratio", decimals(plain_cpu / package_cpu, 3));
+  report("wall ratio", decimals(plain_wall / package_wall, 3));
 }
 
-// Runs the package and stock in turns, and now one, now the other first. Prints the medians and
-// returns whether stock's triangulation equals `result`.
+// Runs the package and plain CGAL in turns, and now one, now the other first. Prints the medians and
+// returns whether plain CGAL's triangulation equals `result`.
 template <class Traits>
-bool compare_with_stock(const Surface& surface, const Traits& traits, unsigned int seed,
+bool compare_with_plain(const Surface& surface, const Traits& traits, unsigned int seed,
                         unsigned int repetitions, const Triangulation& result)
 {
   std::cout << "\nComparison with CGAL's own insert(first, last)"
-               "\n(medians; ratio = stock / package, above 1 the package is faster)\n";
-  Timings package, stock;
+               "\n(medians; ratio = plain CGAL / package, above 1 the package is faster)\n";
+  Timings package, plain;
   bool is_equal = true;
   {
     Progress_line line;
@@ -78,7 +78,7 @@ bool compare_with_stock(const Surface& surface, const Traits& traits, unsigned i
         package.add(time_package(surface, traits, seed));
       {
         Triangulation tr;
-        stock.add(time_stock(surface, tr));
+        plain.add(time_plain(surface, tr));
         if (r + 1 == repetitions)
           is_equal = result == tr;
       }
@@ -86,9 +86,9 @@ bool compare_with_stock(const Surface& surface, const Traits& traits, unsigned i
         package.add(time_package(surface, traits, seed));
     }
   }
-  report_timings(package, stock);
+  report_timings(package, plain);
   report("equal", is_equal ? "yes" : "no");
   return is_equal;
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_STOCK_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_PLAIN_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A peer of compare_with_stock: CGAL's insert(first, last). It is built twice: as stock_peer, and
-// as stock_peer_sse2_max with CGAL_USE_SSE2_MAX, which must not meet code without it in one program.
+// A peer of compare_with_plain: CGAL's insert(first, last). It is built twice: as plain_peer, and
+// as plain_peer_sse2_max with CGAL_USE_SSE2_MAX, which must not meet code without it in one program.
 
 #include <Delaunay_from_surface_3_comparison/points_file.h>
 
@@ -21,7 +21,7 @@ int main(int argc, char** argv)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   if (argc != 2) {
-    std::cerr << "usage: stock_peer FILE-OF-POINTS\n";
+    std::cerr << "usage: plain_peer FILE-OF-POINTS\n";
     return EXIT_FAILURE;
   }
   try {
@@ -36,7 +36,7 @@ int main(int argc, char** argv)
     comparison::print_answer(begin, end, tr.number_of_finite_cells());
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
-    std::cerr << "stock_peer: " << error.what() << '\n';
+    std::cerr << "plain_peer: " << error.what() << '\n';
   }
   return EXIT_FAILURE;
 }

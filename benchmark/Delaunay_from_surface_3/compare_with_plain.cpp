@@ -28,7 +28,7 @@ Json description_of(const std::vector<Method>& methods, const Options& options)
   Json names = Json::object();
   for (const Method& method : methods)
     names[method.name] = method.description;
-  return {{"program", "compare_with_stock"},
+  return {{"program", "compare_with_plain"},
           {"command", options.command},
           {"machine", describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)},
           {"load_average_at_start", rounded(load_average(), 100)},
@@ -44,7 +44,7 @@ void write(const Json& report, const std::string& file_name)
     throw std::runtime_error("cannot write '" + file_name + "'");
 }
 
-// Returns whether all triangulations were equal to stock's.
+// Returns whether all triangulations were equal to plain CGAL's.
 bool run(const Options& options)
 {
   Launcher launcher; // before anything large is in memory
@@ -81,7 +81,7 @@ int main(int argc, char** argv)
       throw std::runtime_error("a triangulation differs from CGAL's");
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
-    std::cerr << "compare_with_stock: " << error.what() << '\n';
+    std::cerr << "compare_with_plain: " << error.what() << '\n';
   }
   return EXIT_FAILURE;
 }
