@@ -3,6 +3,8 @@
 
 // Makes a triangle surface for tests and benchmarks and writes it to a file.
 
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
+#include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
@@ -10,6 +12,7 @@
 #include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>
+#include <Delaunay_from_surface_3_surfaces/renumber.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 #include <Delaunay_from_surface_3_surfaces/topology.h>
 
@@ -53,6 +56,24 @@ Shapes (--vertices says about how many points to make):
   loop            Loop subdivision of the mesh --input, --rounds times
   densify         the mesh --input, refined to exactly --vertices points
 
+Solids as CAD gives them, with fans and needles; --seed draws their proportions, --numbering says how
+the vertices are numbered: along the profile, along the rings or not at all:
+  airfoil         extruded NACA airfoil
+  gear            extruded gear with a bore
+  i-beam          extruded I-beam with fillets
+  drilled-plate   plate with rows of holes with rounded rims
+  ribbed-plate    plate with ribs on fillets
+  pipe            pipe of straight parts and bends
+  cylinder        cylinder of many segments, with fans as caps
+  thread          threaded rod, with fans as caps
+  vase            turned solid of a smooth outline, with fans as caps
+
+Surfaces that mislead:
+  star            a fan around vertex 0 that joins points of a thick sphere at random
+  random-faces    points of a thick sphere, faces that join three of them at random
+  two-lines       a band from line to line, which are askew: quadratically many cells
+  nearly-flat     random points of a square, off their plane by up to 1e-12
+
 Options)";
 
 po::options_description describe_options()
@@ -84,6 +105,10 @@ po::options_description describe_options()
   add("duplicates", po::value<std::int64_t>()->value_name("N")->default_value(0),
       "number of points to double");
   add("soup", po::bool_switch(), "give every face three points of its own");
+  add("numbering", po::value<std::string>()->value_name("NAME")->default_value("profile"),
+      "of a CAD solid: profile, ring or shuffled");
+  add("decimals", po::value<std::int64_t>()->value_name("N"), "round coordinates to N decimals");
+  add("float", po::bool_switch(), "round coordinates to single precision");
   add("shuffle", po::bool_switch(), "put points and faces into random order");
   add("seed", po::value<std::uint64_t>()->value_name("N")->default_value(0),
       "seed of all that is random");
@@ -107,11 +132,23 @@ std::string text(const po::variables_map& options, const std::string& name)
   return options[name].as<std::string>();
 }
 
+surfaces::Numbering numbering(const po::variables_map& options)
+{
+  const std::map<std::string, surfaces::Numbering> names = {
+      {"profile", surfaces::Numbering::BY_PROFILE},
+      {"ring", surfaces::Numbering::BY_RING},
+      {"shuffled", surfaces::Numbering::SHUFFLED}};
+  const auto name = names.find(text(options, "numbering"));
+  if (name == names.end())
+    throw std::invalid_argument("--numbering must be profile, ring or shuffled");
+  return name->second;
+}
+
 Indexed_surface make_shape(const po::variables_map& options)
 {
   const std::size_t n = count(options, "vertices"), genus = count(options, "genus");
   const std::uint64_t seed = options["seed"].as<std::uint64_t>();
-  const std::map<std::string, std::function<Indexed_surface()>> makers = {
+  std::map<std::string, std::function<Indexed_surface()>> makers = {
       {"genus", [&] { return surfaces::genus_surface(genus, n, 0, seed); }},
       {"plate", [&] { return surfaces::plate_surface(genus, n, 0, seed); }},
       {"sphere", [&] { return surfaces::sphere(n, options["noise"].as<double>(), seed); }},
@@ -122,6 +159,10 @@ Indexed_surface make_shape(const po::variables_map& options)
       {"terrain", [&] { return surfaces::terrain(n, seed); }},
       {"coplanar", [&] { return surfaces::coplanar(n); }},
       {"collinear", [&] { return surfaces::collinear(n); }},
+      {"star", [&] { return surfaces::star(n, seed); }},
+      {"random-faces", [&] { return surfaces::faces_at_random(n, seed); }},
+      {"two-lines", [&] { return surfaces::two_lines(n); }},
+      {"nearly-flat", [&] { return surfaces::nearly_flat(n, 1e-12, seed); }},
       {"loop",
        [&] {
          const unsigned rounds = static_cast<unsigned>(count(options, "rounds"));
@@ -130,6 +171,8 @@ Indexed_surface make_shape(const po::variables_map& options)
       {"densify",
        [&] { return surfaces::densified(surfaces::read_mesh(text(options, "input")), n, 0); }},
   };
+  for (const surfaces::Cad_family& family : surfaces::cad_families())
+    makers[family.name] = [&, make = family.make] { return make(n, seed, numbering(options)); };
   const std::string name = text(options, "shape");
   const auto maker = makers.find(name);
   if (maker == makers.end())
@@ -151,6 +194,10 @@ void edit(Indexed_surface& surface, const po::variables_map& options)
                    seed);
   if (const std::size_t holes = count(options, "holes"))
     surfaces::puncture(surface, holes, seed);
+  if (options["float"].as<bool>())
+    surfaces::round_to_float(surface);
+  if (options.count("decimals"))
+    surfaces::round_to_decimals(surface, static_cast<unsigned>(count(options, "decimals")));
   if (const std::size_t duplicates = count(options, "duplicates"))
     surfaces::duplicate_points(surface, duplicates, seed);
   if (options["soup"].as<bool>())

@@ -6,6 +6,8 @@
 #define BOOST_TEST_MODULE surfaces
 #include <boost/test/included/unit_test.hpp>
 
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
+#include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
@@ -19,6 +21,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
@@ -403,4 +406,72 @@ BOOST_AUTO_TEST_CASE(arguments_without_sense_are_refused)
   BOOST_CHECK_THROW(surfaces::puncture(surface, 10, 0), std::invalid_argument);
   surface.faces.push_back(surface.faces.front());
   BOOST_CHECK_THROW(surfaces::to_mesh<Mesh>(surface), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(cad_solids_are_closed)
+{
+  using surfaces::Numbering;
+  for (const surfaces::Cad_family& family : surfaces::cad_families())
+    for (const std::uint64_t seed : {1, 2, 3})
+      BOOST_TEST_CONTEXT(family.name << ", seed " << seed)
+      {
+        const Indexed_surface surface = family.make(3000, seed, Numbering::BY_PROFILE);
+        BOOST_TEST(surface.points.size() >= 2700u);
+        BOOST_TEST(surface.points.size() <= 3500u);
+        const Mesh mesh = manifold(surface);
+        BOOST_TEST(CGAL::is_closed(mesh));
+        BOOST_TEST(surfaces::number_of_components(surface) == 1u);
+        BOOST_TEST(PMP::volume(mesh) > 0);
+        BOOST_TEST(!PMP::does_self_intersect(mesh));
+        // The same solid in every numbering.
+        const std::set<Indexed_surface::Point_3> points(surface.points.begin(),
+                                                        surface.points.end());
+        for (const Numbering numbering : {Numbering::BY_RING, Numbering::SHUFFLED}) {
+          const Indexed_surface other = family.make(3000, seed, numbering);
+          BOOST_TEST(!same(surface, other));
+          BOOST_TEST((std::set<Indexed_surface::Point_3>(other.points.begin(),
+                                                         other.points.end()) == points));
+          BOOST_TEST(PMP::volume(manifold(other)) == PMP::volume(mesh),
+                     boost::test_tools::tolerance(1e-9));
+        }
+      }
+}
+
+BOOST_AUTO_TEST_CASE(cad_numbering_follows_profiles_or_rings)
+{
+  using surfaces::Numbering;
+  const Indexed_surface by_profile =
+      surfaces::cad_families()[0].make(3000, 1, Numbering::BY_PROFILE);
+  const Indexed_surface by_ring = surfaces::cad_families()[0].make(3000, 1, Numbering::BY_RING);
+  BOOST_TEST(by_profile.points[0].z() == by_profile.points[1].z());
+  BOOST_TEST(by_ring.points[0].x() == by_ring.points[1].x());
+  BOOST_TEST(by_ring.points[0].z() < by_ring.points[1].z());
+}
+
+BOOST_AUTO_TEST_CASE(rounded_coordinates)
+{
+  Indexed_surface surface = surfaces::sphere(100, 0.01);
+  Indexed_surface decimals = surface;
+  surfaces::round_to_float(surface);
+  surfaces::round_to_decimals(decimals, 3);
+  for (std::size_t i = 0; i < 100; ++i) {
+    BOOST_TEST(surface.points[i].x() == double(float(surface.points[i].x())));
+    BOOST_TEST(decimals.points[i].x() == std::round(decimals.points[i].x() * 1000) / 1000);
+    BOOST_TEST(std::abs(decimals.points[i].x() - surface.points[i].x()) < 0.000501);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(misleading_surfaces)
+{
+  BOOST_TEST(surfaces::star(500, 1).points.size() == 500u);
+  BOOST_TEST(surfaces::number_of_components(surfaces::star(500, 1)) == 1u);
+  for (const Indexed_surface::Face& face : surfaces::star(500, 1).faces)
+    BOOST_TEST(face[0] == 0u);
+  BOOST_TEST(surfaces::faces_at_random(500, 1).faces.size() == 1000u);
+  BOOST_TEST(surfaces::two_lines(500).points.size() == 500u);
+  BOOST_TEST(surfaces::number_of_components(surfaces::two_lines(500)) == 1u);
+  for (const Indexed_surface::Point_3& p : surfaces::nearly_flat(500, 1e-12, 1).points)
+    BOOST_TEST(std::abs(p.z()) <= 1e-12);
+  BOOST_CHECK_THROW(surfaces::star(2, 1), std::invalid_argument);
+  BOOST_CHECK_THROW(surfaces::two_lines(3), std::invalid_argument);
 }

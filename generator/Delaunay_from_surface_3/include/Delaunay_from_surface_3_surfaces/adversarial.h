@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_ADVERSARIAL_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_ADVERSARIAL_H
+
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
+#include <Delaunay_from_surface_3_surfaces/random.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+namespace surfaces {
+
+// Surfaces that mislead an order made from them, or whose triangulation is large whatever the order.
+
+/// A hub, vertex 0, and a fan of triangles around it: `n` - 1 points at random directions and distances
+/// between 0.9 and 1 from the hub. \pre `n >= 3`
+inline Indexed_surface star(std::size_t n, std::uint64_t seed)
+{
+  if (n < 3)
+    throw std::invalid_argument("a star needs at least 3 vertices");
+  Random random(seed);
+  Indexed_surface surface;
+  surface.points.emplace_back(0, 0, 0);
+  for (std::size_t i = 1; i < n; ++i) {
+    Indexed_surface::Vector_3 v = random.in_ball();
+    while (v.squared_length() < 0.01)
+      v = random.in_ball();
+    surface.points.push_back(CGAL::ORIGIN +
+                             random.uniform(0.9, 1) / std::sqrt(v.squared_length()) * v);
+    if (i > 1)
+      surface.faces.push_back({0, i - 1, i});
+  }
+  return surface;
+}
+
+/// `n` random points on a sphere with noise, and 2 `n` faces that join three of them at random.
+/// \pre `n >= 3`
+inline Indexed_surface faces_at_random(std::size_t n, std::uint64_t seed)
+{
+  if (n < 3)
+    throw std::invalid_argument("faces at random need at least 3 vertices");
+  Indexed_surface surface = star(n, seed); // its points but for the hub
+  surface.faces.clear();
+  surface.points[0] = Indexed_surface::Point_3(1, 0, 0);
+  Random random(seed + 1);
+  while (surface.faces.size() < 2 * n) {
+    const std::size_t a = random.below(n), b = random.below(n), c = random.below(n);
+    if (a != b && b != c && c != a)
+      surface.faces.push_back({a, b, c});
+  }
+  return surface;
+}
+
+/// `n` points on two lines askew, joined by a band of triangles: every two neighbours of one line form a
+/// cell with every two of the other, n^2 / 4 altogether. \pre `n >= 4`
+inline Indexed_surface two_lines(std::size_t n)
+{
+  if (n < 4)
+    throw std::invalid_argument("two lines need at least 4 vertices");
+  const std::size_t half = n / 2;
+  Indexed_surface surface;
+  for (std::size_t i = 0; i < half; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(half - 1) - 0.5;
+    surface.points.emplace_back(t, 0.01 * t * t, -1);
+    surface.points.emplace_back(0.01 * t * t, t, 1);
+    if (i == 0)
+      continue;
+    surface.faces.push_back({2 * i - 2, 2 * i - 1, 2 * i});
+    surface.faces.push_back({2 * i, 2 * i - 1, 2 * i + 1});
+  }
+  return surface;
+}
+
+/// About `n` points of the unit square, moved off a grid at random, and off their plane by up to
+/// `noise`. \pre `n >= 4`
+inline Indexed_surface nearly_flat(std::size_t n, double noise, std::uint64_t seed)
+{
+  if (n < 4)
+    throw std::invalid_argument("a nearly flat patch needs at least 4 vertices");
+  Random random(seed);
+  return internal::grid_patch(n, [&](double i, double j, double last) {
+    const double x = (i + random.uniform(0, 0.4)) / last, y = (j + random.uniform(0, 0.4)) / last;
+    return Indexed_surface::Point_3(x, y, random.uniform(-noise, noise));
+  });
+}
+
+} // namespace surfaces
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_ADVERSARIAL_H
