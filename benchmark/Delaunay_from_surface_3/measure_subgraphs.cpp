@@ -18,7 +18,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
-#include <CGAL/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
 
 #include <boost/program_options.hpp>
 
@@ -33,6 +33,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 namespace {
 
@@ -105,7 +107,7 @@ ordered_json measure_times(const std::string& name, const std::string& order,
   result["tree"] =
       measured(mesh, repetitions, [&](auto out) { CGAL::bounded_degree_spanning_tree(mesh, out); });
   result["cut_graph"]["nanoseconds_per_vertex"] =
-      nanoseconds_per_vertex(mesh, repetitions, [&](auto out) { CGAL::cut_graph(mesh, out); });
+      nanoseconds_per_vertex(mesh, repetitions, [&](auto out) { DFS::cut_graph(mesh, out); });
   if (num_vertices(mesh) > options.largest_for_others)
     return result;
   result["minimum_spanning_tree"] =
@@ -159,7 +161,7 @@ ordered_json measure_degrees(std::size_t genus, std::size_t n)
   Edges subgraph, tree, cut;
   CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
   CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
-  CGAL::cut_graph(mesh, std::back_inserter(cut));
+  DFS::cut_graph(mesh, std::back_inserter(cut));
   ordered_json result = {{"genus", genus},
                          {"vertices", num_vertices(mesh)},
                          {"bound_of_the_paper", genus == 0 ? 3 : 12 * genus},
@@ -169,7 +171,7 @@ ordered_json measure_degrees(std::size_t genus, std::size_t n)
   result["cut_graph"]["cut_edges"] = cut.size();
   if (genus > 0) {
     std::vector<Edges> loops;
-    CGAL::system_of_loops(mesh, std::back_inserter(loops));
+    DFS::system_of_loops(mesh, std::back_inserter(loops));
     std::vector<Mesh::Edge_index> on_loops;
     for (const Edges& loop : loops)
       on_loops.insert(on_loops.end(), loop.begin(), loop.end());

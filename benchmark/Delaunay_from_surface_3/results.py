@@ -14,7 +14,7 @@ METHODS = {  # colour and label; the order is that of the legends and tables
     "default-fast": ("#7d0000", "default, Fast_location"),
     "compact-spatial": ("#b8860b", "plain CGAL's order, compact triangulation"),
     "nets": ("#ff9d9d", "nets of the surface, CGAL's insertion"),
-    "plain-order": ("#8a8a8a", "Stock_order_traits_3 (control)"),
+    "plain-order": ("#8a8a8a", "Plain_insertion_traits_3 (control)"),
     "plain-sse2-max": ("#b0b0b0", "plain CGAL with CGAL_USE_SSE2_MAX"),
     "tetgen": ("#2e8b57", "TetGen"),
     "hxt": ("#6a3d9a", "HXT"),

@@ -19,6 +19,9 @@
 #include "write_simplices.h"
 
 #include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <cstdlib>
 #include <exception>
@@ -125,7 +128,7 @@ int run(const Options& options)
   if (options.traits == "tracing")
     return run(options, surface, output, CGAL::Tracing_traits_3());
   if (options.traits == "plain")
-    return run(options, surface, output, CGAL::Stock_order_traits_3());
+    return run(options, surface, output, CGAL::Plain_insertion_traits_3());
   return run(options, surface, output, CGAL::Surface_insertion_traits_3());
 }
 

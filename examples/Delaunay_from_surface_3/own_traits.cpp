@@ -5,25 +5,31 @@
 // A traits class of one's own: the trace of the paper, on all edges of the surface instead of a
 // spanning subgraph, with rounds that grow by a constant factor.
 
-#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <cstdlib>
 #include <iostream>
 #include <string>
 
+namespace DFS = CGAL::Delaunay_from_surface_3;
+
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<K::Point_3>;
 using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 
-struct My_traits : CGAL::Surface_insertion_policies_3<CGAL::Full_graph,       // where to trace
-                                                      CGAL::Geometric_rounds, // order, rounds
-                                                      CGAL::Traced_hints_3>   // where to start
+struct My_traits : CGAL::Surface_insertion_policies_3<DFS::Full_graph,       // where to trace
+                                                      DFS::Geometric_rounds, // order, rounds
+                                                      DFS::Traced_hints_3>   // where to start
 {
 };
 

@@ -7,7 +7,7 @@
 
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
-#include <CGAL/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -23,6 +23,8 @@
 #include <iostream>
 #include <iterator>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<K::Point_3>;
@@ -47,7 +49,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  const CGAL::Surface_topology topology = CGAL::surface_topology(mesh);
+  const DFS::Surface_topology topology = DFS::surface_topology(mesh);
   for (const auto& component : topology.components)
     std::cout << "genus " << component.genus() << ", " << component.number_of_boundary_loops
               << " boundary loops: degree at most " << component.subgraph_degree_bound() << "\n";

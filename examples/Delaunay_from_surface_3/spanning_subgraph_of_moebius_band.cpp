@@ -7,6 +7,8 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/certify_spanning_subgraph.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -46,7 +48,8 @@ int main()
   const auto boundary =
       boost::make_iterator_property_map(is_boundary.begin(), get(boost::edge_index, graph));
 
-  const auto topology = CGAL::surface_topology(graph, embedding, index, boundary);
+  const auto topology =
+      CGAL::Delaunay_from_surface_3::surface_topology(graph, embedding, index, boundary);
   std::cout << (topology.is_orientable() ? "orientable" : "not orientable") << ", "
             << topology.number_of_boundary_loops() << " boundary loop, Euler characteristic "
             << topology.euler_characteristic() << "\n";

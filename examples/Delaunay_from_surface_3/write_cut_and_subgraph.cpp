@@ -6,7 +6,7 @@
 // Edges are drawn as thin prisms, which every viewer shows: ParaView, MeshLab.
 
 #include <CGAL/bounded_degree_spanning_subgraph.h>
-#include <CGAL/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -103,7 +103,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   Edges cut, subgraph;
-  CGAL::cut_graph(mesh, std::back_inserter(cut));
+  CGAL::Delaunay_from_surface_3::cut_graph(mesh, std::back_inserter(cut));
   CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
 
   Coloured_soup soup;

@@ -21,7 +21,7 @@ The degree of every vertex is at most
 - 8g on a closed component of genus g > 0,
 - 8g + 2b + 1 on a component of genus g with b boundary loops.
 
-The subgraph contains the graph along which the surface was cut open (see `cut_graph()`) and the boundary; the rest hangs
+The subgraph contains the graph along which the surface was cut open (see `Delaunay_from_surface_3::cut_graph()`) and the boundary; the rest hangs
 on these as trees.
 
 \tparam HalfedgeGraph a model of `HalfedgeListGraph` and `FaceListGraph`

@@ -6,7 +6,7 @@
 #define CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
-#include <CGAL/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
 
 namespace CGAL {
 
@@ -29,11 +29,12 @@ Complexity: O(n log n).
 */
 template <class HalfedgeGraph, class EdgeRange,
           class NamedParameters = parameters::Default_named_parameters>
-Spanning_subgraph_certificate
+Delaunay_from_surface_3::Spanning_subgraph_certificate
 certify_spanning_subgraph(const HalfedgeGraph& g, const EdgeRange& subgraph_edges,
                           const NamedParameters& np = parameters::default_values())
 {
-  return certify_spanning_subgraph(g, subgraph_edges, surface_topology(g, np),
+  return certify_spanning_subgraph(g, subgraph_edges,
+                                   Delaunay_from_surface_3::surface_topology(g, np),
                                    get_initialized_vertex_index_map(g, np));
 }
 

@@ -12,6 +12,10 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/certify_spanning_subgraph.h>
 
 #include <iterator>
 #include <string>
@@ -194,8 +198,8 @@ BOOST_AUTO_TEST_CASE(random_damage_never_goes_unnoticed)
     std::vector<Embedded_graph::Edge> edges;
     CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(edges),
                                            g.index_map(), g.boundary_map());
-    const auto topology =
-        CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(
+        g.graph, g.embedding(), g.index_map(), g.boundary_map());
     BOOST_REQUIRE(CGAL::certify_spanning_subgraph(g.graph, edges, topology, g.index_map())
                       .is_valid_subgraph());
   }

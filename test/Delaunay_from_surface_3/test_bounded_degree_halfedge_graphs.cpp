@@ -15,8 +15,8 @@
 #include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
-#include <CGAL/cut_graph.h>
-#include <CGAL/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
 
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
@@ -35,6 +35,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using namespace triangle_lists;
 
@@ -66,7 +68,7 @@ std::string check_mesh(const Mesh& mesh)
   CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
   if (!CGAL::certify_spanning_subgraph(mesh, tree).is_valid_tree())
     return "the tree is not certified";
-  CGAL::cut_graph(mesh, std::back_inserter(cut));
+  DFS::cut_graph(mesh, std::back_inserter(cut));
   for (const auto& e : cut)
     if (is_border(e, mesh))
       return "a boundary edge is in the cut";
@@ -210,8 +212,8 @@ BOOST_AUTO_TEST_CASE(functors_are_surface_subgraphs)
   const Surface_mesh mesh = to_halfedge_mesh<Surface_mesh>(grid_torus(7, 9));
   const auto index = get(boost::vertex_index, mesh);
   Edges<Surface_mesh> subgraph, tree;
-  CGAL::Bounded_degree_subgraph()(mesh, index, std::back_inserter(subgraph));
-  CGAL::Bounded_degree_tree()(mesh, index, std::back_inserter(tree));
+  DFS::Bounded_degree_subgraph()(mesh, index, std::back_inserter(subgraph));
+  DFS::Bounded_degree_tree()(mesh, index, std::back_inserter(tree));
   BOOST_TEST((subgraph == subgraph_of(mesh)));
   BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, tree).is_valid_tree());
 }
@@ -231,10 +233,10 @@ BOOST_AUTO_TEST_CASE(a_user_s_index_map_is_used)
   BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, edges, CGAL::parameters::vertex_index_map(map))
                  .is_valid_subgraph());
   reversed[3] = reversed[4];
-  BOOST_CHECK_THROW(CGAL::Bounded_degree_subgraph()(mesh, map, std::back_inserter(edges)),
+  BOOST_CHECK_THROW(DFS::Bounded_degree_subgraph()(mesh, map, std::back_inserter(edges)),
                     CGAL::Surface_input_error);
   reversed[3] = n;
-  BOOST_CHECK_THROW(CGAL::Bounded_degree_subgraph()(mesh, map, std::back_inserter(edges)),
+  BOOST_CHECK_THROW(DFS::Bounded_degree_subgraph()(mesh, map, std::back_inserter(edges)),
                     CGAL::Surface_input_error);
 }
 
@@ -267,7 +269,7 @@ BOOST_AUTO_TEST_CASE(topology_of_known_surfaces)
     std::size_t loops = 0;
     while (loops < 5 && puncture(s, random))
       ++loops;
-    const auto topology = CGAL::surface_topology(to_halfedge_mesh<Surface_mesh>(s));
+    const auto topology = DFS::surface_topology(to_halfedge_mesh<Surface_mesh>(s));
     BOOST_REQUIRE(topology.components.size() == 1);
     BOOST_TEST(topology.components[0].genus() == genus);
     BOOST_TEST(topology.components[0].number_of_boundary_loops == loops);
@@ -284,7 +286,7 @@ BOOST_AUTO_TEST_CASE(a_system_of_loops_cuts_as_well)
       recipe.field = {0, 0, genus, 0, 60, 100, 0, 0, 0, seed};
       const Surface_mesh mesh = to_halfedge_mesh<Surface_mesh>(cook(recipe));
       std::vector<Edges<Surface_mesh>> loops;
-      CGAL::system_of_loops(mesh, std::back_inserter(loops));
+      DFS::system_of_loops(mesh, std::back_inserter(loops));
       BOOST_REQUIRE(loops.size() == std::size_t(2 * genus));
       std::set<Surface_mesh::Edge_index> cut;
       for (const auto& loop : loops) {
@@ -306,7 +308,7 @@ BOOST_AUTO_TEST_CASE(a_system_of_loops_cuts_as_well)
       BOOST_TEST(characteristic == (genus == 0 ? 2 : 1));
     }
   BOOST_CHECK_THROW(
-      CGAL::system_of_loops(to_halfedge_mesh<Surface_mesh>(fan(4)), CGAL::Emptyset_iterator()),
+      DFS::system_of_loops(to_halfedge_mesh<Surface_mesh>(fan(4)), CGAL::Emptyset_iterator()),
       CGAL::Surface_input_error);
 }
 

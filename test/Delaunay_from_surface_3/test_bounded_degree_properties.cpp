@@ -14,12 +14,18 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/certify_spanning_subgraph.h>
 
 #include <iterator>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using namespace triangle_lists;
 
@@ -156,7 +162,7 @@ std::string check_surface(const Surface_recipe& recipe)
   const Embedded_graph g = embed(s, random);
   try {
     const auto topology =
-        CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+        DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
     const Counted counted = count(s);
     if (topology.euler_characteristic() != counted.characteristic ||
         topology.components.size() != counted.components ||
@@ -175,8 +181,8 @@ std::string check_surface(const Surface_recipe& recipe)
     if (!CGAL::certify_spanning_subgraph(g.graph, tree, topology, g.index_map()).is_valid_tree())
       return "the tree is not certified";
 
-    CGAL::cut_graph(g.graph, g.embedding(), std::back_inserter(cut), g.index_map(),
-                    g.boundary_map());
+    DFS::cut_graph(g.graph, g.embedding(), std::back_inserter(cut), g.index_map(),
+                   g.boundary_map());
     std::size_t spheres = 0, cycles = 0;
     for (const auto& component : topology.components) {
       const bool is_sphere = component.euler_characteristic() == 2;
@@ -271,7 +277,7 @@ BOOST_AUTO_TEST_CASE(bounds_are_met_and_never_exceeded)
     std::mt19937 random(1);
     const Embedded_graph g = embed(s, random);
     const auto topology =
-        CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+        DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
     Edges subgraph, tree;
     CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
                                            g.index_map(), g.boundary_map());

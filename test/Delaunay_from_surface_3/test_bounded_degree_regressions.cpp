@@ -13,10 +13,15 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/certify_spanning_subgraph.h>
 
 #include <iterator>
 #include <set>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using namespace triangle_lists;
 
@@ -130,7 +135,7 @@ bool deadlocks(const Triangle_list& disc, Bookkeeping bookkeeping)
   return !Textbook_peeling(disc, bookkeeping).reaches_every_vertex();
 }
 
-CGAL::Spanning_subgraph_certificate certified_subgraph(const Triangle_list& s)
+DFS::Spanning_subgraph_certificate certified_subgraph(const Triangle_list& s)
 {
   std::mt19937 random(1);
   const Embedded_graph g = embed(s, random);
@@ -139,7 +144,7 @@ CGAL::Spanning_subgraph_certificate certified_subgraph(const Triangle_list& s)
                                          g.index_map(), g.boundary_map());
   return CGAL::certify_spanning_subgraph(
       g.graph, subgraph,
-      CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map()),
+      DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map()),
       g.index_map());
 }
 
@@ -237,7 +242,7 @@ BOOST_AUTO_TEST_CASE(smallest_surfaces)
   CGAL::bounded_degree_spanning_subgraph(g, embedding, std::back_inserter(subgraph),
                                          get(boost::vertex_index, g), never);
   BOOST_TEST(subgraph.size() == 3u);
-  BOOST_TEST(CGAL::surface_topology(g, embedding, get(boost::vertex_index, g), never)
+  BOOST_TEST(DFS::surface_topology(g, embedding, get(boost::vertex_index, g), never)
                  .euler_characteristic() == 2);
 }
 

@@ -15,6 +15,16 @@
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/insert_points_along_graph_3.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -26,26 +36,28 @@
 #include <string>
 #include <vector>
 
+namespace DFS = CGAL::Delaunay_from_surface_3;
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
 using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 
 template <class Tr>
-using Compact_with_16_bits = CGAL::Compact_delaunay_with_ids_3<Tr, std::uint16_t>;
+using Compact_with_16_bits = DFS::Compact_delaunay_with_ids_3<Tr, std::uint16_t>;
 
 // Ids of another size than 32 bits are served by scalar code.
 template <class Tr>
-using Compact_with_64_bits = CGAL::Compact_delaunay_with_ids_3<Tr, std::uint64_t>;
+using Compact_with_64_bits = DFS::Compact_delaunay_with_ids_3<Tr, std::uint64_t>;
 
 // In the order of the points.
 struct As_given
 {
   explicit As_given(unsigned int) {}
   template <class P, class Gt, class G, class Map>
-  CGAL::Insertion_order operator()(const std::vector<P>& points, const Gt&, const G&, Map) const
+  DFS::Insertion_order operator()(const std::vector<P>& points, const Gt&, const G&, Map) const
   {
-    CGAL::Insertion_order plan;
+    DFS::Insertion_order plan;
     plan.order = CGAL::Delaunay_from_surface_3::internal::identity_order(points.size());
     if (!points.empty())
       plan.round_ends.push_back(points.size());
@@ -55,7 +67,7 @@ struct As_given
 
 template <class Plan, template <class> class Target>
 using Traits =
-    CGAL::Surface_insertion_policies_3<CGAL::Full_graph, Plan, CGAL::Planned_hints_3, Target>;
+    CGAL::Surface_insertion_policies_3<DFS::Full_graph, Plan, DFS::Planned_hints_3, Target>;
 
 struct Fallback_visitor : CGAL::Default_surface_insertion_visitor_3
 {
@@ -67,7 +79,7 @@ namespace {
 
 // Inserts the points with the compact kernel, which must serve, and compares.
 template <class Tr = Triangulation, class Plan = As_given,
-          template <class> class Target = CGAL::Compact_delaunay_3>
+          template <class> class Target = DFS::Compact_delaunay_3>
 void check_equal(const std::vector<Point>& points, const Graph& graph)
 {
   Fallback_visitor visitor;
@@ -82,9 +94,9 @@ void check_equal(const std::vector<Point>& points, const Graph& graph)
 void check_equal(const std::vector<Point>& points)
 {
   check_equal<Triangulation>(points, Graph(points.size()));
-  check_equal<Triangulation, CGAL::Spatial_sort_order>(points, Graph(points.size()));
-  check_equal<Triangulation, CGAL::Spatial_sort_order, Compact_with_64_bits>(points,
-                                                                             Graph(points.size()));
+  check_equal<Triangulation, DFS::Spatial_sort_order>(points, Graph(points.size()));
+  check_equal<Triangulation, DFS::Spatial_sort_order, Compact_with_64_bits>(points,
+                                                                            Graph(points.size()));
 }
 
 std::vector<Point> random_points(std::size_t n, unsigned int seed = 1)
@@ -171,8 +183,8 @@ BOOST_AUTO_TEST_CASE(knot_with_a_quadratic_triangulation)
     add_edge(i, (i + 1) % n, graph);
   }
   check_equal(points);
-  check_equal<Triangulation, CGAL::Surface_net_rounds>(points, graph);
-  check_equal<Triangulation, CGAL::Geometric_rounds>(points, graph);
+  check_equal<Triangulation, DFS::Surface_net_rounds>(points, graph);
+  check_equal<Triangulation, DFS::Geometric_rounds>(points, graph);
 }
 
 BOOST_AUTO_TEST_CASE(uniform_points_and_duplicates)
@@ -190,8 +202,8 @@ BOOST_AUTO_TEST_CASE(wrong_graph)
   CGAL::Random random(2);
   for (int i = 0; i < 6000; ++i)
     add_edge(std::size_t(random.get_int(0, 2000)), std::size_t(random.get_int(0, 2000)), graph);
-  check_equal<Triangulation, CGAL::Surface_net_rounds>(points, graph);
-  check_equal<Triangulation, CGAL::Neighbor_started_rounds<CGAL::Geometric_rounds>>(points, graph);
+  check_equal<Triangulation, DFS::Surface_net_rounds>(points, graph);
+  check_equal<Triangulation, DFS::Neighbor_started_rounds<DFS::Geometric_rounds>>(points, graph);
 }
 
 BOOST_AUTO_TEST_CASE(upper_levels_are_filled)
@@ -223,12 +235,12 @@ BOOST_AUTO_TEST_CASE(more_cells_than_ids)
   const std::vector<Point> few = random_points(1000), many = random_points(4000);
   Triangulation tr;
   CGAL::insert_points_along_graph_3(tr, few, Graph(few.size()),
-                                    Traits<CGAL::Geometric_rounds, Compact_with_16_bits>());
+                                    Traits<DFS::Geometric_rounds, Compact_with_16_bits>());
   BOOST_TEST((tr == Triangulation(few.begin(), few.end())));
   Triangulation empty;
   BOOST_CHECK_THROW(
       CGAL::insert_points_along_graph_3(empty, many, Graph(many.size()),
-                                        Traits<CGAL::Geometric_rounds, Compact_with_16_bits>()),
+                                        Traits<DFS::Geometric_rounds, Compact_with_16_bits>()),
       std::length_error);
   BOOST_TEST(empty.number_of_vertices() == 0u);
   BOOST_TEST(empty.is_valid());
@@ -244,7 +256,7 @@ BOOST_AUTO_TEST_CASE(labels_start_again_when_ids_run_out)
     const std::vector<Point> points = surfaces::sphere(2000, 0.05).points;
     Triangulation tr;
     CGAL::insert_points_along_graph_3(tr, points, Graph(points.size()),
-                                      Traits<CGAL::Geometric_rounds, Compact_with_16_bits>(),
+                                      Traits<DFS::Geometric_rounds, Compact_with_16_bits>(),
                                       CGAL::parameters::random_seed(seed));
     BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
   }
@@ -294,7 +306,7 @@ struct Nothing_replaced : Kernel
 
 template <class Gt>
 constexpr bool
-    is_served = CGAL::Compact_delaunay_3<CGAL::Delaunay_triangulation_3<Gt>>::serves_geom_traits();
+    is_served = DFS::Compact_delaunay_3<CGAL::Delaunay_triangulation_3<Gt>>::serves_geom_traits();
 
 BOOST_AUTO_TEST_CASE(traits_with_predicates_of_their_own_are_not_served)
 {

@@ -16,6 +16,16 @@
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/insert_surface_points_3.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 
@@ -26,6 +36,8 @@
 #include <forward_list>
 #include <functional>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
@@ -81,7 +93,7 @@ struct With_subgraph_archetype : CGAL::Tracing_traits_3
 
 template <template <class, class> class Hints>
 using With_target_archetype =
-    CGAL::Surface_insertion_policies_3<CGAL::Full_graph, CGAL::Log_star_rounds, Hints,
+    CGAL::Surface_insertion_policies_3<DFS::Full_graph, DFS::Log_star_rounds, Hints,
                                        tests::Target_archetype>;
 
 } // namespace
@@ -90,7 +102,7 @@ BOOST_AUTO_TEST_CASE(graph_archetype)
 {
   check_graph_archetype(CGAL::Tracing_traits_3());
   check_graph_archetype(CGAL::Surface_insertion_traits_3());
-  check_graph_archetype(CGAL::Stock_order_traits_3());
+  check_graph_archetype(CGAL::Plain_insertion_traits_3());
 }
 
 BOOST_AUTO_TEST_CASE(traits_archetypes)
@@ -98,10 +110,10 @@ BOOST_AUTO_TEST_CASE(traits_archetypes)
   check_graph_archetype(tests::Traits_archetype("all archetypes at once"));
   check_graph_archetype(With_plan_archetype());
   check_graph_archetype(With_subgraph_archetype());
-  check_graph_archetype(With_target_archetype<CGAL::Traced_hints_3>());
-  check_graph_archetype(With_target_archetype<CGAL::Neighbor_hints_3>());
-  check_graph_archetype(With_target_archetype<CGAL::Planned_hints_3>());
-  check_graph_archetype(With_target_archetype<CGAL::Previous_hint_3>());
+  check_graph_archetype(With_target_archetype<DFS::Traced_hints_3>());
+  check_graph_archetype(With_target_archetype<DFS::Neighbor_hints_3>());
+  check_graph_archetype(With_target_archetype<DFS::Planned_hints_3>());
+  check_graph_archetype(With_target_archetype<DFS::Previous_hint_3>());
 }
 
 BOOST_AUTO_TEST_CASE(visitor_archetype)
@@ -132,15 +144,15 @@ BOOST_AUTO_TEST_CASE(forward_ranges)
 
 BOOST_AUTO_TEST_CASE(metering_visitor_adds_up_what_the_traits_count)
 {
-  using Counting = CGAL::Predicate_counting_traits_3<Kernel>;
+  using Counting = DFS::Predicate_counting_traits_3<Kernel>;
   using Phase = CGAL::Surface_insertion_phase;
   CGAL::Delaunay_triangulation_3<Counting> tr;
   const auto meter = [&] { return tr.geom_traits().counts(); };
-  CGAL::Metering_visitor_3<decltype(meter)> visitor(meter);
+  DFS::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::insert_surface_points_3(tr, surface().points, surface().faces, CGAL::Tracing_traits_3(),
                                 parameters::visitor(std::ref(visitor)));
   const std::size_t n = surface().points.size();
-  const auto ends = CGAL::Log_star_rounds::round_ends(n);
+  const auto ends = DFS::Log_star_rounds::round_ends(n);
   BOOST_TEST_REQUIRE(visitor.rounds().size() == ends.size() + 1);
   std::size_t begin = 0;
   for (std::size_t h = 0; h < ends.size(); ++h) {

@@ -14,15 +14,18 @@
 #include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_surface_points_3.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <cstddef>
 #include <functional>
 #include <string>
 
+namespace DFS = CGAL::Delaunay_from_surface_3;
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Counting = CGAL::Predicate_counting_traits_3<Kernel>;
+using Counting = DFS::Predicate_counting_traits_3<Kernel>;
 using Phase = CGAL::Surface_insertion_phase;
 
 namespace {
@@ -39,7 +42,7 @@ Cost cost(std::size_t n)
   const surfaces::Indexed_surface surface = surfaces::genus_surface(1, n, 0.05);
   CGAL::Delaunay_triangulation_3<Counting> tr;
   const auto meter = [counting = tr.geom_traits()] { return counting.counts(); };
-  CGAL::Metering_visitor_3<decltype(meter)> visitor(meter);
+  DFS::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::insert_surface_points_3(tr, surface.points, surface.faces, Traits(),
                                 CGAL::parameters::visitor(std::ref(visitor)));
   std::string rounds;

@@ -15,8 +15,13 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
+#include <CGAL/History_tracing_traits_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -31,12 +36,14 @@
 #include <utility>
 #include <vector>
 
+namespace DFS = CGAL::Delaunay_from_surface_3;
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
-using Target = CGAL::Triangulation_target_3<Triangulation>;
-using Dag = CGAL::History_dag_3<Triangulation>;
+using Target = DFS::Triangulation_target_3<Triangulation>;
+using Dag = DFS::History_dag_3<Triangulation>;
 
 namespace {
 
@@ -379,8 +386,8 @@ BOOST_AUTO_TEST_CASE(the_papers_algorithm_gives_stocks_triangulation)
     const tests::Stock_case<Triangulation> stock_case(named);
     for (unsigned int seed = 0; seed < 3; ++seed)
       stock_case.check<CGAL::History_tracing_traits_3>(seed);
-    stock_case.check<CGAL::Surface_insertion_policies_3<
-        CGAL::Spanning_forest, CGAL::Geometric_rounds, CGAL::History_hints_3>>();
+    stock_case.check<CGAL::Surface_insertion_policies_3<DFS::Spanning_forest, DFS::Geometric_rounds,
+                                                        DFS::History_hints_3>>();
   }
 }
 
@@ -396,7 +403,7 @@ BOOST_AUTO_TEST_CASE(the_papers_algorithm_with_exact_constructions)
 BOOST_AUTO_TEST_CASE(records_contain_their_points)
 {
   using Graph = CGAL::Delaunay_from_surface_3::internal::Index_graph;
-  using Hints = CGAL::History_hints_3<Target, Graph>;
+  using Hints = DFS::History_hints_3<Target, Graph>;
   const std::vector<Point> points = random_points(500, 1000, 7);
   std::vector<std::pair<std::size_t, std::size_t>> path;
   for (std::size_t i = 1; i < points.size(); ++i)

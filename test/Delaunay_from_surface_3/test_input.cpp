@@ -18,6 +18,14 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Tracing_traits_3.h>
+#include <CGAL/insert_surface_points_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
@@ -37,6 +45,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 namespace {
 
@@ -96,7 +106,7 @@ void check_with_all_traits(const Triangulation& stock, const Insert& insert)
   };
   check(CGAL::Surface_insertion_traits_3());
   check(CGAL::Tracing_traits_3());
-  check(CGAL::Stock_order_traits_3());
+  check(CGAL::Plain_insertion_traits_3());
 }
 
 template <class FaceGraph>
@@ -470,8 +480,8 @@ struct Refusing_subgraph
 
 BOOST_AUTO_TEST_CASE(spanning_forest_where_the_subgraph_refuses_the_surface)
 {
-  struct Traits : CGAL::Surface_insertion_policies_3<Refusing_subgraph, CGAL::Log_star_rounds,
-                                                     CGAL::Traced_hints_3>
+  struct Traits : CGAL::Surface_insertion_policies_3<Refusing_subgraph, DFS::Log_star_rounds,
+                                                     DFS::Traced_hints_3>
   {
   };
   Watching_visitor on_mesh, on_graph;
@@ -610,7 +620,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_everything)
   const std::size_t n = torus().points.size();
   Triangulation tr;
   Watching_visitor visitor = watch<CGAL::Tracing_traits_3>(tr);
-  const auto ends = CGAL::Log_star_rounds::round_ends(n);
+  const auto ends = DFS::Log_star_rounds::round_ends(n);
   std::size_t not_inserted = 0;
   for (const std::size_t end : ends)
     not_inserted += n - end;
@@ -679,14 +689,14 @@ BOOST_AUTO_TEST_CASE(visitor_by_value)
 BOOST_AUTO_TEST_CASE(visitor_that_is_not_copied_may_have_a_state_of_its_own)
 {
   Triangulation tr;
-  BOOST_TEST(watch<CGAL::Stock_order_traits_3>(tr).asked == torus().points.size());
+  BOOST_TEST(watch<CGAL::Plain_insertion_traits_3>(tr).asked == torus().points.size());
 }
 
 BOOST_AUTO_TEST_CASE(stops)
 {
   check_stops<CGAL::Surface_insertion_traits_3>();
   check_stops<CGAL::Tracing_traits_3>();
-  check_stops<CGAL::Stock_order_traits_3>();
+  check_stops<CGAL::Plain_insertion_traits_3>();
 }
 
 BOOST_AUTO_TEST_CASE(exception_of_the_visitor)

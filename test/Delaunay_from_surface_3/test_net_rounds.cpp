@@ -18,6 +18,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -26,6 +27,8 @@
 #include <numeric>
 #include <string>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -44,7 +47,7 @@ Graph graph_of(const surfaces::Indexed_surface& surface)
 }
 
 template <class Plan>
-CGAL::Insertion_order plan_of(const std::vector<Point>& points, const Graph& graph)
+DFS::Insertion_order plan_of(const std::vector<Point>& points, const Graph& graph)
 {
   return Plan(1)(points, Kernel(), graph, get(boost::vertex_index, graph));
 }
@@ -59,9 +62,9 @@ std::vector<Point> random_points(std::size_t n)
 }
 
 // A permutation, strictly growing rounds, and starting places that come before.
-CGAL::Insertion_order checked_net_plan(const std::vector<Point>& points, const Graph& graph)
+DFS::Insertion_order checked_net_plan(const std::vector<Point>& points, const Graph& graph)
 {
-  const CGAL::Insertion_order plan = plan_of<CGAL::Surface_net_rounds>(points, graph);
+  const DFS::Insertion_order plan = plan_of<DFS::Surface_net_rounds>(points, graph);
   const std::size_t n = points.size();
   std::vector<std::size_t> sorted = plan.order;
   std::sort(sorted.begin(), sorted.end());
@@ -83,7 +86,7 @@ CGAL::Insertion_order checked_net_plan(const std::vector<Point>& points, const G
 
 std::size_t ends_of_random_rounds(std::size_t n)
 {
-  return CGAL::Geometric_rounds().round_ends(n).size();
+  return DFS::Geometric_rounds().round_ends(n).size();
 }
 
 struct Destroyed
@@ -93,13 +96,13 @@ struct Destroyed
 };
 
 // Cells destroyed per insertion.
-Destroyed destroyed(const std::vector<Point>& all, const CGAL::Insertion_order& plan)
+Destroyed destroyed(const std::vector<Point>& all, const DFS::Insertion_order& plan)
 {
   const std::vector<Point> points =
       CGAL::Delaunay_from_surface_3::internal::permuted(all, plan.order);
   Triangulation tr;
-  CGAL::Compact_delaunay_3<Triangulation> target(tr, points);
-  CGAL::Null_update_observer observer;
+  DFS::Compact_delaunay_3<Triangulation> target(tr, points);
+  DFS::Null_update_observer observer;
   Destroyed result;
   std::size_t i = 0, before = 0;
   for (const std::size_t end : plan.round_ends) {
@@ -121,7 +124,7 @@ BOOST_AUTO_TEST_CASE(finest_round_is_beside_a_maximal_independent_set)
 {
   const surfaces::Indexed_surface surface = surfaces::genus_surface(2, 4000, 0.05);
   const Graph graph = graph_of(surface);
-  const CGAL::Insertion_order plan = checked_net_plan(surface.points, graph);
+  const DFS::Insertion_order plan = checked_net_plan(surface.points, graph);
   BOOST_TEST(plan.round_ends.size() > 3u);
   std::vector<char> is_in_net(surface.points.size(), false);
   const std::size_t net_size = plan.round_ends[plan.round_ends.size() - 2];
@@ -177,8 +180,8 @@ BOOST_AUTO_TEST_CASE(small_sets)
       add_edge(i - 1, i, path);
     checked_net_plan(random_points(n), path);
   }
-  BOOST_TEST(plan_of<CGAL::Surface_net_rounds>({}, Graph(0)).order.empty());
-  BOOST_TEST(plan_of<CGAL::Surface_net_rounds>({}, Graph(0)).round_ends.empty());
+  BOOST_TEST(plan_of<DFS::Surface_net_rounds>({}, Graph(0)).order.empty());
+  BOOST_TEST(plan_of<DFS::Surface_net_rounds>({}, Graph(0)).round_ends.empty());
 }
 
 BOOST_AUTO_TEST_CASE(no_more_cells_destroyed_than_twice_those_of_random_rounds)
@@ -192,7 +195,7 @@ BOOST_AUTO_TEST_CASE(no_more_cells_destroyed_than_twice_those_of_random_rounds)
       const std::vector<Point>& points = named.surface.points;
       const Graph graph = graph_of(named.surface);
       const Destroyed nets = destroyed(points, checked_net_plan(points, graph));
-      const Destroyed random = destroyed(points, plan_of<CGAL::Geometric_rounds>(points, graph));
+      const Destroyed random = destroyed(points, plan_of<DFS::Geometric_rounds>(points, graph));
       BOOST_TEST_MESSAGE(named.name << ": cells destroyed per insertion: nets " << nets.in_all
                                     << " (by round" << nets.by_round << "), random rounds "
                                     << random.in_all << " (" << random.by_round << ")");

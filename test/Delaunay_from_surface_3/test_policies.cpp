@@ -12,9 +12,22 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/spatial_sort.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
@@ -24,6 +37,8 @@
 #include <iterator>
 #include <utility>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
@@ -47,14 +62,14 @@ Graph graph_of(const Indexed_surface& surface)
 }
 
 template <class Plan>
-CGAL::Insertion_order order_by(const Plan& plan, const std::vector<Point>& points)
+DFS::Insertion_order order_by(const Plan& plan, const std::vector<Point>& points)
 {
   const Graph graph(points.size());
   return plan(points, Kernel(), graph, get(boost::vertex_index, graph));
 }
 
 // Round by round the indices inserted, sorted.
-std::vector<Indices> sets_of_rounds(const CGAL::Insertion_order& plan)
+std::vector<Indices> sets_of_rounds(const DFS::Insertion_order& plan)
 {
   std::vector<Indices> sets;
   std::size_t first = 0;
@@ -67,7 +82,7 @@ std::vector<Indices> sets_of_rounds(const CGAL::Insertion_order& plan)
   return sets;
 }
 
-void check_is_plan(const CGAL::Insertion_order& plan, std::size_t n)
+void check_is_plan(const DFS::Insertion_order& plan, std::size_t n)
 {
   Indices sorted = plan.order;
   std::sort(sorted.begin(), sorted.end());
@@ -88,7 +103,7 @@ void check_plan()
     for (const std::size_t n : {0, 1, 2, 3, 4, 15, 16, 17, 63, 64, 65, 513, 2000}) {
       std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
       points.resize(n);
-      const CGAL::Insertion_order plan = order_by(Plan(1), points);
+      const DFS::Insertion_order plan = order_by(Plan(1), points);
       check_is_plan(plan, n);
       BOOST_TEST(plan.order == order_by(Plan(1), points).order, boost::test_tools::per_element());
     }
@@ -97,8 +112,8 @@ void check_plan()
 
 // Inserts the surface with the given hints, twice: into an empty triangulation and into one that
 // holds half of the points.
-template <class Tr, template <class, class> class Hints, class Subgraph = CGAL::Spanning_forest,
-          class Plan = CGAL::Log_star_rounds>
+template <class Tr, template <class, class> class Hints, class Subgraph = DFS::Spanning_forest,
+          class Plan = DFS::Log_star_rounds>
 void insert_twice(const Named_surface& named, unsigned int seed)
 {
   using Traits = CGAL::Surface_insertion_policies_3<Subgraph, Plan, Hints>;
@@ -117,11 +132,11 @@ void insert_twice(const Named_surface& named, unsigned int seed)
 }
 
 template <class Tr>
-using Zone_hints = tests::Zone_checking_hints<CGAL::Triangulation_target_3<Tr>,
+using Zone_hints = tests::Zone_checking_hints<DFS::Triangulation_target_3<Tr>,
                                               CGAL::Delaunay_from_surface_3::internal::Index_graph>;
 template <class Tr>
 using Traced_hints =
-    tests::Checking_traced_hints<CGAL::Triangulation_target_3<Tr>,
+    tests::Checking_traced_hints<DFS::Triangulation_target_3<Tr>,
                                  CGAL::Delaunay_from_surface_3::internal::Index_graph>;
 
 std::vector<Named_surface> small_surfaces()
@@ -141,7 +156,7 @@ std::vector<Named_surface> small_surfaces()
 // The powers by hand, the rest with sixty decimal digits.
 BOOST_AUTO_TEST_CASE(log_star_round_ends)
 {
-  const auto ends = [](std::size_t n) { return CGAL::Log_star_rounds::round_ends(n); };
+  const auto ends = [](std::size_t n) { return DFS::Log_star_rounds::round_ends(n); };
   BOOST_TEST(ends(0) == Indices(), boost::test_tools::per_element());
   BOOST_TEST(ends(1) == (Indices{1}), boost::test_tools::per_element());
   BOOST_TEST(ends(2) == (Indices{2}), boost::test_tools::per_element());
@@ -164,7 +179,7 @@ BOOST_AUTO_TEST_CASE(log_star_round_ends)
 
 BOOST_AUTO_TEST_CASE(geometric_round_ends)
 {
-  using CGAL::Geometric_rounds;
+  using DFS::Geometric_rounds;
   BOOST_TEST(Geometric_rounds().round_ends(0) == Indices(), boost::test_tools::per_element());
   BOOST_TEST(Geometric_rounds().round_ends(1) == (Indices{1}), boost::test_tools::per_element());
   BOOST_TEST(Geometric_rounds().round_ends(64) == (Indices{64}), boost::test_tools::per_element());
@@ -182,33 +197,33 @@ BOOST_AUTO_TEST_CASE(geometric_round_ends)
 
 BOOST_AUTO_TEST_CASE(plans_are_permutations_with_increasing_rounds)
 {
-  check_plan<CGAL::Log_star_rounds>();
-  check_plan<CGAL::Random_log_star_rounds>();
-  check_plan<CGAL::Geometric_rounds>();
-  check_plan<CGAL::Spatial_sort_order>();
-  check_plan<CGAL::Hilbert_sorted_rounds<CGAL::Log_star_rounds>>();
-  check_plan<CGAL::Hilbert_sorted_rounds<CGAL::Geometric_rounds>>();
-  check_plan<CGAL::Neighbor_started_rounds<CGAL::Geometric_rounds>>();
+  check_plan<DFS::Log_star_rounds>();
+  check_plan<DFS::Random_log_star_rounds>();
+  check_plan<DFS::Geometric_rounds>();
+  check_plan<DFS::Spatial_sort_order>();
+  check_plan<DFS::Hilbert_sorted_rounds<DFS::Log_star_rounds>>();
+  check_plan<DFS::Hilbert_sorted_rounds<DFS::Geometric_rounds>>();
+  check_plan<DFS::Neighbor_started_rounds<DFS::Geometric_rounds>>();
 }
 
 BOOST_AUTO_TEST_CASE(seeds_draw_the_order)
 {
   const std::vector<Point> points = surfaces::sphere(500, 0.1).points;
-  BOOST_TEST((order_by(CGAL::Log_star_rounds(1), points).order !=
-              order_by(CGAL::Log_star_rounds(2), points).order));
-  BOOST_TEST((order_by(CGAL::Random_log_star_rounds(1), points).order !=
-              order_by(CGAL::Random_log_star_rounds(2), points).order));
-  BOOST_TEST((order_by(CGAL::Geometric_rounds(1), points).order !=
-              order_by(CGAL::Geometric_rounds(2), points).order));
-  BOOST_TEST((order_by(CGAL::Spatial_sort_order(1), points).order ==
-              order_by(CGAL::Spatial_sort_order(2), points).order));
+  BOOST_TEST((order_by(DFS::Log_star_rounds(1), points).order !=
+              order_by(DFS::Log_star_rounds(2), points).order));
+  BOOST_TEST((order_by(DFS::Random_log_star_rounds(1), points).order !=
+              order_by(DFS::Random_log_star_rounds(2), points).order));
+  BOOST_TEST((order_by(DFS::Geometric_rounds(1), points).order !=
+              order_by(DFS::Geometric_rounds(2), points).order));
+  BOOST_TEST((order_by(DFS::Spatial_sort_order(1), points).order ==
+              order_by(DFS::Spatial_sort_order(2), points).order));
 }
 
 BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
 {
   const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
-  const auto random = order_by(CGAL::Log_star_rounds(5), points);
-  const auto sorted = order_by(CGAL::Hilbert_sorted_rounds<CGAL::Log_star_rounds>(5), points);
+  const auto random = order_by(DFS::Log_star_rounds(5), points);
+  const auto sorted = order_by(DFS::Hilbert_sorted_rounds<DFS::Log_star_rounds>(5), points);
   BOOST_TEST((sets_of_rounds(random) == sets_of_rounds(sorted)));
   BOOST_TEST(random.round_ends == sorted.round_ends, boost::test_tools::per_element());
   BOOST_TEST((random.order != sorted.order));
@@ -226,8 +241,8 @@ BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
 BOOST_AUTO_TEST_CASE(only_the_first_of_the_papers_rounds_is_sorted)
 {
   const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
-  const auto random = order_by(CGAL::Random_log_star_rounds(5), points);
-  const auto sorted = order_by(CGAL::Log_star_rounds(5), points);
+  const auto random = order_by(DFS::Random_log_star_rounds(5), points);
+  const auto sorted = order_by(DFS::Log_star_rounds(5), points);
   BOOST_TEST((sets_of_rounds(random) == sets_of_rounds(sorted)));
   const auto N_1 = std::ptrdiff_t(random.round_ends[0]);
   BOOST_TEST(!std::equal(random.order.begin(), random.order.begin() + N_1, sorted.order.begin()));
@@ -238,10 +253,10 @@ BOOST_AUTO_TEST_CASE(only_the_first_of_the_papers_rounds_is_sorted)
 // A starting point that comes later in the new order would be no start at all.
 BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_drop_starting_places)
 {
-  using Started = CGAL::Neighbor_started_rounds<CGAL::Log_star_rounds>;
+  using Started = DFS::Neighbor_started_rounds<DFS::Log_star_rounds>;
   const std::vector<Point> points = surfaces::sphere(500, 0.1).points;
   BOOST_TEST(order_by(Started(5), points).starting_places.size() == points.size());
-  BOOST_TEST(order_by(CGAL::Hilbert_sorted_rounds<Started>(5), points).starting_places.empty());
+  BOOST_TEST(order_by(DFS::Hilbert_sorted_rounds<Started>(5), points).starting_places.empty());
 }
 
 BOOST_AUTO_TEST_CASE(spatial_sort_order_is_that_of_spatial_sort)
@@ -250,7 +265,7 @@ BOOST_AUTO_TEST_CASE(spatial_sort_order_is_that_of_spatial_sort)
     const std::vector<Point> points = surfaces::sphere(n, 0.1).points;
     std::vector<Point> sorted = points;
     CGAL::spatial_sort(sorted.begin(), sorted.end(), Kernel());
-    const auto plan = order_by(CGAL::Spatial_sort_order(), points);
+    const auto plan = order_by(DFS::Spatial_sort_order(), points);
     std::size_t different = 0;
     for (std::size_t i = 0; i < n; ++i)
       different += points[plan.order[i]] != sorted[i];
@@ -265,7 +280,7 @@ BOOST_AUTO_TEST_CASE(starting_places_by_hand)
   struct Given_order
   {
     explicit Given_order(unsigned int) {}
-    CGAL::Insertion_order
+    DFS::Insertion_order
     operator()(const std::vector<Point>&, const Kernel&, const Graph&,
                boost::property_map<Graph, boost::vertex_index_t>::const_type) const
     {
@@ -276,7 +291,7 @@ BOOST_AUTO_TEST_CASE(starting_places_by_hand)
   for (const std::size_t i : {0, 1, 2})
     add_edge(i, i + 1, graph);
   add_edge(3, 3, graph);
-  const auto plan = CGAL::Neighbor_started_rounds<Given_order>()(
+  const auto plan = DFS::Neighbor_started_rounds<Given_order>()(
       std::vector<Point>(6), Kernel(), graph, get(boost::vertex_index, std::as_const(graph)));
   BOOST_TEST(plan.order == (Indices{4, 1, 3, 2, 5, 0}), boost::test_tools::per_element());
   BOOST_TEST(plan.round_ends == (Indices{2, 6}), boost::test_tools::per_element());
@@ -288,10 +303,10 @@ BOOST_AUTO_TEST_CASE(planned_starts_are_the_neighbors_inserted_last)
 {
   using CGAL::Delaunay_from_surface_3::internal::Index_graph;
   for (const Named_surface& named : small_surfaces())
-    insert_twice<Triangulation, tests::Checking_planned_hints, CGAL::Full_graph,
-                 CGAL::Neighbor_started_rounds<CGAL::Geometric_rounds>>(named, 1);
+    insert_twice<Triangulation, tests::Checking_planned_hints, DFS::Full_graph,
+                 DFS::Neighbor_started_rounds<DFS::Geometric_rounds>>(named, 1);
   using Hints =
-      tests::Checking_planned_hints<CGAL::Triangulation_target_3<Triangulation>, Index_graph>;
+      tests::Checking_planned_hints<DFS::Triangulation_target_3<Triangulation>, Index_graph>;
   BOOST_TEST(2 * Hints::number_of_neighbors > Hints::number_of_starts);
   BOOST_TEST(Hints::number_of_starts > 300u);
 }
@@ -300,9 +315,9 @@ BOOST_AUTO_TEST_CASE(planned_starts_are_the_neighbors_inserted_last)
 BOOST_AUTO_TEST_CASE(hints_without_a_trace_lead_to_the_same_triangulation)
 {
   for (const Named_surface& named : small_surfaces()) {
-    insert_twice<Triangulation, CGAL::Planned_hints_3>(named, 1);
-    insert_twice<Triangulation, CGAL::Neighbor_hints_3, CGAL::Full_graph>(named, 1);
-    insert_twice<Triangulation, CGAL::Previous_hint_3>(named, 1);
+    insert_twice<Triangulation, DFS::Planned_hints_3>(named, 1);
+    insert_twice<Triangulation, DFS::Neighbor_hints_3, DFS::Full_graph>(named, 1);
+    insert_twice<Triangulation, DFS::Previous_hint_3>(named, 1);
   }
 }
 
@@ -317,7 +332,7 @@ BOOST_AUTO_TEST_CASE(spanning_forest_spans_without_cycles)
 
   Graph forest(num_vertices(graph));
   std::vector<Graph::edge_descriptor> edges_of_forest, edges_of_graph;
-  CGAL::Spanning_forest()(graph, index_map, std::back_inserter(edges_of_forest));
+  DFS::Spanning_forest()(graph, index_map, std::back_inserter(edges_of_forest));
   for (const auto& e : edges_of_forest)
     add_edge(source(e, graph), target(e, graph), forest);
   std::vector<int> component(num_vertices(graph));
@@ -329,7 +344,7 @@ BOOST_AUTO_TEST_CASE(spanning_forest_spans_without_cycles)
   BOOST_TEST(components_of(forest) == 5);
   BOOST_TEST(num_edges(forest) == num_vertices(graph) - 5);
 
-  CGAL::Full_graph()(graph, index_map, std::back_inserter(edges_of_graph));
+  DFS::Full_graph()(graph, index_map, std::back_inserter(edges_of_graph));
   BOOST_TEST(edges_of_graph.size() == num_edges(graph));
 }
 

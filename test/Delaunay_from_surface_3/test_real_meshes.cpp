@@ -15,6 +15,9 @@
 #include <CGAL/IO/OFF.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <string>
 #include <vector>
@@ -60,7 +63,7 @@ void check_real_mesh(const std::string& name, std::size_t most_vertices)
   const Triangulation stock(points.begin(), points.end());
   check_mesh<Triangulation, CGAL::Surface_insertion_traits_3>(mesh, stock);
   check_mesh<Triangulation, CGAL::Tracing_traits_3>(mesh, stock);
-  check_mesh<Triangulation, CGAL::Stock_order_traits_3>(mesh, stock);
+  check_mesh<Triangulation, CGAL::Plain_insertion_traits_3>(mesh, stock);
 }
 
 } // namespace

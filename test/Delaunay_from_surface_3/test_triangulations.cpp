@@ -21,12 +21,18 @@
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Tracing_traits_3.h>
+#include <CGAL/insert_surface_points_3.h>
 
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -93,7 +99,7 @@ void check_non_empty_of_all_dimensions()
     {
       check_non_empty<CGAL::Surface_insertion_traits_3, Tr>(olds[k]);
       check_non_empty<CGAL::Tracing_traits_3, Tr>(olds[k]);
-      check_non_empty<CGAL::Stock_order_traits_3, Tr>(olds[k]);
+      check_non_empty<CGAL::Plain_insertion_traits_3, Tr>(olds[k]);
     }
 }
 
@@ -329,18 +335,18 @@ BOOST_AUTO_TEST_CASE(stock_order_is_stock_insertion_by_insertion)
       const auto& [points, faces] = named.surface;
       const auto stock_calls = calls_of_stock<tests::Recording_kernel>(points);
       Tr stock_order, tracing;
-      insert_surface_points_3(stock_order, points, faces, CGAL::Stock_order_traits_3());
+      insert_surface_points_3(stock_order, points, faces, CGAL::Plain_insertion_traits_3());
       BOOST_TEST((stock_order.geom_traits().calls() == stock_calls));
       // The record would show a difference: the paper's order calls other predicates.
       insert_surface_points_3(tracing, points, faces, CGAL::Tracing_traits_3());
       BOOST_TEST((points.size() < 500 || tracing.geom_traits().calls() != stock_calls));
 
-      using Counting = CGAL::Predicate_counting_traits_3<Epick>;
+      using Counting = DFS::Predicate_counting_traits_3<Epick>;
       CGAL::Delaunay_triangulation_3<Counting> counted_stock, counted;
       counted_stock.insert(points.begin(), points.end());
-      insert_surface_points_3(counted, points, faces, CGAL::Stock_order_traits_3());
-      const CGAL::Predicate_counts a = counted_stock.geom_traits().counts();
-      const CGAL::Predicate_counts b = counted.geom_traits().counts();
+      insert_surface_points_3(counted, points, faces, CGAL::Plain_insertion_traits_3());
+      const DFS::Predicate_counts a = counted_stock.geom_traits().counts();
+      const DFS::Predicate_counts b = counted.geom_traits().counts();
       BOOST_TEST(a.orientation == b.orientation);
       BOOST_TEST(a.negative_orientation == b.negative_orientation);
       BOOST_TEST(a.in_sphere == b.in_sphere);
@@ -357,7 +363,7 @@ BOOST_AUTO_TEST_CASE(stock_order_is_stock_in_a_triangulation_with_points)
   stock.insert(old_points.begin(), old_points.end());
   stock.insert(points.begin(), points.end());
   tr.insert(old_points.begin(), old_points.end());
-  insert_surface_points_3(tr, points, faces, CGAL::Stock_order_traits_3());
+  insert_surface_points_3(tr, points, faces, CGAL::Plain_insertion_traits_3());
   BOOST_TEST((stock.geom_traits().calls() == tr.geom_traits().calls()));
 }
 

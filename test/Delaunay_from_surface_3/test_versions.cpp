@@ -14,6 +14,14 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/version.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Tracing_traits_3.h>
+#include <CGAL/insert_points_along_graph_3.h>
+#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -83,7 +91,7 @@ void check_all_traits(const Mesh& mesh)
 {
   check<Tr>(mesh, CGAL::Surface_insertion_traits_3());
   check<Tr>(mesh, CGAL::Tracing_traits_3());
-  check<Tr>(mesh, CGAL::Stock_order_traits_3());
+  check<Tr>(mesh, CGAL::Plain_insertion_traits_3());
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 
 #include <chrono>
 #include <cstddef>
@@ -24,7 +25,8 @@ using Phase = CGAL::Surface_insertion_phase;
 
 // One line of the table: `counts`, spread over `points`.
 inline void report_counts(const std::string& round, const std::string& phase, std::size_t points,
-                          const CGAL::Predicate_counts& counts, bool is_walk)
+                          const CGAL::Delaunay_from_surface_3::Predicate_counts& counts,
+                          bool is_walk)
 {
   if (points == 0)
     return;
@@ -41,10 +43,10 @@ inline void report_counts(const std::string& round, const std::string& phase, st
 template <class Traits>
 void report_predicates(const Surface& surface, const Traits& traits, unsigned int seed)
 {
-  using Counting_kernel = CGAL::Predicate_counting_traits_3<Kernel>;
+  using Counting_kernel = CGAL::Delaunay_from_surface_3::Predicate_counting_traits_3<Kernel>;
   const Counting_kernel kernel;
   const auto meter = [&] { return kernel.counts(); };
-  CGAL::Metering_visitor_3<decltype(meter)> visitor(meter);
+  CGAL::Delaunay_from_surface_3::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::Delaunay_triangulation_3<Counting_kernel> tr(kernel);
   insert_and_watch(tr, surface, traits, seed, visitor);
 
@@ -73,7 +75,7 @@ void report_seconds(const Surface& surface, const Traits& traits, unsigned int s
   const auto clock = [begin] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  CGAL::Metering_visitor_3<decltype(clock)> visitor(clock);
+  CGAL::Delaunay_from_surface_3::Metering_visitor_3<decltype(clock)> visitor(clock);
   Triangulation tr;
   insert_and_watch(tr, surface, traits, seed, visitor);
 

@@ -20,11 +20,11 @@ in the order of their insertion, as in the target.
 \cgalRefines{UpdateObserver_3}
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Traced_hints_3<Target\, Subgraph>}
-\cgalHasModels{CGAL::History_hints_3<Target\, Subgraph>}
-\cgalHasModels{CGAL::Neighbor_hints_3<Target\, Subgraph>}
-\cgalHasModels{CGAL::Planned_hints_3<Target\, Subgraph>}
-\cgalHasModels{CGAL::Previous_hint_3<Target\, Subgraph>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Traced_hints_3<Target\, Subgraph>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::History_hints_3<Target\, Subgraph>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Neighbor_hints_3<Target\, Subgraph>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Planned_hints_3<Target\, Subgraph>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Previous_hint_3<Target\, Subgraph>}
 \cgalHasModelsEnd
 
 \sa `SurfaceInsertionTraits_3`
@@ -49,7 +49,7 @@ public:
   `starting_places[i]` is the number of a point of `target`
   */
   InsertionHints_3(const Target& target, const Subgraph& subgraph,
-                   const CGAL::Insertion_order& plan);
+                   const CGAL::Delaunay_from_surface_3::Insertion_order& plan);
 
   /*!
   returns the cell from which the location of point `i` starts (line 2b). It is called once for each

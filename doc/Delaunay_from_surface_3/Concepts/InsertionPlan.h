@@ -9,16 +9,16 @@ where the rounds of the insertion end. A trace follows every round but the last
 The triangulation is right for any order. A model has never heard of a cell.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Log_star_rounds}
-\cgalHasModels{CGAL::Random_log_star_rounds}
-\cgalHasModels{CGAL::Geometric_rounds}
-\cgalHasModels{CGAL::Hilbert_sorted_rounds<Plan>}
-\cgalHasModels{CGAL::Neighbor_started_rounds<Plan>}
-\cgalHasModels{CGAL::Spatial_sort_order}
-\cgalHasModels{CGAL::Surface_net_rounds}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Log_star_rounds}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Random_log_star_rounds}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Geometric_rounds}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Hilbert_sorted_rounds<Plan>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Neighbor_started_rounds<Plan>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Spatial_sort_order}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Surface_net_rounds}
 \cgalHasModelsEnd
 
-\sa `CGAL::Insertion_order`
+\sa `CGAL::Delaunay_from_surface_3::Insertion_order`
 \sa `SurfaceInsertionTraits_3`
 */
 class InsertionPlan
@@ -53,6 +53,6 @@ public:
   for each place, before it.
   */
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-  CGAL::Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
+  CGAL::Delaunay_from_surface_3::Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
                                    const Graph& graph, VertexIndexMap index_map) const;
 };

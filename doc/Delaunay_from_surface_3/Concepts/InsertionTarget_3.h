@@ -16,8 +16,8 @@ points 0, …, n-1, with locations of points not yet inserted in between; `finis
 called at any time before `take_vertices()`.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Compact_delaunay_3<Triangulation>}
-\cgalHasModels{CGAL::Triangulation_target_3<Triangulation>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Triangulation>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Triangulation_target_3<Triangulation>}
 \cgalHasModelsEnd
 
 \sa `SurfaceInsertionTraits_3`

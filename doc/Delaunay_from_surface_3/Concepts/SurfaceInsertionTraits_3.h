@@ -12,7 +12,7 @@ class. None of its parts changes the triangulation that comes out.
 \cgalHasModels{CGAL::Surface_insertion_traits_3}
 \cgalHasModels{CGAL::Tracing_traits_3}
 \cgalHasModels{CGAL::History_tracing_traits_3}
-\cgalHasModels{CGAL::Stock_order_traits_3}
+\cgalHasModels{CGAL::Plain_insertion_traits_3}
 \cgalHasModels{CGAL::Surface_insertion_policies_3}
 \cgalHasModelsEnd
 */

@@ -25,7 +25,7 @@ For points p, q, …, in two rounds, the calls come in this order:
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_surface_insertion_visitor_3}
-\cgalHasModels{CGAL::Metering_visitor_3<Meter>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Metering_visitor_3<Meter>}
 \cgalHasModelsEnd
 */
 class SurfaceInsertionVisitor_3

@@ -13,10 +13,10 @@ Delaunay edges.
 A model has never heard of points or triangulations: it sees a graph.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Bounded_degree_subgraph}
-\cgalHasModels{CGAL::Bounded_degree_tree}
-\cgalHasModels{CGAL::Spanning_forest}
-\cgalHasModels{CGAL::Full_graph}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Bounded_degree_subgraph}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Bounded_degree_tree}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Spanning_forest}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Full_graph}
 \cgalHasModelsEnd
 
 \sa `SurfaceInsertionTraits_3`

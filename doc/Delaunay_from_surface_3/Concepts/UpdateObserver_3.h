@@ -6,8 +6,8 @@ An `UpdateObserver_3` is told by an `InsertionTarget_3` what each insertion chan
 (\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2c). Points are known by their numbers in the target.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Null_update_observer}
-\cgalHasModels{CGAL::History_dag_3<Triangulation>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Null_update_observer}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::History_dag_3<Triangulation>}
 \cgalHasModels{all models of `InsertionHints_3`}
 \cgalHasModelsEnd
 */
@@ -22,7 +22,7 @@ public:
 
   /*!
   is called before point `i` is inserted, if `observes_conflict_zone` is `true` and the target
-  knows the conflict zone. `CGAL::Triangulation_target_3` knows it in dimension 3, without
+  knows the conflict zone. `CGAL::Delaunay_from_surface_3::Triangulation_target_3` knows it in dimension 3, without
   `Fast_location`, for points that are not there already.
 
   \tparam CellIterator an input iterator with the value type `Cell` of the target

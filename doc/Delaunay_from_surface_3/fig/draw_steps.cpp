@@ -4,7 +4,7 @@
 
 // Draws the steps of the algorithm in the plane, where a closed curve stands for the surface: what the
 // curve, its triangulations, traces, walks and conflict zones look like is computed, not painted. The
-// order and the rounds are those of CGAL::Log_star_rounds.
+// order and the rounds are those of DFS::Log_star_rounds.
 //
 //   draw_steps FOLDER
 
@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 namespace {
 
@@ -59,7 +62,7 @@ const char* const style =
 struct Scene
 {
   std::vector<Point> points;
-  CGAL::Insertion_order plan;
+  DFS::Insertion_order plan;
   double left = 0;
 
   Place place(const Point& p) const { return {left + 20 + p.x(), p.y()}; }
@@ -78,7 +81,7 @@ Scene make_scene(std::size_t n)
     scene.points.emplace_back(185 + 136 * r * std::cos(t), 160 + 104 * r * std::sin(t));
     spatial.emplace_back(scene.points.back().x(), scene.points.back().y(), 0);
   }
-  scene.plan = CGAL::Log_star_rounds(45)(spatial, Kernel(), No_graph(), No_graph());
+  scene.plan = DFS::Log_star_rounds(45)(spatial, Kernel(), No_graph(), No_graph());
   return scene;
 }
 
@@ -339,8 +342,8 @@ void draw_rounds(const std::string& folder)
       x = right;
     }
   };
-  bars(20, "Log_star_rounds", CGAL::Log_star_rounds::round_ends(n));
-  bars(100, "Geometric_rounds", CGAL::Geometric_rounds().round_ends(n));
+  bars(20, "Log_star_rounds", DFS::Log_star_rounds::round_ends(n));
+  bars(100, "Geometric_rounds", DFS::Geometric_rounds().round_ends(n));
   svg.text("small", {left, 180}, "0");
   svg.text("small end", {left + width, 180}, "n = 1000000");
   svg.write(folder + "/rounds.svg");

@@ -15,7 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Peel_discs.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
-#include <CGAL/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,7 +109,7 @@ void draw_genus_3(const std::string& file_name)
 {
   const Mesh mesh = surfaces::to_mesh<Mesh>(surfaces::genus_surface(3, 2600, 0.05, 1));
   Edges cut, subgraph;
-  CGAL::cut_graph(mesh, std::back_inserter(cut));
+  CGAL::Delaunay_from_surface_3::cut_graph(mesh, std::back_inserter(cut));
   CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
   std::string greys;
   for (int i = 50; i <= 63; ++i)

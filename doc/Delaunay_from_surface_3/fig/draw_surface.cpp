@@ -16,6 +16,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +29,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
 
 namespace {
 
@@ -110,8 +116,8 @@ Surface read_surface(const std::string& file_name)
   for (const auto v : surface.mesh.vertices())
     surface.points.push_back(surface.mesh.point(v));
   std::vector<Mesh::Edge_index> edges;
-  CGAL::Spanning_forest()(surface.mesh, get(boost::vertex_index, surface.mesh),
-                          std::back_inserter(edges));
+  DFS::Spanning_forest()(surface.mesh, get(boost::vertex_index, surface.mesh),
+                         std::back_inserter(edges));
   for (const auto e : edges)
     surface.forest.emplace_back(source(e, surface.mesh), target(e, surface.mesh));
   return surface;
@@ -232,8 +238,8 @@ void draw(const std::string& mesh_file, const std::string& svg_file)
   for (const Point& p : surface.points)
     depth += (p - CGAL::ORIGIN) * camera.back() / double(surface.points.size());
 
-  const CGAL::Insertion_order plan = CGAL::Log_star_rounds(0)(
-      surface.points, Kernel(), surface.mesh, get(boost::vertex_index, surface.mesh));
+  const DFS::Insertion_order plan = DFS::Log_star_rounds(0)(surface.points, Kernel(), surface.mesh,
+                                                            get(boost::vertex_index, surface.mesh));
   Triangulation first_round, all;
   for (std::size_t k = 0; k < plan.round_ends.front(); ++k)
     first_round.insert(surface.points[plan.order[k]]);

@@ -14,6 +14,7 @@
 #include <utility>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Statistics
@@ -200,6 +201,7 @@ private:
   std::shared_ptr<Predicate_counts> m_counts;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_PREDICATE_COUNTING_TRAITS_3_H

@@ -111,10 +111,11 @@ public:
   explicit Plan_archetype(const std::string&) {}
 
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-  CGAL::Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&,
-                                   const Graph&, VertexIndexMap) const
+  CGAL::Delaunay_from_surface_3::Insertion_order operator()(const std::vector<Point>& points,
+                                                            const GeomTraits&, const Graph&,
+                                                            VertexIndexMap) const
   {
-    CGAL::Insertion_order plan;
+    CGAL::Delaunay_from_surface_3::Insertion_order plan;
     for (std::size_t i = 0; i < points.size(); ++i)
       plan.order.push_back(i);
     if (points.size() > 1)
@@ -151,7 +152,8 @@ public:
   static constexpr bool observes_conflict_zone = false;
   static constexpr bool uses_subgraph = true;
 
-  Hints_archetype(const Target& target, const Subgraph&, const CGAL::Insertion_order&)
+  Hints_archetype(const Target& target, const Subgraph&,
+                  const CGAL::Delaunay_from_surface_3::Insertion_order&)
     : m_target(target)
   {
   }
@@ -174,7 +176,7 @@ private:
 template <class Triangulation>
 class Target_archetype
 {
-  using Hidden = CGAL::Triangulation_target_3<Triangulation>;
+  using Hidden = CGAL::Delaunay_from_surface_3::Triangulation_target_3<Triangulation>;
 
 public:
   using Vertex = typename Hidden::Vertex;

@@ -61,9 +61,9 @@ bool is_vertex_at(const Triangulation& tr, typename Triangulation::Vertex_handle
 }
 
 template <class Target, class Subgraph>
-class Checking_traced_hints : public CGAL::Traced_hints_3<Target, Subgraph>
+class Checking_traced_hints : public CGAL::Delaunay_from_surface_3::Traced_hints_3<Target, Subgraph>
 {
-  using Base = CGAL::Traced_hints_3<Target, Subgraph>;
+  using Base = CGAL::Delaunay_from_surface_3::Traced_hints_3<Target, Subgraph>;
   using Vertex = typename Target::Vertex;
 
 public:
@@ -71,7 +71,7 @@ public:
   static inline std::size_t number_of_traced_points = 0;
 
   Checking_traced_hints(const Target& target, const Subgraph& subgraph,
-                        const CGAL::Insertion_order& plan)
+                        const CGAL::Delaunay_from_surface_3::Insertion_order& plan)
     : Base(target, subgraph, plan)
     , m_target(target)
   {
@@ -114,9 +114,10 @@ private:
 
 // For a plan by Neighbor_started_rounds: what is planned must be what the graph tells by then.
 template <class Target, class Subgraph>
-class Checking_planned_hints : public CGAL::Planned_hints_3<Target, Subgraph>
+class Checking_planned_hints
+  : public CGAL::Delaunay_from_surface_3::Planned_hints_3<Target, Subgraph>
 {
-  using Base = CGAL::Planned_hints_3<Target, Subgraph>;
+  using Base = CGAL::Delaunay_from_surface_3::Planned_hints_3<Target, Subgraph>;
 
 public:
   static constexpr bool uses_subgraph = true;
@@ -124,7 +125,7 @@ public:
   static inline std::size_t number_of_starts = 0;
 
   Checking_planned_hints(const Target& target, const Subgraph& subgraph,
-                         const CGAL::Insertion_order& plan)
+                         const CGAL::Delaunay_from_surface_3::Insertion_order& plan)
     : Base(target, subgraph, plan)
     , m_target(target)
     , m_subgraph(subgraph)
@@ -157,9 +158,9 @@ private:
 
 // Sees every conflict zone, and compares it with all cells in conflict and all cells destroyed.
 template <class Target, class Subgraph>
-class Zone_checking_hints : public CGAL::Previous_hint_3<Target, Subgraph>
+class Zone_checking_hints : public CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>
 {
-  using Base = CGAL::Previous_hint_3<Target, Subgraph>;
+  using Base = CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>;
   using Vertex = typename Target::Vertex;
   using Vertices_of_cell = std::array<Vertex, 4>;
 
@@ -170,7 +171,7 @@ public:
   static inline std::size_t number_of_updates = 0;
 
   Zone_checking_hints(const Target& target, const Subgraph& subgraph,
-                      const CGAL::Insertion_order& plan)
+                      const CGAL::Delaunay_from_surface_3::Insertion_order& plan)
     : Base(target, subgraph, plan)
     , m_target(target)
   {

@@ -11,6 +11,21 @@
 #include "check_equal.h"
 
 #include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <vector>
 
@@ -21,6 +36,7 @@ template <class Subgraph, class Plan, class Case>
 void check_all_hints(const Case& stock_case)
 {
   using namespace CGAL;
+  using namespace CGAL::Delaunay_from_surface_3;
   stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Traced_hints_3>>(1);
   stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Neighbor_hints_3>>(2);
   stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Previous_hint_3>>(3);
@@ -29,11 +45,12 @@ void check_all_hints(const Case& stock_case)
 template <class Subgraph, class Case>
 void check_all_plans_and_hints(const Case& stock_case)
 {
-  check_all_hints<Subgraph, CGAL::Log_star_rounds>(stock_case);
-  check_all_hints<Subgraph, CGAL::Geometric_rounds>(stock_case);
-  check_all_hints<Subgraph, CGAL::Spatial_sort_order>(stock_case);
-  check_all_hints<Subgraph, CGAL::Hilbert_sorted_rounds<CGAL::Log_star_rounds>>(stock_case);
-  check_all_hints<Subgraph, CGAL::Surface_net_rounds>(stock_case);
+  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Log_star_rounds>(stock_case);
+  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Geometric_rounds>(stock_case);
+  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Spatial_sort_order>(stock_case);
+  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Hilbert_sorted_rounds<
+                                CGAL::Delaunay_from_surface_3::Log_star_rounds>>(stock_case);
+  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Surface_net_rounds>(stock_case);
 }
 
 // Nets through CGAL's insertion, and the compact kernel with other plans and hints.
@@ -41,6 +58,7 @@ template <class Case>
 void check_nets_and_compact_kernel_apart(const Case& stock_case, unsigned int seed = 0)
 {
   using namespace CGAL;
+  using namespace CGAL::Delaunay_from_surface_3;
   stock_case.template check<
       Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(seed);
   stock_case.template check<Surface_insertion_policies_3<Full_graph, Geometric_rounds,
@@ -59,7 +77,7 @@ void check_named_traits(const Case& stock_case, unsigned int seed = 0)
   stock_case.template check<CGAL::Surface_insertion_traits_3>(seed);
   stock_case.template check<CGAL::Tracing_traits_3>(seed);
   stock_case.template check_as_mesh<CGAL::Tracing_traits_3>(seed);
-  stock_case.template check<CGAL::Stock_order_traits_3>(seed);
+  stock_case.template check<CGAL::Plain_insertion_traits_3>(seed);
 }
 
 template <class Triangulation>
@@ -84,8 +102,8 @@ void check_surfaces_with_all_combinations(const std::vector<Named_surface>& surf
 {
   for (const Named_surface& named : surfaces) {
     const Stock_case<Triangulation> stock_case(named);
-    check_all_plans_and_hints<CGAL::Spanning_forest>(stock_case);
-    check_all_plans_and_hints<CGAL::Full_graph>(stock_case);
+    check_all_plans_and_hints<CGAL::Delaunay_from_surface_3::Spanning_forest>(stock_case);
+    check_all_plans_and_hints<CGAL::Delaunay_from_surface_3::Full_graph>(stock_case);
   }
 }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
 
 #include <cstddef>
 #include <functional>
@@ -25,11 +26,11 @@ namespace comparison {
 
 struct Counted_calls
 {
-  const CGAL::Predicate_counts* counts;
-  CGAL::Predicate_counts operator()() const { return *counts; }
+  const CGAL::Delaunay_from_surface_3::Predicate_counts* counts;
+  CGAL::Delaunay_from_surface_3::Predicate_counts operator()() const { return *counts; }
 };
 
-using Counting_visitor = CGAL::Metering_visitor_3<Counted_calls>;
+using Counting_visitor = CGAL::Delaunay_from_surface_3::Metering_visitor_3<Counted_calls>;
 
 // Targets and hints live and die inside an insertion: what they have counted stays here.
 struct Counted_insertion
@@ -64,22 +65,22 @@ public:
 
 // The compact triangulation, leaving its own counts behind.
 template <class Tr>
-class Counted_compact_delaunay_3 : public CGAL::Compact_delaunay_3<Tr>
+class Counted_compact_delaunay_3 : public CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Tr>
 {
 public:
-  using CGAL::Compact_delaunay_3<Tr>::Compact_delaunay_3;
+  using CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Tr>::Compact_delaunay_3;
 
   void finish()
   {
     last_insertion().kernel = this->counts();
-    CGAL::Compact_delaunay_3<Tr>::finish();
+    CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Tr>::finish();
   }
 };
 
 template <class Traits>
 inline constexpr bool is_compact =
     std::is_same<typename Traits::template Insertion_target_3<Triangulation>,
-                 CGAL::Compact_delaunay_3<Triangulation>>::value;
+                 CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Triangulation>>::value;
 
 template <class Traits>
 struct Compact_counting_traits : Traits
@@ -96,7 +97,7 @@ struct Zone_counting_traits : Traits
       Zone_counting_hints<typename Traits::template Insertion_hints_3<Target, Subgraph>>;
 };
 
-inline Json calls_per_point(const CGAL::Predicate_counts& counts, double n)
+inline Json calls_per_point(const CGAL::Delaunay_from_surface_3::Predicate_counts& counts, double n)
 {
   return {{"cells_entered", rounded(double(counts.cells_entered()) / n, 1e4)},
           {"orientation", rounded(double(counts.orientation) / n, 1e4)},

@@ -15,6 +15,22 @@
 
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <array>
 #include <functional>
@@ -94,6 +110,7 @@ Method surface_method(const std::string& name, const std::string& description)
 inline std::vector<Method> all_methods()
 {
   using namespace CGAL;
+  using namespace CGAL::Delaunay_from_surface_3;
   using Default = Surface_insertion_traits_3;
   return {
       {"plain", "dt.insert(first, last) of CGAL", build_by_plain<Triangulation>, nullptr,
@@ -109,8 +126,8 @@ inline std::vector<Method> all_methods()
           "compact-spatial", "plain CGAL's order, which needs no surface; compact triangulation"),
       surface_method<Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(
           "nets", "nets of the surface, their starting points, CGAL's insertion"),
-      surface_method<Stock_order_traits_3>(
-          "plain-order", "Stock_order_traits_3: plain CGAL's insertions, our loop"),
+      surface_method<Plain_insertion_traits_3>(
+          "plain-order", "Plain_insertion_traits_3: plain CGAL's insertions, our loop"),
       surface_method<Surface_insertion_policies_3<
           Full_graph, Neighbor_started_rounds<Geometric_rounds>, Planned_hints_3>>(
           "geometric-started", "rounds that grow geometrically, neighbour inserted last before"),

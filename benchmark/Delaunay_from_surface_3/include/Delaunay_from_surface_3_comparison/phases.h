@@ -21,7 +21,7 @@
 namespace comparison {
 
 using Phase = CGAL::Surface_insertion_phase;
-using Timing_visitor = CGAL::Metering_visitor_3<Steady_seconds>;
+using Timing_visitor = CGAL::Delaunay_from_surface_3::Metering_visitor_3<Steady_seconds>;
 
 inline const std::vector<std::pair<const char*, Phase>>& phases()
 {

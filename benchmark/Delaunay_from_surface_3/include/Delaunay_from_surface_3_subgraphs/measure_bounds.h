@@ -14,6 +14,10 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_component_topology.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/certify_spanning_subgraph.h>
 
 #include <nlohmann/json.hpp>
 
@@ -82,7 +86,8 @@ inline Triangle_list random_triangulation(const Named_recipe& named, int seed)
 }
 
 // Not all small surfaces have room for all holes.
-inline bool has_topology(const Named_recipe& named, const CGAL::Surface_topology& topology)
+inline bool has_topology(const Named_recipe& named,
+                         const CGAL::Delaunay_from_surface_3::Surface_topology& topology)
 {
   std::size_t euler_genus = 0, boundary_loops = 0;
   for (const auto& component : topology.components) {
@@ -94,7 +99,8 @@ inline bool has_topology(const Named_recipe& named, const CGAL::Surface_topology
 }
 
 // The paper speaks of spheres, discs, and closed orientable surfaces: null elsewhere.
-inline nlohmann::ordered_json bound_of_the_paper(const CGAL::Surface_topology& topology)
+inline nlohmann::ordered_json
+bound_of_the_paper(const CGAL::Delaunay_from_surface_3::Surface_topology& topology)
 {
   std::size_t bound = 3;
   for (const auto& component : topology.components) {
@@ -116,8 +122,8 @@ inline nlohmann::ordered_json measure_bounds(const Named_recipe& named, int tria
       throw std::logic_error("the recipe for " + named.name + " makes other surfaces");
     std::mt19937 random(static_cast<unsigned>(seed));
     const Embedded_graph g = embed(random_triangulation(named, seed), random);
-    const auto topology =
-        CGAL::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(
+        g.graph, g.embedding(), g.index_map(), g.boundary_map());
     if (!has_topology(named, topology))
       continue;
     ++made;

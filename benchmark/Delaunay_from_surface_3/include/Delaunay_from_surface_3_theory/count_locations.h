@@ -17,6 +17,9 @@
 #include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/trace/History_dag_3.h>
 
 #include <array>
 #include <cstddef>
@@ -59,7 +62,7 @@ struct Round_cost
 
 class Laboratory
 {
-  using Target = CGAL::Triangulation_target_3<Counted_triangulation>;
+  using Target = CGAL::Delaunay_from_surface_3::Triangulation_target_3<Counted_triangulation>;
   using Cell = Target::Cell;
   using Vertex = Target::Vertex;
 
@@ -67,7 +70,8 @@ public:
   // Point v of `points` is vertex v of the surface and the subgraph.
   Laboratory(const std::vector<comparison::Kernel::Point_3>& points, const Edges& surface,
              const Edges& subgraph, unsigned int seed)
-    : m_plan(CGAL::Random_log_star_rounds(seed)(points, comparison::Kernel(), surface, 0))
+    : m_plan(CGAL::Delaunay_from_surface_3::Random_log_star_rounds(seed)(
+          points, comparison::Kernel(), surface, 0))
     , m_numbers(CGAL::Delaunay_from_surface_3::internal::inverse(m_plan.order))
     , m_points(CGAL::Delaunay_from_surface_3::internal::permuted(points, m_plan.order))
     , m_surface(graph_of(surface, m_numbers))
@@ -99,7 +103,10 @@ public:
   }
 
   const Counted_triangulation& triangulation() const { return m_tr; }
-  const CGAL::History_dag_3<Counted_triangulation>& history() const { return m_history.history(); }
+  const CGAL::Delaunay_from_surface_3::History_dag_3<Counted_triangulation>& history() const
+  {
+    return m_history.history();
+  }
 
   // The vertices, in the order of the points given. To be called last.
   std::vector<Vertex> take_vertices()
@@ -115,7 +122,10 @@ private:
     std::size_t nodes_entered;
   };
 
-  const CGAL::Predicate_counts& counts() const { return m_tr.geom_traits().counts(); }
+  const CGAL::Delaunay_from_surface_3::Predicate_counts& counts() const
+  {
+    return m_tr.geom_traits().counts();
+  }
 
   void locate_and_insert(std::size_t i, Round_cost& round)
   {
@@ -144,9 +154,9 @@ private:
   template <class MakeStart>
   Target::Location count(std::size_t i, Location_cost& cost, const MakeStart& make_start)
   {
-    const CGAL::Predicate_counts before = counts();
+    const CGAL::Delaunay_from_surface_3::Predicate_counts before = counts();
     const Start start = make_start();
-    const CGAL::Predicate_counts at_start = counts();
+    const CGAL::Delaunay_from_surface_3::Predicate_counts at_start = counts();
     const Target::Location location = m_target.locate(i, start.cell);
     ++cost.points;
     cost.cells_entered += start.nodes_entered + (counts() - at_start).cells_entered();
@@ -156,7 +166,7 @@ private:
 
   void trace(Round_cost& round)
   {
-    const CGAL::Predicate_counts before = counts();
+    const CGAL::Delaunay_from_surface_3::Predicate_counts before = counts();
     round.trace.points = m_history.trace();
     round.trace.cells_entered = (counts() - before).cells_entered();
     round.trace.calls = (counts() - before).all();
@@ -180,14 +190,14 @@ private:
                                            : m_target.cell(u));
   }
 
-  CGAL::Insertion_order m_plan;
+  CGAL::Delaunay_from_surface_3::Insertion_order m_plan;
   std::vector<std::size_t> m_numbers;
   std::vector<comparison::Kernel::Point_3> m_points;
   Index_graph m_surface, m_subgraph;
   Counted_triangulation m_tr;
   Target m_target;
-  CGAL::History_hints_3<Target, Index_graph> m_history;
-  CGAL::Neighbor_hints_3<Target, Index_graph> m_neighbors;
+  CGAL::Delaunay_from_surface_3::History_hints_3<Target, Index_graph> m_history;
+  CGAL::Delaunay_from_surface_3::Neighbor_hints_3<Target, Index_graph> m_neighbors;
   surfaces::Random m_random;
   std::size_t m_stride; // the two long ways are taken by a sample of the points, if they are many
 };

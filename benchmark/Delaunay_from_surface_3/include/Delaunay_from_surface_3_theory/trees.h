@@ -54,7 +54,7 @@ inline Edges bounded_degree_edges(const Indexed_surface& surface)
   using Mesh = CGAL::Surface_mesh<Indexed_surface::Point_3>;
   const Mesh mesh = surfaces::to_mesh<Mesh>(surface);
   Edges edges;
-  CGAL::Bounded_degree_subgraph()(
+  CGAL::Delaunay_from_surface_3::Bounded_degree_subgraph()(
       mesh, get(boost::vertex_index, mesh),
       boost::make_function_output_iterator([&](Mesh::Edge_index e) {
         edges.push_back(edge(std::size_t(mesh.vertex(e, 0)), std::size_t(mesh.vertex(e, 1))));

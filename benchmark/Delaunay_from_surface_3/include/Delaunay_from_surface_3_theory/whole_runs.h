@@ -16,8 +16,16 @@
 
 #include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
-#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/History_tracing_traits_3.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <cstddef>
 #include <functional>
@@ -33,30 +41,33 @@ using comparison::rounded;
 
 // From the root of the history, always: Q without traces.
 template <class Target, class Subgraph>
-struct Root_hints_3 : CGAL::History_hints_3<Target, Subgraph>
+struct Root_hints_3 : CGAL::Delaunay_from_surface_3::History_hints_3<Target, Subgraph>
 {
   static constexpr bool uses_subgraph = false;
-  using CGAL::History_hints_3<Target, Subgraph>::History_hints_3;
+  using CGAL::Delaunay_from_surface_3::History_hints_3<Target, Subgraph>::History_hints_3;
   std::size_t trace() { return 0; }
 };
 
 // None: where a triangulation can do without, as with Fast_location.
 template <class Target, class Subgraph>
-struct No_hint_3 : CGAL::Null_update_observer
+struct No_hint_3 : CGAL::Delaunay_from_surface_3::Null_update_observer
 {
   static constexpr bool uses_subgraph = false;
-  No_hint_3(const Target&, const Subgraph&, const CGAL::Insertion_order&) {}
+  No_hint_3(const Target&, const Subgraph&, const CGAL::Delaunay_from_surface_3::Insertion_order&)
+  {
+  }
   typename Target::Cell start(std::size_t) const { return {}; }
   std::size_t trace() { return 0; }
 };
 
 // From any of the points inserted.
 template <class Target, class Subgraph>
-class Random_hint_3 : public CGAL::Null_update_observer
+class Random_hint_3 : public CGAL::Delaunay_from_surface_3::Null_update_observer
 {
 public:
   static constexpr bool uses_subgraph = false;
-  Random_hint_3(const Target& target, const Subgraph&, const CGAL::Insertion_order&)
+  Random_hint_3(const Target& target, const Subgraph&,
+                const CGAL::Delaunay_from_surface_3::Insertion_order&)
     : m_target(target)
     , m_random(0)
   {
@@ -72,9 +83,10 @@ private:
   surfaces::Random m_random;
 };
 
-template <template <class, class> class Hints, class Subgraph = CGAL::Full_graph>
-using Random_order_traits =
-    CGAL::Surface_insertion_policies_3<Subgraph, CGAL::Random_log_star_rounds, Hints>;
+template <template <class, class> class Hints,
+          class Subgraph = CGAL::Delaunay_from_surface_3::Full_graph>
+using Random_order_traits = CGAL::Surface_insertion_policies_3<
+    Subgraph, CGAL::Delaunay_from_surface_3::Random_log_star_rounds, Hints>;
 
 template <class Traits, class Triangulation, class Visitor>
 void insert(Triangulation& tr, const Mesh& mesh, unsigned int seed, Visitor& visitor)
@@ -91,8 +103,8 @@ Json counts_of_run(const Mesh& mesh, unsigned int seed)
   comparison::Counting_visitor visitor(comparison::Counted_calls{&tr.geom_traits().counts()});
   insert<Traits>(tr, mesh, seed, visitor);
   const double n = double(mesh.number_of_vertices());
-  const CGAL::Predicate_counts location = visitor.total(Phase::LOCATION),
-                               trace = visitor.total(Phase::TRACE);
+  const CGAL::Delaunay_from_surface_3::Predicate_counts location = visitor.total(Phase::LOCATION),
+                                                        trace = visitor.total(Phase::TRACE);
   Json result = {{"cells_entered", rounded(double(location.cells_entered()) / n, 1e4)},
                  {"calls", rounded(double(location.all()) / n, 1e4)}};
   if (trace.all() > 0) {
@@ -130,7 +142,7 @@ inline std::vector<Whole_run> whole_runs()
 {
   using namespace comparison;
   using Tracing = CGAL::Tracing_traits_3;
-  using Plain = CGAL::Stock_order_traits_3;
+  using Plain = CGAL::Plain_insertion_traits_3;
   using Fast = Random_order_traits<No_hint_3>;
   return {
       {"history-root", nullptr, times_of_run<Random_order_traits<Root_hints_3>, Triangulation>},
@@ -138,7 +150,8 @@ inline std::vector<Whole_run> whole_runs()
       {"walk-trace", counts_of_run<Tracing, Counted_triangulation>,
        times_of_run<Tracing, Triangulation>},
       {"walk-neighbor", nullptr,
-       times_of_run<Random_order_traits<CGAL::Neighbor_hints_3>, Triangulation>},
+       times_of_run<Random_order_traits<CGAL::Delaunay_from_surface_3::Neighbor_hints_3>,
+                    Triangulation>},
       {"walk-random", nullptr, times_of_run<Random_order_traits<Random_hint_3>, Triangulation>},
       {"fast-location", counts_of_run<Fast, Counted_fast_triangulation>,
        times_of_run<Fast, Fast_triangulation>},

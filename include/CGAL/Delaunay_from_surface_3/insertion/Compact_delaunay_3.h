@@ -33,6 +33,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
@@ -59,8 +60,8 @@ template <class Triangulation, class Id>
 class Compact_delaunay_with_ids_3
 {
   using Geom_traits = typename Triangulation::Geom_traits;
-  using Predicates = Delaunay_from_surface_3::internal::Perturbed_predicates<Geom_traits>;
-  using Kernel = Delaunay_from_surface_3::internal::Compact_triangulation<Id, Predicates>;
+  using Predicates = internal::Perturbed_predicates<Geom_traits>;
+  using Kernel = internal::Compact_triangulation<Id, Predicates>;
   using Coordinates = std::array<double, 3>;
 
 public:
@@ -109,8 +110,7 @@ public:
     , m_kernel(m_predicates, points.size())
     , m_vertices(points.size(), Vertex())
   {
-    const auto simplex =
-        Delaunay_from_surface_3::internal::starting_simplex(m_predicates, points.size());
+    const auto simplex = internal::starting_simplex(m_predicates, points.size());
     CGAL_precondition(simplex.is_found);
     std::array<Coordinates, 4> coordinates;
     for (std::size_t k = 0; k < 4; ++k)
@@ -154,7 +154,7 @@ public:
   bool is_closer(std::size_t i, Vertex v, Vertex w) const
   {
     const Coordinates p = scaled(i);
-    using Delaunay_from_surface_3::internal::Row;
+    using internal::Row;
     return Row(m_kernel.complex().vertex(v).coordinates, p.data()).w <
            Row(m_kernel.complex().vertex(w).coordinates, p.data()).w;
   }
@@ -198,10 +198,7 @@ public:
   }
 
   /// returns what the insertions did, for statistics.
-  const Delaunay_from_surface_3::internal::Compact_counts& counts() const
-  {
-    return m_kernel.counts();
-  }
+  const internal::Compact_counts& counts() const { return m_kernel.counts(); }
 
 private:
   template <class Gt>
@@ -257,6 +254,7 @@ public:
   using Compact_delaunay_with_ids_3<Triangulation, std::uint32_t>::Compact_delaunay_with_ids_3;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_COMPACT_DELAUNAY_3_H

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
@@ -34,6 +35,7 @@ struct Null_update_observer
   }
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_NULL_UPDATE_OBSERVER_H

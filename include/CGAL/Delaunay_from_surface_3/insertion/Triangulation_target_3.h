@@ -18,6 +18,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
@@ -162,6 +163,7 @@ private:
   std::vector<typename Triangulation::Facet> m_boundary;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_TRIANGULATION_TARGET_3_H

@@ -17,6 +17,7 @@
 #include <cmath>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -83,6 +84,7 @@ private:
   std::size_t m_first_round;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_GEOMETRIC_ROUNDS_H

@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -42,8 +43,7 @@ public:
                              const Graph& graph, VertexIndexMap index_map) const
   {
     Insertion_order plan = m_plan(points, gt, graph, index_map);
-    Delaunay_from_surface_3::internal::hilbert_sort_rounds(points, gt, plan,
-                                                           plan.round_ends.size());
+    internal::hilbert_sort_rounds(points, gt, plan, plan.round_ends.size());
     plan.starting_places.clear(); // they came before their points in an order that is gone
     return plan;
   }
@@ -52,6 +52,7 @@ private:
   Plan m_plan;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_HILBERT_SORTED_ROUNDS_H

@@ -9,6 +9,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -32,6 +33,7 @@ struct Insertion_order
   std::vector<std::size_t> starting_places;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_INSERTION_ORDER_H

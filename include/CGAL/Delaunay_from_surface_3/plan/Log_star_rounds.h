@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -44,8 +45,8 @@ public:
                              const Graph& graph, VertexIndexMap index_map) const
   {
     Insertion_order plan = Random_log_star_rounds(m_seed)(points, gt, graph, index_map);
-    Delaunay_from_surface_3::internal::hilbert_sort_rounds(
-        points, gt, plan, (std::min)(std::size_t(1), plan.round_ends.size()));
+    internal::hilbert_sort_rounds(points, gt, plan,
+                                  (std::min)(std::size_t(1), plan.round_ends.size()));
     return plan;
   }
 
@@ -59,6 +60,7 @@ private:
   unsigned int m_seed;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_LOG_STAR_ROUNDS_H

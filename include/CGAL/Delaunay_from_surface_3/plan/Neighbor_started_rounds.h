@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -69,6 +70,7 @@ private:
   Plan m_plan;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_NEIGHBOR_STARTED_ROUNDS_H

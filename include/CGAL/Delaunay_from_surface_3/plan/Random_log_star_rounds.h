@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -47,7 +48,7 @@ public:
                              VertexIndexMap) const
   {
     Insertion_order plan;
-    plan.order = Delaunay_from_surface_3::internal::random_order(points.size(), m_seed);
+    plan.order = internal::random_order(points.size(), m_seed);
     plan.round_ends = round_ends(points.size());
     return plan;
   }
@@ -71,6 +72,7 @@ private:
   unsigned int m_seed;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_RANDOM_LOG_STAR_ROUNDS_H

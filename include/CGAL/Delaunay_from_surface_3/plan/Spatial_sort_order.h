@@ -13,6 +13,7 @@
 #include <CGAL/spatial_sort.h>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -47,6 +48,7 @@ public:
   }
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_SPATIAL_SORT_ORDER_H

@@ -27,6 +27,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -104,7 +105,7 @@ private:
 
   // All vertices of a level, in their order.
   template <class Index>
-  using Sequence = Delaunay_from_surface_3::internal::Large_vector<Placed<Index>>;
+  using Sequence = internal::Large_vector<Placed<Index>>;
 
   // The first rounds: the vertices of the coarsest level. Returns them in their order.
   template <class Index, class Point, class GeomTraits, class Nets>
@@ -154,6 +155,7 @@ private:
   unsigned int m_seed;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_SURFACE_NET_ROUNDS_H

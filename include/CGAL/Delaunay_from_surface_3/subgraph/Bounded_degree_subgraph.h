@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
@@ -40,7 +41,6 @@ public:
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
                                 EdgeOutputIterator out) const
   {
-    namespace internal = Delaunay_from_surface_3::internal;
     return internal::write_bounded_degree_subgraph(
         internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
         internal::Subgraph_kind::SUBGRAPH, out);
@@ -65,13 +65,13 @@ public:
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
                                 EdgeOutputIterator out) const
   {
-    namespace internal = Delaunay_from_surface_3::internal;
     return internal::write_bounded_degree_subgraph(
         internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
         internal::Subgraph_kind::TREE, out);
   }
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_BOUNDED_DEGREE_SUBGRAPH_H

@@ -10,6 +10,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
@@ -42,6 +43,7 @@ public:
   }
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_FULL_GRAPH_H

@@ -17,6 +17,7 @@
 #include <iterator>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
@@ -48,7 +49,7 @@ public:
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
                                 EdgeOutputIterator out) const
   {
-    Delaunay_from_surface_3::internal::Disjoint_sets<std::size_t> trees(number_of_vertices(graph));
+    internal::Disjoint_sets<std::size_t> trees(number_of_vertices(graph));
     for (auto [e, end] = edges(graph); e != end; ++e)
       if (trees.unite(std::size_t(get(index_map, source(*e, graph))),
                       std::size_t(get(index_map, target(*e, graph)))))
@@ -66,6 +67,7 @@ private:
   }
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_SPANNING_FOREST_H

@@ -24,6 +24,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
@@ -244,6 +245,7 @@ private:
   bool m_is_update_under_way = false;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_DAG_3_H

@@ -21,6 +21,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
@@ -116,12 +117,13 @@ public:
 private:
   const Target& m_target;
   Dag m_dag;
-  Delaunay_from_surface_3::internal::Trace_subgraph<Target, Subgraph> m_trace;
+  internal::Trace_subgraph<Target, Subgraph> m_trace;
   std::vector<typename Dag::Node> m_record;
   typename Target::Vertex m_previous = {};
   std::size_t m_nodes_entered = 0;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_HINTS_3_H

@@ -17,6 +17,7 @@
 #include <cstddef>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
@@ -73,6 +74,7 @@ private:
   Vertex m_previous = {};
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_NEIGHBOR_HINTS_3_H

@@ -15,6 +15,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
@@ -64,6 +65,7 @@ private:
   Vertex m_previous = {};
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H

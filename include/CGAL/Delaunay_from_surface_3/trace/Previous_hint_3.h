@@ -14,6 +14,7 @@
 #include <cstddef>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
@@ -54,6 +55,7 @@ private:
   typename Target::Vertex m_previous = {};
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PREVIOUS_HINT_3_H

@@ -21,6 +21,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
@@ -88,11 +89,12 @@ public:
 
 private:
   const Target& m_target;
-  Delaunay_from_surface_3::internal::Trace_subgraph<Target, Subgraph> m_trace;
+  internal::Trace_subgraph<Target, Subgraph> m_trace;
   Vertex m_previous = {};
   std::vector<Vertex> m_record;
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_TRACED_HINTS_3_H

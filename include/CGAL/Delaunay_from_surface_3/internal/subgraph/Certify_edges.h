@@ -9,7 +9,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_CERTIFY_EDGES_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
-#include <CGAL/Delaunay_from_surface_3/Surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_component_topology.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -22,6 +22,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
@@ -61,7 +62,6 @@ struct Spanning_subgraph_certificate
   }
 };
 
-namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // Counts the components of n vertices under edges that are added one by one.
@@ -120,19 +120,20 @@ This form needs Boost only; include `CGAL/Delaunay_from_surface_3/internal/subgr
 
 \param graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`
 \param subgraph_edges a range of edge descriptors of `graph`
-\param topology what `surface_topology()` says of `graph`
+\param topology what `Delaunay_from_surface_3::surface_topology()` says of `graph`
 \param vertex_index_map a bijection onto `0`, …, `num_vertices(graph) - 1`
 
 Complexity: O(m log m) for m edges.
 */
 template <class Graph, class EdgeRange, class VertexIndexMap>
-Spanning_subgraph_certificate
+Delaunay_from_surface_3::Spanning_subgraph_certificate
 certify_spanning_subgraph(const Graph& graph, const EdgeRange& subgraph_edges,
-                          const Surface_topology& topology, VertexIndexMap vertex_index_map)
+                          const Delaunay_from_surface_3::Surface_topology& topology,
+                          VertexIndexMap vertex_index_map)
 {
   namespace internal = Delaunay_from_surface_3::internal;
   const std::size_t n = topology.component_of_vertex.size();
-  Spanning_subgraph_certificate result;
+  Delaunay_from_surface_3::Spanning_subgraph_certificate result;
   const auto end_points = [&](const auto& e) {
     return std::pair<std::size_t, std::size_t>(
         std::minmax({std::size_t(get(vertex_index_map, source(e, graph))),

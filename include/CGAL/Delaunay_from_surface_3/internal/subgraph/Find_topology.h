@@ -12,7 +12,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_TOPOLOGY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_TOPOLOGY_H
 
-#include <CGAL/Delaunay_from_surface_3/Surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_component_topology.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Euler_count.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Pair_darts.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>

@@ -88,6 +88,8 @@ EdgeOutputIterator bounded_degree_spanning_tree(const Graph& graph, Embedding em
       internal::Subgraph_kind::TREE, out);
 }
 
+namespace Delaunay_from_surface_3 {
+
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
@@ -104,12 +106,12 @@ EdgeOutputIterator cut_graph(const Graph& graph, Embedding embedding, EdgeOutput
                              VertexIndexMap vertex_index_map,
                              EdgeIsBoundaryMap edge_is_boundary_map)
 {
-  namespace internal = Delaunay_from_surface_3::internal;
   using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
   return internal::write_cut_graph(Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
                                    out);
 }
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_ROTATION_SYSTEM_SUBGRAPH_H

@@ -7,12 +7,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_ROTATION_SYSTEM_TOPOLOGY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_ROTATION_SYSTEM_TOPOLOGY_H
 
-#include <CGAL/Delaunay_from_surface_3/Surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_component_topology.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Find_topology.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_rotation_system.h>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
@@ -29,7 +30,6 @@ Surface_topology surface_topology(const Graph& graph, Embedding embedding,
                                   VertexIndexMap vertex_index_map,
                                   EdgeIsBoundaryMap edge_is_boundary_map)
 {
-  namespace internal = Delaunay_from_surface_3::internal;
   using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
   return internal::with_rotation_system(
       Reader(graph, embedding, vertex_index_map, edge_is_boundary_map), [](auto& surface) {
@@ -38,6 +38,7 @@ Surface_topology surface_topology(const Graph& graph, Embedding embedding,
       });
 }
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_ROTATION_SYSTEM_TOPOLOGY_H

@@ -2,14 +2,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CUT_GRAPH_H
-#define CGAL_CUT_GRAPH_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_CUT_GRAPH_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_CUT_GRAPH_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_system_of_loops.h>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
@@ -29,7 +30,6 @@ template <class HalfedgeGraph, class EdgeOutputIterator,
 EdgeOutputIterator cut_graph(const HalfedgeGraph& g, EdgeOutputIterator out,
                              const NamedParameters& np = parameters::default_values())
 {
-  namespace internal = Delaunay_from_surface_3::internal;
   return internal::with_halfedge_graph_reader(
       g, np, [&](const auto& reader) { return internal::write_cut_graph(reader, out); });
 }
@@ -55,13 +55,13 @@ template <class HalfedgeGraph, class LoopOutputIterator,
 LoopOutputIterator system_of_loops(const HalfedgeGraph& g, LoopOutputIterator out,
                                    const NamedParameters& np = parameters::default_values())
 {
-  namespace internal = Delaunay_from_surface_3::internal;
   using Edge = typename boost::graph_traits<HalfedgeGraph>::edge_descriptor;
   return internal::with_halfedge_graph_reader(g, np, [&](const auto& reader) {
     return internal::write_system_of_loops<Edge>(reader, out);
   });
 }
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_CUT_GRAPH_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_CUT_GRAPH_H

@@ -2,13 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_TOPOLOGY_H
-#define CGAL_SURFACE_TOPOLOGY_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_SURFACE_TOPOLOGY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_SURFACE_TOPOLOGY_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
@@ -22,7 +23,6 @@ template <class HalfedgeGraph, class NamedParameters = parameters::Default_named
 Surface_topology surface_topology(const HalfedgeGraph& g,
                                   const NamedParameters& np = parameters::default_values())
 {
-  namespace internal = Delaunay_from_surface_3::internal;
   return internal::with_halfedge_graph_reader(g, np, [](const auto& reader) {
     return internal::with_rotation_system(reader, [](auto& surface) {
       using Index = typename std::decay_t<decltype(surface)>::Index;
@@ -31,6 +31,7 @@ Surface_topology surface_topology(const HalfedgeGraph& g,
   });
 }
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_TOPOLOGY_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_SURFACE_TOPOLOGY_H

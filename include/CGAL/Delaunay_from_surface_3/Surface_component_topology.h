@@ -4,14 +4,15 @@
 //
 // This header needs the standard library only.
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_TOPOLOGY_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_TOPOLOGY_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_COMPONENT_TOPOLOGY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_COMPONENT_TOPOLOGY_H
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
@@ -103,6 +104,7 @@ struct Surface_topology
   }
 };
 
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_TOPOLOGY_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_COMPONENT_TOPOLOGY_H

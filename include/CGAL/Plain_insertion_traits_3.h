@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PLAIN_INSERTION_TRAITS_3_H
+#define CGAL_PLAIN_INSERTION_TRAITS_3_H
+
+#include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Traits
+
+is the control: exactly the insertions of `Delaunay_triangulation_3::insert(first, last)`, in that
+order and from those starting cells. The surface is not looked at. With `Fast_location` this
+is true of the lowest level; with `Parallel_tag` stock insertion is another matter.
+
+O(n log n), plus what the insertions take.
+
+\cgalModels{SurfaceInsertionTraits_3}
+*/
+struct Plain_insertion_traits_3
+  : Surface_insertion_policies_3<Delaunay_from_surface_3::Full_graph,
+                                 Delaunay_from_surface_3::Spatial_sort_order,
+                                 Delaunay_from_surface_3::Previous_hint_3>
+{
+};
+
+} // namespace CGAL
+
+#endif // CGAL_PLAIN_INSERTION_TRAITS_3_H

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TRACING_TRAITS_3_H
+#define CGAL_TRACING_TRAITS_3_H
+
+#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Traits
+
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in the place of Q:
+random order, rounds that end at N_h, and a trace of a spanning subgraph T of bounded degree at the
+end of each round but the last. Round 1 follows a Hilbert order.
+
+The bound of O(n log* n) expected time is that of the paper's Q; it is not claimed for the walk.
+
+\cgalModels{SurfaceInsertionTraits_3}
+*/
+struct Tracing_traits_3
+  : Surface_insertion_policies_3<Delaunay_from_surface_3::Bounded_degree_subgraph,
+                                 Delaunay_from_surface_3::Log_star_rounds,
+                                 Delaunay_from_surface_3::Traced_hints_3>
+{
+};
+
+} // namespace CGAL
+
+#endif // CGAL_TRACING_TRAITS_3_H
