@@ -19,6 +19,7 @@
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/system_of_loops.h>
 
 #include <boost/program_options.hpp>
 

@@ -2,12 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A Möbius band as a graph with the cyclic order of the edges around every vertex. Boost only.
+// A Möbius band as a graph with the cyclic order of the edges around every vertex.
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 
 #include <boost/graph/adjacency_list.hpp>

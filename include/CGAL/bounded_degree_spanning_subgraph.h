@@ -5,8 +5,9 @@
 #ifndef CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
 #define CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
 
 namespace CGAL {
 
@@ -85,6 +86,80 @@ bounded_degree_spanning_tree(const HalfedgeGraph& g, EdgeOutputIterator out,
   return internal::with_halfedge_graph_reader(g, np, [&](const auto& reader) {
     return internal::write_bounded_degree_subgraph(reader, internal::Subgraph_kind::TREE, out);
   });
+}
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes the edges of a spanning subgraph of bounded degree of a triangulated surface that is given as a graph with the
+cyclic order of the edges around every vertex. Each component of the surface may be closed or have boundary, and be orientable or not.
+
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, undirected
+\tparam Embedding a model of `boost::ReadablePropertyMap` whose key type is the vertex descriptor and whose value type is
+a range of edge descriptors
+\tparam EdgeOutputIterator a model of `OutputIterator` that holds edge descriptors
+\tparam VertexIndexMap a model of `boost::ReadablePropertyMap` from vertex descriptors to integers
+\tparam EdgeIsBoundaryMap a model of `boost::ReadablePropertyMap` from edge descriptors to `bool`
+
+\param graph the surface's vertices and edges
+\param embedding for every vertex its edges in cyclic order, in either direction: the lists of two vertices need not
+agree in direction, which is how a Möbius band is written down. The list of a vertex on the boundary starts and ends with its two boundary edges.
+\param out where the subgraph's edges go, each once, in no particular order
+\param vertex_index_map a bijection onto `0`, …, `num_vertices(graph) - 1`
+\param edge_is_boundary_map whether an edge has a triangle on one side only
+
+\pre The graph is simple: no loops and no two edges with the same ends. Neighbours in a list are joined by an
+edge, and the three lists of a triangle agree. An isolated vertex, with an empty list, is allowed.
+
+\returns the output iterator
+
+\throws Surface_input_error that names a vertex or an edge, if a precondition is violated. Nothing has been written then.
+
+The degree is at most 3 on spheres and discs. On a component with Euler characteristic
+χ = 2 − h − b and b boundary loops (h is twice the genus if it is orientable, else the non-orientable
+genus) it is at most 4h if b = 0 and 4h + 2b + 1 otherwise.
+
+Complexity: linear time (for the check of the lists: the sum over the edges of the smaller degree of the two ends, which is linear for bounded
+genus). At most about 40 bytes of memory per vertex. Edges are not paired and need no index: in a
+simple graph two ends name the edge, and where the surface is cut its edges are paired by bucket, in time linear in the cut.
+
+The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given in the user manual.
+*/
+template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
+          class EdgeIsBoundaryMap>
+EdgeOutputIterator bounded_degree_spanning_subgraph(const Graph& graph, Embedding embedding,
+                                                    EdgeOutputIterator out,
+                                                    VertexIndexMap vertex_index_map,
+                                                    EdgeIsBoundaryMap edge_is_boundary_map)
+{
+  namespace internal = Delaunay_from_surface_3::internal;
+  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
+  return internal::write_bounded_degree_subgraph(
+      Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
+      internal::Subgraph_kind::SUBGRAPH, out);
+}
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes a spanning tree of `bounded_degree_spanning_subgraph()`, one per component: its cycles are dropped at the heaviest vertices.
+
+The parameters, preconditions and exceptions are those of
+`bounded_degree_spanning_subgraph()`. The degree is at most max(3, 3h + 2b), and 4 on the projective plane.
+Complexity: nearly linear time, O(n α(n)).
+*/
+template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
+          class EdgeIsBoundaryMap>
+EdgeOutputIterator bounded_degree_spanning_tree(const Graph& graph, Embedding embedding,
+                                                EdgeOutputIterator out,
+                                                VertexIndexMap vertex_index_map,
+                                                EdgeIsBoundaryMap edge_is_boundary_map)
+{
+  namespace internal = Delaunay_from_surface_3::internal;
+  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
+  return internal::write_bounded_degree_subgraph(
+      Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
+      internal::Subgraph_kind::TREE, out);
 }
 
 } // namespace CGAL

@@ -5,10 +5,34 @@
 #ifndef CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 #define CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
+#include <CGAL/Delaunay_from_surface_3/Spanning_subgraph_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
 
 namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+finds out whether edges of a triangulated surface span it, with what degrees, and whether the degrees keep within the bounds that follow from the
+surface's own Euler characteristic.
+
+\param graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`
+\param subgraph_edges a range of edge descriptors of `graph`
+\param topology what `Delaunay_from_surface_3::surface_topology()` says of `graph`
+\param vertex_index_map a bijection onto `0`, …, `num_vertices(graph) - 1`
+
+Complexity: O(m log m) for m edges.
+*/
+template <class Graph, class EdgeRange, class VertexIndexMap>
+Delaunay_from_surface_3::Spanning_subgraph_certificate
+certify_spanning_subgraph(const Graph& graph, const EdgeRange& subgraph_edges,
+                          const Delaunay_from_surface_3::Surface_topology& topology,
+                          VertexIndexMap vertex_index_map)
+{
+  return Delaunay_from_surface_3::internal::certify_edges(graph, subgraph_edges, topology,
+                                                          vertex_index_map);
+}
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Spanning subgraphs of thousands of random surfaces in the form that needs Boost only: spheres, discs, handles, cross-caps, punctures,
+// Spanning subgraphs of thousands of random surfaces as graphs of Boost.Graph: spheres, discs, handles, cross-caps, punctures,
 // several components. Everything is certified, and the cut is checked to leave discs.
 
 #define BOOST_TEST_MODULE bounded_degree_properties
@@ -11,9 +11,6 @@
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>

@@ -18,7 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>

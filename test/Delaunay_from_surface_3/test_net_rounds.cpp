@@ -11,14 +11,14 @@
 #include "named_surfaces.h"
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

@@ -17,7 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>

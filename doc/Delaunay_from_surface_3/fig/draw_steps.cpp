@@ -14,7 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <algorithm>
 #include <cmath>

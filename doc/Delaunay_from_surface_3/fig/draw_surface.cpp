@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 #include <CGAL/insert_surface_vertices_3.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
 #include <CGAL/Tracing_traits_3.h>

@@ -11,9 +11,6 @@
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Certify_edges.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_component_topology.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>

@@ -18,7 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_dag_3.h>
 
 #include <array>

@@ -18,8 +18,8 @@
 #include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
 #include <CGAL/History_tracing_traits_3.h>

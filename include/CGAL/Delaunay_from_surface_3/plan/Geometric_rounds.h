@@ -9,7 +9,7 @@
 // geometrically, each in a spatially coherent order.
 
 #include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <CGAL/assertions.h>
 

@@ -9,7 +9,7 @@
 // decided by the order inside its rounds, what it costs in theory by the rounds.
 
 #include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {

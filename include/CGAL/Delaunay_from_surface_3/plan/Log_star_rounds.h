@@ -8,7 +8,7 @@
 // The plan of the paper for points that are located by walking.
 
 #include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 // inserted last when its turn comes. One pass over the edges of F finds it for all points.
 
 #include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,7 +9,7 @@
 // after s_i with i = N_h = ⌈n / log^(h) n⌉, 1 <= h <= log* n.
 
 #include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <cmath>
 #include <cstddef>

@@ -8,7 +8,7 @@
 // The control: the order of CGAL's own insert(first, last), in one round.
 
 #include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <CGAL/spatial_sort.h>
 

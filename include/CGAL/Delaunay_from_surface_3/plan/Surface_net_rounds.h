@@ -15,7 +15,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_CUT_GRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_CUT_GRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_system_of_loops.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -37,28 +37,22 @@ EdgeOutputIterator cut_graph(const HalfedgeGraph& g, EdgeOutputIterator out,
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes a system of loops of a closed triangulated surface: on every component of genus g, 2g closed walks through one
-base vertex such that the surface without them is an open disc.
+writes the edges of a cut graph: removed from the surface, together with the boundary, they leave one open disc per
+component. No vertex that is not on the boundary has exactly one of them. On a sphere or disc nothing is written;
+boundary edges are never written.
 
-This is the kind of cut that \cgalCite{choi-dtsm-02} uses; it is here for comparison. Each loop follows a breadth-first tree from the base
-vertex, crosses over one edge and follows the tree back; loops share the parts of the tree that lie near the base.
-
-\tparam LoopOutputIterator a model of `OutputIterator` that holds `std::vector<boost::graph_traits<HalfedgeGraph>::%edge_descriptor>`:
-the edges of a loop in order, starting and ending at the base vertex. An edge that a loop passes in both directions is there twice.
-
-The other parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
-\pre `g` is closed.
-Complexity: linear time plus the length of the loops, O(gn); about 120 bytes of memory per vertex.
+The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
+Complexity: linear time.
 */
-template <class HalfedgeGraph, class LoopOutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
-LoopOutputIterator system_of_loops(const HalfedgeGraph& g, LoopOutputIterator out,
-                                   const NamedParameters& np = parameters::default_values())
+template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
+          class EdgeIsBoundaryMap>
+EdgeOutputIterator cut_graph(const Graph& graph, Embedding embedding, EdgeOutputIterator out,
+                             VertexIndexMap vertex_index_map,
+                             EdgeIsBoundaryMap edge_is_boundary_map)
 {
-  using Edge = typename boost::graph_traits<HalfedgeGraph>::edge_descriptor;
-  return internal::with_halfedge_graph_reader(g, np, [&](const auto& reader) {
-    return internal::write_system_of_loops<Edge>(reader, out);
-  });
+  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
+  return internal::write_cut_graph(Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
+                                   out);
 }
 
 } // namespace Delaunay_from_surface_3

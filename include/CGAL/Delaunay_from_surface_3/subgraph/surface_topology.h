@@ -5,8 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_SURFACE_TOPOLOGY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPH_SURFACE_TOPOLOGY_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/rotation_system_topology.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_component_topology.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Find_topology.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_rotation_system.h>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -29,6 +32,29 @@ Surface_topology surface_topology(const HalfedgeGraph& g,
       return internal::Find_topology<Index>(surface)();
     });
   });
+}
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+finds the components of a triangulated surface that is given as a graph with the cyclic order of the edges around every vertex, and of each its
+Euler characteristic, boundary loops and orientability.
+
+The parameters, preconditions and exceptions are those of
+`bounded_degree_spanning_subgraph()` for an embedded graph.
+Complexity: linear time.
+*/
+template <class Graph, class Embedding, class VertexIndexMap, class EdgeIsBoundaryMap>
+Surface_topology surface_topology(const Graph& graph, Embedding embedding,
+                                  VertexIndexMap vertex_index_map,
+                                  EdgeIsBoundaryMap edge_is_boundary_map)
+{
+  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
+  return internal::with_rotation_system(
+      Reader(graph, embedding, vertex_index_map, edge_is_boundary_map), [](auto& surface) {
+        using Index = typename std::decay_t<decltype(surface)>::Index;
+        return internal::Find_topology<Index>(surface)();
+      });
 }
 
 } // namespace Delaunay_from_surface_3

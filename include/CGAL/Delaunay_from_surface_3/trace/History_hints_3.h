@@ -12,7 +12,7 @@
 // Cost: O(log(i/k)) expected for s_i if the last trace was in D(S_k) (Lemma 4).
 
 #include <CGAL/Delaunay_from_surface_3/trace/Trace_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_dag_3.h>
 
 #include <cstddef>

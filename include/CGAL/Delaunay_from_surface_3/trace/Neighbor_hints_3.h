@@ -9,8 +9,8 @@
 // asked which of them are in the triangulation by now; late in the insertion nearly always some
 // are.
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -8,8 +8,8 @@
 // Beyond the paper: the plan already knows where a point starts, so that nothing need be searched or
 // stored while points are inserted.
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <cstddef>
 #include <vector>

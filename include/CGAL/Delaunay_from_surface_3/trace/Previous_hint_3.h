@@ -8,8 +8,8 @@
 // The control: every point starts from the point inserted before it, as in CGAL's own range
 // insertion.
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <cstddef>
 

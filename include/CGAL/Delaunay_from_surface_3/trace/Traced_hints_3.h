@@ -13,9 +13,9 @@
 // Cost: one walk per edge of a spanning forest of T; expected O(n) cells per trace if T consists of
 // Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Trace_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <cstddef>
 #include <vector>

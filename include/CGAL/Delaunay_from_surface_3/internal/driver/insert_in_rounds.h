@@ -11,7 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/spanning_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <cstddef>
 #include <string>

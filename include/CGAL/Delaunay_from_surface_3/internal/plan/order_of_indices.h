@@ -11,7 +11,7 @@
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
 
-#include <CGAL/Delaunay_from_surface_3/plan/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <cstddef>
 #include <numeric>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_INSERTION_ORDER_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_INSERTION_ORDER_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_ORDER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_ORDER_H
 
 #include <cstddef>
 #include <vector>
@@ -36,4 +36,4 @@ struct Insertion_order
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_INSERTION_ORDER_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_ORDER_H
