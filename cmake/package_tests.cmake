@@ -1,10 +1,12 @@
-# add_package_test(name LABELS label… [LIBRARIES target…] [CHECKED])
+# add_package_test(name LABELS label… [SOURCES file…] [LIBRARIES target…] [CHECKED])
 #
 # Builds name.cpp, one Boost.Test program with its own main, and makes it a ctest test of that name.
 #   LABELS     fast:     part of the everyday run, a few seconds;
 #              slow:     only in the whole run;
 #              versions: also built and run with every other compiler and CGAL version;
-#              sanitize: also built and run with the sanitizers, hence with Epick only.
+#              sanitize: also built and run with the sanitizers, hence with Epick only;
+#              long:     a fuzzer, minutes to build and to run: not part of the build of everything.
+#   SOURCES    further units.
 #   LIBRARIES  further targets to link.
 #   CHECKED    CGAL's checks are compiled in, the expensive ones included, whatever the build type.
 #
@@ -13,7 +15,7 @@
 # test that does not find one there says so and goes on.
 
 find_package(Boost REQUIRED)
-foreach(label fast slow versions sanitize)
+foreach(label fast slow versions sanitize long)
   if(NOT TARGET tests_${label})
     add_custom_target(tests_${label})
   endif()
@@ -30,12 +32,12 @@ function(write_all_headers_file include_dir file)
 endfunction()
 
 function(add_package_test name)
-  cmake_parse_arguments(arg "CHECKED" "" "LABELS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "CHECKED" "" "LABELS;SOURCES;LIBRARIES" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_LABELS)
     message(FATAL_ERROR "add_package_test(${name}): LABELS missing or unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif()
 
-  add_executable(${name} ${name}.cpp)
+  add_executable(${name} ${name}.cpp ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE
     Delaunay_from_surface_3_generator Boost::headers ${arg_LIBRARIES})
   target_include_directories(${name} PRIVATE
@@ -50,6 +52,10 @@ function(add_package_test name)
 
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 900)
+  if("long" IN_LIST arg_LABELS) # FUZZ_MINUTES says how long; the fuzzer has a limit for each case
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    set_tests_properties(${name} PROPERTIES TIMEOUT 86400)
+  endif()
   foreach(label IN LISTS arg_LABELS)
     add_dependencies(tests_${label} ${name})
   endforeach()
