@@ -60,3 +60,31 @@ function(add_package_test name)
     add_dependencies(tests_${label} ${name})
   endforeach()
 endfunction()
+
+# add_python_test(name LABELS label… [TIMEOUT seconds] [PROGRAMS VARIABLE=target…])
+#
+# Makes name.py, tests of Python's unittest, a test of ctest. It finds the programs of the targets by the
+# environment, and what tests of programs share in scripts/lib.
+function(add_python_test name)
+  cmake_parse_arguments(arg "" "TIMEOUT" "LABELS;PROGRAMS" ${ARGN})
+  find_package(Python3 COMPONENTS Interpreter QUIET)
+  if(NOT Python3_FOUND)
+    message(STATUS "skipped: ${name}, as Python was not found")
+    return()
+  endif()
+
+  set(environment "PYTHONPATH=${DELAUNAY_FROM_SURFACE_3_ROOT}/scripts/lib")
+  foreach(program IN LISTS arg_PROGRAMS)
+    string(REGEX MATCH "^([^=]*)=(.*)$" ignored "${program}")
+    list(APPEND environment "${CMAKE_MATCH_1}=$<TARGET_FILE:${CMAKE_MATCH_2}>")
+    foreach(label IN LISTS arg_LABELS)
+      add_dependencies(tests_${label} ${CMAKE_MATCH_2})
+    endforeach()
+  endforeach()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif()
+  add_test(NAME ${name} COMMAND Python3::Interpreter -B "${CMAKE_CURRENT_SOURCE_DIR}/${name}.py")
+  set_tests_properties(${name} PROPERTIES
+    LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${environment}")
+endfunction()

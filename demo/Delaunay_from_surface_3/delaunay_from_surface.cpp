@@ -6,17 +6,19 @@
 // vertices in another. --help says what it can do.
 
 #include "Options.h"
-#include "Output_file.h"
 #include "Progress_visitor.h"
 #include "Stopwatch.h"
 #include "Surface.h"
 #include "compare_with_plain.h"
-#include "file_extension.h"
 #include "insertion_statistics.h"
 #include "read_surface.h"
 #include "report.h"
 #include "surface_statistics.h"
 #include "write_simplices.h"
+
+#include <Delaunay_from_surface_3_files/Output_file.h>
+#include <Delaunay_from_surface_3_files/file_extension.h>
+#include <Delaunay_from_surface_3_files/one_line.h>
 
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -31,6 +33,9 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+using files::file_extension;
+using files::Output_file;
 
 const int exit_different = 2;
 
@@ -136,7 +141,7 @@ int run(const Options& options)
 int fail(const std::string& message)
 {
   std::cout.flush();
-  std::cerr << "error: " << message << '\n';
+  std::cerr << "error: " << files::one_line(message) << '\n';
   return EXIT_FAILURE;
 }
 

@@ -3,6 +3,7 @@
 
 // Makes a triangle surface for tests and benchmarks and writes it to a file.
 
+#include <Delaunay_from_surface_3_files/one_line.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
@@ -20,6 +21,8 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
@@ -125,6 +128,14 @@ std::size_t count(const po::variables_map& options, const std::string& name)
   return static_cast<std::size_t>(value);
 }
 
+double finite(const po::variables_map& options, const std::string& name)
+{
+  const double value = options[name].as<double>();
+  if (!std::isfinite(value))
+    throw std::invalid_argument("--" + name + " must be a finite number");
+  return value;
+}
+
 std::string text(const po::variables_map& options, const std::string& name)
 {
   if (options.count(name) == 0)
@@ -151,10 +162,10 @@ Indexed_surface make_shape(const po::variables_map& options)
   std::map<std::string, std::function<Indexed_surface()>> makers = {
       {"genus", [&] { return surfaces::genus_surface(genus, n, 0, seed); }},
       {"plate", [&] { return surfaces::plate_surface(genus, n, 0, seed); }},
-      {"sphere", [&] { return surfaces::sphere(n, options["noise"].as<double>(), seed); }},
+      {"sphere", [&] { return surfaces::sphere(n, finite(options, "noise"), seed); }},
       {"integer-sphere", [&] { return surfaces::integer_sphere(n); }},
       {"lattice", [&] { return surfaces::lattice_surface(genus, n); }},
-      {"thin-plate", [&] { return surfaces::thin_plate(n, options["thickness"].as<double>()); }},
+      {"thin-plate", [&] { return surfaces::thin_plate(n, finite(options, "thickness")); }},
       {"torus", [&] { return surfaces::grid_torus(n); }},
       {"terrain", [&] { return surfaces::terrain(n, seed); }},
       {"coplanar", [&] { return surfaces::coplanar(n); }},
@@ -213,6 +224,8 @@ void run(const po::variables_map& options)
   timer.start();
   Indexed_surface surface = make_shape(options);
   edit(surface, options);
+  if (!std::all_of(surface.points.begin(), surface.points.end(), surfaces::is_finite))
+    throw std::runtime_error("the coordinates of this surface are too large for double numbers");
   const double made = timer.time();
   surfaces::write_surface(surface, file_name);
   std::cout << surface.points.size() << " vertices, " << surface.faces.size() << " faces; made in "
@@ -241,7 +254,7 @@ int main(int argc, char** argv)
   } catch (const std::bad_alloc&) {
     std::cerr << "generate_surface: not enough memory for a surface of this size\n";
   } catch (const std::exception& error) {
-    std::cerr << "generate_surface: " << error.what() << '\n';
+    std::cerr << "generate_surface: " << files::one_line(error.what()) << '\n';
   }
   return EXIT_FAILURE;
 }

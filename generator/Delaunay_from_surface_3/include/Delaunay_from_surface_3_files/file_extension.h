@@ -2,13 +2,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_FILE_EXTENSION_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_FILE_EXTENSION_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_FILES_FILE_EXTENSION_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_FILE_EXTENSION_H
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <string>
+
+namespace files {
 
 // "off" for "a/b.OFF"; empty if there is none.
 inline std::string file_extension(const std::string& file_name)
@@ -20,4 +22,6 @@ inline std::string file_extension(const std::string& file_name)
   return extension;
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_FILE_EXTENSION_H
+} // namespace files
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_FILES_FILE_EXTENSION_H

@@ -1,0 +1,261 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Runs the program delaunay_from_surface as a user would, and checks exit codes, output and files."""
+
+import os
+import re
+import resource
+import struct
+import unittest
+from pathlib import Path
+
+from program_case import TORUS, ProgramCase
+
+DATA = Path(__file__).parent / "data"
+SOUP_NOTE = r"note: [a-z_]+\.[a-z]+: not a consistently oriented manifold mesh, taken as a polygon soup\n"
+TETRAHEDRON = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "v 0 0 1", "f 1 3 2", "f 1 2 4", "f 2 3 4", "f 3 1 4"]
+PLY_VERTICES = ["ply", "format ascii 1.0", "element vertex 4", "property double x", "property double y",
+                "property double z"]
+PLY_CORNERS = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
+
+
+class Program(ProgramCase):
+    program = os.environ["DELAUNAY_FROM_SURFACE"]
+
+    def test_what_it_says_about_itself(self):
+        self.works("--help", prints=["Usage: delaunay_from_surface SURFACE", "Example[^$]*--compare", "Exit code"])
+        self.works("--version", prints=[r"\Adelaunay_from_surface \d+\.\d+\.\d+ \(CGAL [0-9.]+"])
+
+    def test_a_mesh_by_all_traits(self):
+        number = r" +[0-9.]+\n"
+        for traits in ("default", "tracing", "plain"):
+            self.works(TORUS, "--traits", traits, "--seed", 3, "--compare", "--repetitions", 2, "--stats", prints=[
+                r"\nsurface: +triangle mesh\n", rf"\ntraits: +{traits}\n", r"\nseed: +3\n", r"\ndimension: +3\n",
+                r"\nvertices: +960\n", r"\nduplicates: +0\n", r"\nfinite cells: +8317\n", r"\nrepetitions: +2\n",
+                rf"\npackage CPU seconds:{number}", rf"\nplain CPU seconds:{number}", rf"\nCPU ratio:{number}",
+                rf"\nwall ratio:{number}", r"\nequal: +yes\n", r"\nDelaunay edges: +2880 of 2880 ",
+                r"\nDelaunay triangles: +1920 of 1920 ", rf"\nlocate:{number}", r"\nall +locate +960 ",
+                r"\nall +update +960 "])
+        self.works(TORUS, "--traits", "tracing", "--stats", prints=[r"\n1 +trace +\d+ ", r"\nall +trace +\d+ "])
+        self.works(TORUS, prints=[r"\nfinite cells: +8317\n", r"cells: +\d+\n\Z"])  # and nothing after that
+
+
+class Surfaces(ProgramCase):
+    """Those that are less than a mesh of triangles, and the formats."""
+
+    program = os.environ["DELAUNAY_FROM_SURFACE"]
+
+    def test_a_rhombus_with_the_wrong_diagonal(self):
+        """The edge 0-1 and both triangles are not Delaunay."""
+        faces = ["3 0 1 2", "3 1 0 3"]
+        corners = ["-2 0 0", "2 0 0", "0 1 0", "0 -1 0"]
+        self.write("rhombus.off", "OFF", "6 2 0", *corners, "0 0 5", "0 0 -5", *faces)
+        self.works("rhombus.off", "--compare", "--stats", prints=[
+            r"surface: +triangle mesh\n", r"\nother edges: +1 of 5 \(20\.0000 %\)\n",
+            r"\nDelaunay triangles: +0 of 2 ", r"\nother triangles: +2 of 2 ", r"\nequal: +yes\n"])
+        self.write("flat.off", "OFF", "4 2 0", *corners, *faces)
+        self.works("flat.off", "--compare", "--stats", "--output", "flat.vtu", prints=[
+            r"\ndimension: +2\n", r"\nwritten: +2 triangles to flat.vtu\n", r"\nother edges: +1 of 5 ",
+            r"\nequal: +yes\n"])
+
+    def test_three_sheets_at_an_edge(self):
+        self.write("three_sheets.off", "OFF", "5 3 0", "0 0 0", "0 0 1", "1 0 0", "-1 1 0", "-1 -1 0", "3 0 1 2",
+                   "3 0 1 3", "3 0 1 4")
+        self.works("three_sheets.off", "--compare", "--stats", prints=[
+            r"\nsurface: +polygon soup\n", r"\nDelaunay triangles: +3 of 3 ", r"\nequal: +yes\n"],
+            notes=r"note: faces that are not triangles: 0, edges with more than two faces: 1\n" + SOUP_NOTE)
+
+    def test_polygons(self):
+        self.write("polygons.off", "OFF", "5 2 0", "0 0 0", "1 0 0", "1 1 0", "0 1 0", "2 0 1", "4 0 1 2 3", "3 1 4 2")
+        self.works("polygons.off", "--compare", "--stats", prints=[
+            r"\nsurface: +polygon mesh\n", r"\nDelaunay edges: +6 of 6 ", r"\nDelaunay triangles: +1 of 1 ",
+            r"\npolygons: +1 \(not counted as triangles\)\n", r"\nequal: +yes\n"],
+            notes=r"note: faces that are not triangles: 1\n")
+
+    def test_equal_points(self):
+        """Vertices 1 and 3, 2 and 4 are the same points: two triangles with one edge in common."""
+        self.write("seam.off", "OFF", "7 2 0", "0 0 0", "1 0 0", "0 1 0", "1 0 0", "0 1 0", "1 1 0", "0 0 1", "3 0 1 2",
+                   "3 3 5 4")
+        self.works("seam.off", "--compare", "--stats", "--output", "seam.mesh", prints=[
+            r"\nsurface vertices: +7\n", r"\nvertices: +5\n", r"\nduplicates: +2\n", r"\nDelaunay edges: +5 of 5 ",
+            r"\nequal: +yes\n"])
+        self.write("same.off", "OFF", "2 0 0", "1 2 3", "1 2 3")
+        self.works("same.off", "--compare", "--stats", "--output", "same.vtu", prints=[
+            r"\ndimension: +0\n", r"\nduplicates: +1\n", r"\nequal: +yes\n"],
+            notes=r"note: same.off: there are no faces[^\n]*\n")
+
+    def test_points_without_faces(self):
+        self.write("points.off", "OFF", "3 0 0", "0 0 0", "1 0 0", "5 0 0")
+        self.works("points.off", "--compare", "--stats", "--output", "points.mesh", prints=[
+            r"\nsurface: +points without faces\n", r"\ndimension: +1\n",
+            r"\nDelaunay edges: +not counted in dimension 1\n", r"\nwritten: +2 edges to points.mesh\n",
+            r"\nequal: +yes\n"],
+            notes=r"note: points.off: there are no faces, its points are taken alone\n")
+
+    def test_formats(self):
+        self.write("tetrahedron.obj", *TETRAHEDRON)
+        self.write("ascii.PLY", *PLY_VERTICES, "element face 2", "property list uchar int vertex_indices",
+                   "end_header", *PLY_CORNERS, "3 0 2 1", "3 0 1 3")
+        self.write("tetrahedron.stl", "solid t", "facet normal 0 0 0", "outer loop", "vertex 0 0 0", "vertex 1 0 0",
+                   "vertex 0 1 0", "endloop", "endfacet", "facet normal 0 0 0", "outer loop", "vertex 1 0 0",
+                   "vertex 0 0 0", "vertex 0 0 1", "endloop", "endfacet", "endsolid t")
+        # Colors, normals and comments are passed over.
+        self.write("colors.off", "# a comment", "CNOFF", "4 2 0 # vertices, faces, edges", "",
+                   *(f"{p} 0 0 1 255 0 0 # red" for p in PLY_CORNERS), "3 0 2 1 0.5 0.5 0.5", "3 0 1 3 7")
+        self.write("homogeneous.off", "4OFF", "4 2 0", *(" ".join(str(2 * int(x)) for x in p.split()) + " 2"
+                                                        for p in PLY_CORNERS), "3 0 2 1", "3 0 1 3")
+        for order, name in (("<", "little"), (">", "big")):
+            header = "\n".join([
+                "ply", f"format binary_{name}_endian 1.0", "comment made here", "element vertex 4",
+                "property uchar red", "property float x", "property float y", "property double z", "element face 2",
+                "property list ushort uint vertex_index", "element other 1", "property list int float a",
+                "end_header\n"])
+            vertices = [struct.pack(order + "Bffd", 1, *map(float, p.split())) for p in PLY_CORNERS]
+            faces = [struct.pack(order + "H3I", 3, *f) for f in ((0, 2, 1), (0, 1, 3))]
+            self.write(f"{name}.ply", header.encode() + b"".join(vertices + faces) + struct.pack(order + "i2f", 2, 0, 0))
+        for name in ("tetrahedron.obj", "ascii.PLY", "tetrahedron.stl", "colors.off", "homogeneous.off", "little.ply",
+                     "big.ply"):
+            with self.subTest(name):
+                self.works(name, "--compare", "--output", "tetrahedron.mesh", prints=[
+                    r"\nsurface: +triangle mesh\n", r"\nvertices: +4\n", r"\nfinite cells: +1\n", r"\nequal: +yes\n"])
+                self.assertIn("\n0 0 0 0\n1 0 0 0\n0 ", (self.folder / "tetrahedron.mesh").read_text())
+
+
+class Output(ProgramCase):
+    program = os.environ["DELAUNAY_FROM_SURFACE"]
+
+    def test_medit(self):
+        self.write("tetrahedron.obj", *TETRAHEDRON)
+        self.works("tetrahedron.obj", "-o", "tetrahedron.mesh", prints=[
+            r"\nwritten: +1 tetrahedra to tetrahedron.mesh\n\Z"])
+        self.assertRegex((self.folder / "tetrahedron.mesh").read_text(),
+                         r"\AMeshVersionFormatted 2\nDimension 3\n\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n\n"
+                         r"Tetrahedra\n1\n[1-4] [1-4] [1-4] [1-4] 0\n\nEnd\n\Z")
+
+    def test_vtu(self):
+        self.works(TORUS, "--output", "torus.vtu", prints=[r"\nwritten: +8317 tetrahedra to torus.vtu\n\Z"])
+        content = (self.folder / "torus.vtu").read_bytes()
+        self.assertIn(b'<Piece NumberOfPoints="960" NumberOfCells="8317">', content)
+        # Four arrays of 8 + size bytes follow the underscore: coordinates, corners, ends and types.
+        arrays = content.index(b'"raw">_') + 7
+        closing_tags = 30
+        self.assertEqual(len(content), arrays + 4 * 8 + 960 * 24 + 8317 * (32 + 8 + 1) + closing_tags)
+
+    def test_files_of_the_user_stay(self):
+        """A link is followed, permissions are kept, and no name beside the output is used up."""
+        older = self.write("older.mesh", "an older result")
+        older.chmod(0o640)
+        part = self.write("older.mesh.part", "a file of the user")
+        (self.folder / "link.mesh").symlink_to("older.mesh")
+        self.works(TORUS, "--output", "link.mesh")
+        self.assertIn("MeshVersionFormatted", older.read_text())
+        self.assertEqual(older.stat().st_mode & 0o777, 0o640)
+        self.assertTrue((self.folder / "link.mesh").is_symlink())
+        self.assertEqual(part.read_text(), "a file of the user\n")
+        self.assertEqual(sorted(self.files()), ["link.mesh", "older.mesh", "older.mesh.part"])
+
+    def test_what_it_refuses(self):
+        self.refuses(r"torus\.vtk: unknown extension", TORUS, "--output", "torus.vtk")
+        self.refuses(r"nowhere/torus\.vtu: cannot be written", TORUS, "--output", "nowhere/torus.vtu")
+        (self.folder / "folder.vtu").mkdir()
+        self.refuses(r"folder\.vtu: cannot be written", TORUS, "--output", "folder.vtu")
+        # An error leaves the older output alone and nothing new behind.
+        self.write("older.mesh", "an older result")
+        self.refuses(r"missing\.off", "missing.off", "--output", "older.mesh")
+        self.refuses(r"missing\.off", "missing.off", "--output", "never.vtu")
+
+    def test_a_disk_that_is_full(self):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
+        self.refuses(r"torus\.vtu: cannot be written", TORUS, "--output", "torus.vtu", preexec_fn=limit,
+                     restore_signals=False)  # Python ignores the signal about it
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
+    def test_a_standard_output_that_is_full(self):
+        with open("/dev/full", "w") as full:
+            self.refuses("the results cannot be written", TORUS, stdout=full)
+
+
+class Refusals(ProgramCase):
+    program = os.environ["DELAUNAY_FROM_SURFACE"]
+
+    def test_command_lines(self):
+        self.refuses("no surface given")
+        self.refuses("unrecognised option '--bogus'", "--bogus")
+        self.refuses("unrecognised option '--comp'", TORUS, "--comp")
+        self.refuses("too many positional options", TORUS, TORUS)
+        self.refuses("unknown traits 'fast'", TORUS, "--traits", "fast")
+        for seed in ("-1", "4294967296"):
+            self.refuses("option '--seed' needs a whole number", TORUS, "--seed", seed)
+        self.refuses(r"the argument \('one'\) for option '--seed' is invalid", TORUS, "--seed", "one")
+        self.refuses("option '--repetitions' needs '--compare'", TORUS, "--repetitions", 3)
+        self.refuses("option '--repetitions' needs a whole number", TORUS, "--compare", "--repetitions", 0)
+
+    def test_names(self):
+        self.refuses(r"missing\.off: No such file", "missing.off")
+        self.refuses(r"new\?line\.off: No such file", "new\nline.off")
+        self.refuses(r"\.: unknown extension", ".")
+        (self.folder / "folder.off").mkdir()
+        self.refuses(r"folder\.off: is a directory", "folder.off")
+        self.write("points.xyz", "0 0 0")
+        self.refuses(r"points\.xyz: unknown extension", "points.xyz")
+        (self.folder / "zero.off").symlink_to("/dev/zero")
+        self.refuses(r"zero\.off: is not a plain file", "zero.off")
+
+    def test_coordinates(self):
+        self.write("nan.off", "OFF", "3 1 0", "0 0 0", "1 0 0", "0 nan 0", "3 0 1 2")
+        self.refuses(r"nan\.off: vertex 2: its y coordinate is not a finite number", "nan.off")
+        self.write("huge.off", "OFF", "3 1 0", "0 0 0", "1e400 0 0", "0 1 0", "3 0 1 2")
+        self.refuses(r"huge\.off: vertex 1: its x coordinate is not a finite number", "huge.off")
+        self.refuses(r"\S*nan\.ply: vertex 3: its y coordinate is not a finite number", DATA / "nan.ply")
+        self.refuses(r"\S*inf\.ply: vertex 3: its z coordinate is not a finite number", DATA / "inf.ply")
+        self.refuses(r"\S*nan\.stl: cannot be read as \.stl: triangle 4: a coordinate is not a finite number",
+                     DATA / "nan.stl")
+
+    def test_contents(self):
+        big = "4000000000"
+        for name, message, *lines in (
+                ("empty.off", "the file is empty"),
+                ("no_vertices.off", "there are no vertices", "OFF", "0 0 0"),
+                ("words.off", "line 1: the keyword OFF is missing", "once upon a time"),
+                ("short.off", "line 4: the file ends too early", "OFF", "4 1 0", "0 0 0", "1 0 0"),
+                ("binary.off", "line 1: binary OFF is not read", "OFF BINARY", "xxxxxxxxxxxxx"),
+                ("vertices.off", "line 2: there is no room for '4000000000' vertices", "OFF", big + " 0 0"),
+                ("faces.off", "line 2: there is no room for '4000000000' faces", "OFF", f"1 {big} 0", "0 0 0"),
+                ("corners.off", "line 4: there is no room for '4000000000' vertices of a face", "OFF", "1 1 0", "0 0 0",
+                 f"{big} 0 0 0"),
+                ("negative.off", "line 2: '-1' is not the number of vertices", "OFF", "-1 0 0"),
+                ("flat.off", "line 3: a vertex has too few coordinates", "OFF", "1 0 0", "0 0"),
+                ("colors.off", "line 3: 'x' is not a number", "COFF", "1 0 0", "0 0 x"),
+                ("index.off", "face 0: it has a vertex that is not one of the 1", "OFF", "1 1 0", "0 0 0", "3 0 -1 0"),
+                ("property.ply", "line 3: a property comes before the first element", "ply", "format ascii 1.0",
+                 "property int x", "element vertex 1", "end_header", "0 0 0"),
+                ("type.ply", "line 4: 'real' is no type", *PLY_VERTICES[:3], "property real x", "end_header"),
+                ("end.ply", "line 7: the header has no end", *PLY_VERTICES),
+                ("no_x.ply", "the vertices do not have the properties x, y and z", *PLY_VERTICES[:3],
+                 "property double a", "end_header", *PLY_CORNERS),
+                ("many.ply", "there is no room for 4000000000 'vertex'", "ply", "format ascii 1.0",
+                 "element vertex " + big, *PLY_VERTICES[3:], "end_header", *PLY_CORNERS),
+                ("list.ply", "a list claims to have more entries", *PLY_VERTICES, "element face 1",
+                 "property list uint int vertex_indices", "end_header", *PLY_CORNERS, big + " 0 1 2"),
+                ("count.ply", "a list claims to have more entries", *PLY_VERTICES, "element face 1",
+                 "property list int int vertex_indices", "end_header", *PLY_CORNERS, "-3 0 1 2"),
+                ("face.ply", "the faces do not have the property vertex_indices", *PLY_VERTICES, "element face 1",
+                 "property list uint int corners", "end_header", *PLY_CORNERS, "3 0 1 2"),
+                ("binary.ply", "the file ends too early",
+                 b"ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                 b"property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                 + struct.pack("<fffBi", 0, 0, 0, 1, 0)[:-1]),
+                ("index.obj", "face 1: it has a vertex that is not one of the 3", *TETRAHEDRON[:3], "f 1 2 3", "f 1 2 4"),
+                ("words.obj", "it is damaged, cut short or in another format", "once upon a time"),
+                ("short.stl", "it is cut short", "solid a", "facet")):
+            with self.subTest(name):
+                self.write(name, *lines)
+                self.refuses(rf"{re.escape(name)}: (cannot be read as \.\w+: )?{re.escape(message)}", name)
+        self.refuses(r"\S*negative_index\.ply: cannot be read as \.ply: face 0: it has a vertex that is not one of the 4",
+                     DATA / "negative_index.ply")
+
+
+if __name__ == "__main__":
+    unittest.main()

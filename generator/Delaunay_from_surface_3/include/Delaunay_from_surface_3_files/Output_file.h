@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_FILES_OUTPUT_FILE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_OUTPUT_FILE_H
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace files {
+
+// A file that appears, or replaces an older one, only when it is complete. The constructor finds
+// out whether it can be written, so that nobody waits for a result that has nowhere to go. Until
+// then it is written beside its place, under a name that no other file has.
+class Output_file
+{
+public:
+  explicit Output_file(const std::string& name)
+    : m_name(name)
+    , m_place(name)
+  {
+    std::error_code error;
+    if (std::filesystem::exists(m_place, error)) {
+      m_place = std::filesystem::canonical(m_place); // a link stays, and its file is replaced
+      if (!std::filesystem::is_regular_file(m_place))
+        throw std::runtime_error(name + ": cannot be written: it exists and is not a plain file");
+      errno = 0;
+      if (!std::ofstream(m_place, std::ios::app))
+        fail(errno);
+    }
+    std::string unfinished = (m_place.parent_path() / ".unfinished-XXXXXX").string();
+    const int file = mkstemp(unfinished.data());
+    if (file < 0)
+      fail(errno);
+    m_unfinished = unfinished;
+    fchmod(file, permissions());
+    close(file);
+    m_stream.open(m_unfinished, std::ios::binary);
+    if (!m_stream)
+      remove_and_fail(errno);
+  }
+
+  Output_file(const Output_file&) = delete;
+  Output_file& operator=(const Output_file&) = delete;
+
+  ~Output_file()
+  {
+    if (!m_is_finished)
+      remove();
+  }
+
+  std::ostream& stream() { return m_stream; }
+
+  void finish()
+  {
+    errno = 0;
+    m_stream.close();
+    if (!m_stream)
+      fail(errno);
+    std::error_code error;
+    std::filesystem::rename(m_unfinished, m_place, error);
+    if (error)
+      fail(error.value());
+    m_is_finished = true;
+  }
+
+private:
+  // Those of the file that is replaced, else what the user gives to new files.
+  mode_t permissions() const
+  {
+    struct stat old;
+    if (stat(m_place.c_str(), &old) == 0)
+      return old.st_mode & 0777;
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+  }
+
+  void remove()
+  {
+    m_stream.close();
+    std::error_code ignored;
+    std::filesystem::remove(m_unfinished, ignored);
+  }
+
+  [[noreturn]] void remove_and_fail(int error)
+  {
+    remove();
+    fail(error);
+  }
+
+  [[noreturn]] void fail(int error) const
+  {
+    throw std::runtime_error(m_name + ": cannot be written: " +
+                             (error != 0 ? std::generic_category().message(error) : "disk full?"));
+  }
+
+  std::string m_name;
+  std::filesystem::path m_place, m_unfinished;
+  std::ofstream m_stream;
+  bool m_is_finished = false;
+};
+
+} // namespace files
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_FILES_OUTPUT_FILE_H

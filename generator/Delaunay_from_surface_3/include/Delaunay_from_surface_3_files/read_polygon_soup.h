@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_FILES_READ_POLYGON_SOUP_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_READ_POLYGON_SOUP_H
+
+#include <Delaunay_from_surface_3_files/Polygon_soup.h>
+#include <Delaunay_from_surface_3_files/file_extension.h>
+#include <Delaunay_from_surface_3_files/read_off.h>
+#include <Delaunay_from_surface_3_files/read_ply.h>
+
+#include <CGAL/IO/OBJ.h>
+#include <CGAL/IO/STL.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace files {
+
+// The content of a file. Says which of the many reasons it is, if it cannot be had.
+inline std::string content_of(const std::string& file_name)
+{
+  const std::string extension = file_extension(file_name);
+  if (extension != "off" && extension != "ply" && extension != "obj" && extension != "stl")
+    throw std::runtime_error(file_name + ": unknown extension; .off, .ply, .obj and .stl are read");
+  if (std::filesystem::is_directory(file_name))
+    throw std::runtime_error(file_name + ": is a directory");
+  if (std::filesystem::exists(file_name) && !std::filesystem::is_regular_file(file_name))
+    throw std::runtime_error(file_name + ": is not a plain file");
+  errno = 0;
+  std::ifstream file(file_name, std::ios::binary);
+  if (!file)
+    throw std::runtime_error(file_name + ": " + std::generic_category().message(errno));
+  std::string content(std::filesystem::file_size(file_name), '\0');
+  if (content.empty())
+    throw std::runtime_error(file_name + ": the file is empty");
+  if (!file.read(content.data(), std::streamsize(content.size())))
+    throw std::runtime_error(file_name + ": cannot be read");
+  return content;
+}
+
+// What CGAL's reader of .stl does not see. It takes a file that is too short for any triangle in
+// binary for one that is complete. It unites equal points, and takes one with NaN for equal to any
+// other: NaN would be gone after it. In text the reader refuses NaN, so only binary content is
+// looked at: 84 bytes of which the last four are the number of triangles, and 50 for each triangle.
+inline void check_stl(const std::string& content)
+{
+  std::uint32_t size = 0;
+  if (content.size() < 84) {
+    if (content.find("endsolid") == std::string::npos)
+      throw Bad_content("it is cut short");
+    return;
+  }
+  std::memcpy(&size, content.data() + 80, sizeof(size));
+  if (content.size() != 84 + 50 * std::size_t(size))
+    return;
+  std::array<float, 9> coordinates; // after a normal vector, which often is NaN and not used
+  for (std::size_t t = 0; t < size; ++t) {
+    std::memcpy(coordinates.data(), content.data() + 84 + 50 * t + 12, sizeof(coordinates));
+    if (!std::all_of(coordinates.begin(), coordinates.end(),
+                     [](float x) { return std::isfinite(x); }))
+      throw Bad_content("triangle " + std::to_string(t) + ": a coordinate is not a finite number");
+  }
+}
+
+// These two readers of CGAL keep no more than they have read.
+inline Polygon_soup read_with_cgal(const std::string& content, bool is_stl)
+{
+  if (is_stl)
+    check_stl(content);
+  Polygon_soup soup;
+  std::istringstream stream(content);
+  if (!(is_stl ? CGAL::IO::read_STL(stream, soup.points, soup.faces)
+               : CGAL::IO::read_OBJ(stream, soup.points, soup.faces)))
+    throw Bad_content("it is damaged, cut short or in another format");
+  return soup;
+}
+
+inline Polygon_soup soup_in(const std::string& content, const std::string& extension)
+{
+  if (extension == "off")
+    return Off_reader(content).read();
+  if (extension == "ply")
+    return Ply_reader(content).read();
+  return read_with_cgal(content, extension == "stl");
+}
+
+inline void check_indices(const Polygon_soup& soup)
+{
+  for (std::size_t f = 0; f < soup.faces.size(); ++f)
+    for (const std::size_t i : soup.faces[f])
+      if (i >= soup.points.size())
+        throw Bad_content("face " + std::to_string(f) +
+                          ": it has a vertex that is not one of the " +
+                          std::to_string(soup.points.size()));
+}
+
+// Reads the points and faces of a file in the order of the file. All indices are in range;
+// coordinates may be infinite or NaN. The memory that it takes is bounded by the size of the file.
+// Throws `std::runtime_error` with one clear line.
+inline Polygon_soup read_polygon_soup(const std::string& file_name)
+{
+  const std::string content = content_of(file_name), extension = file_extension(file_name);
+  try {
+    Polygon_soup soup = soup_in(content, extension);
+    if (soup.points.empty())
+      throw Bad_content("there are no vertices in it");
+    check_indices(soup);
+    return soup;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const Bad_content& error) {
+    throw std::runtime_error(file_name + ": cannot be read as ." + extension + ": " + error.what());
+  } catch (const std::exception&) { // from within CGAL's readers
+    throw std::runtime_error(file_name + ": cannot be read as ." + extension);
+  }
+}
+
+} // namespace files
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_FILES_READ_POLYGON_SOUP_H
