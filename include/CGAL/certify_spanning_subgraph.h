@@ -14,8 +14,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-finds out whether edges of a triangulated surface span it, with what degrees, and whether the degrees keep within the bounds that follow from the
-surface's own Euler characteristic.
+finds out whether edges of a triangulated surface span it, with what degrees, and whether the
+degrees keep within the bounds that follow from the surface's own Euler characteristic.
 
 \param graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`
 \param subgraph_edges a range of edge descriptors of `graph`
@@ -37,16 +37,17 @@ certify_spanning_subgraph(const Graph& graph, const EdgeRange& subgraph_edges,
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-finds out whether edges of a triangulated surface span it, with what degrees, and whether the degrees keep within the
-bounds that follow from the surface's own Euler characteristic. It shares nothing with the construction of
-`bounded_degree_spanning_subgraph()` but the reading of the surface, and serves for any set of edges.
+finds out whether edges of a triangulated surface span it, with what degrees, and whether the
+degrees keep within the bounds that follow from the surface's own Euler characteristic. It shares
+nothing with the construction of `bounded_degree_spanning_subgraph()` but the reading of the
+surface, and serves for any set of edges.
 
 \tparam EdgeRange a range of `boost::graph_traits<HalfedgeGraph>::%edge_descriptor`
 
 \param g the surface
 \param subgraph_edges the edges to look at
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_index_map`, as for
-`bounded_degree_spanning_subgraph()`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_index_map`,
+as for `bounded_degree_spanning_subgraph()`
 
 The preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
 Complexity: O(n log n).

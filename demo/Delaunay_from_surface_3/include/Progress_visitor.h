@@ -47,10 +47,11 @@ public:
   {
   }
 
-  void surface_is_irregular(const std::string& reason)
+  void surface_is_irregular(const std::string& reason) { note(reason); }
+
+  void subgraph_is_replaced(const std::string& reason)
   {
-    m_line.clear();
-    std::cerr << "note: " << reason << '\n';
+    note(reason + "; a spanning forest serves instead");
   }
 
   bool go_further()
@@ -62,6 +63,12 @@ public:
   }
 
 private:
+  void note(const std::string& text)
+  {
+    m_line.clear();
+    std::cerr << "note: " << text << '\n';
+  }
+
   Progress_line m_line;
   std::size_t m_number_of_points, m_inserted = 0;
 };

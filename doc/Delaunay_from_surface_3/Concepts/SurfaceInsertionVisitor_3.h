@@ -14,7 +14,7 @@ For points p, q, …, in two rounds, the calls come in this order:
 |---|---|
 | `surface_is_irregular(reason)`, `target_is_replaced(reason)` | only if it applies |
 | `phase_begins(PLAN)`, `phase_begins(SUBGRAPH)` | |
-| `surface_is_irregular(reason)` | only if the subgraph refuses the surface |
+| `subgraph_is_replaced(reason)` | only if the subgraph refuses the surface |
 | `round_begins(0, n_0)` | |
 | `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on for each point of the round |
 | `phase_begins(TRACE)`, `trace_ends(k)` | |
@@ -32,12 +32,11 @@ class SurfaceInsertionVisitor_3
 {
 public:
   /*!
-  is called before the first phase if the surface is not a manifold mesh of triangles, and in the
-  phase `SUBGRAPH` if the subgraph of the traits refuses the surface and a spanning forest takes its
-  place. This is no error: only the edges are used.
+  is called before the first phase if the surface is not a manifold mesh of triangles. This is no
+  error: only the edges are used.
 
-  \param reason what was found, in words: how many faces are not triangles, how many edges have
-  more than two faces, or what the subgraph says of the vertex or edge that it refuses
+  \param reason what was found, in words: how many faces are not triangles, and how many edges have
+  more than two faces
   */
   void surface_is_irregular(const std::string& reason);
 
@@ -48,6 +47,15 @@ public:
   \param reason what stands against it: `InsertionTarget_3::obstacle()`
   */
   void target_is_replaced(const std::string& reason);
+
+  /*!
+  is called in the phase `SUBGRAPH` if the subgraph of the traits cannot serve. This is no error: a
+  spanning forest takes its place, and the result is the same.
+
+  \param reason what the subgraph says of the vertex or edge that it refuses, or that it needs what
+  the graph does not have
+  */
+  void subgraph_is_replaced(const std::string& reason);
 
   /// is called when `phase` begins; the phase before it ends there.
   void phase_begins(CGAL::Surface_insertion_phase phase);

@@ -44,7 +44,7 @@ public:
   \return the output iterator past the last edge written
 
   \throws Surface_input_error if the model cannot serve this surface. A spanning forest then takes its
-  place, and the visitor's `surface_is_irregular()` gets the message. The same happens where the
+  place, and the visitor's `subgraph_is_replaced()` gets the message. The same happens where the
   model cannot be called with this type of graph.
   */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>

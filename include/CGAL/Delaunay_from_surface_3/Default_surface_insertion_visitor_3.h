@@ -44,6 +44,10 @@ struct Default_surface_insertion_visitor_3
   /// own insertion takes its place.
   void target_is_replaced(const std::string& /* reason */) {}
 
+  /// is called in the phase `SUBGRAPH` if the subgraph of the traits refuses the surface and a
+  /// spanning forest takes its place.
+  void subgraph_is_replaced(const std::string& /* reason */) {}
+
   /// is called whenever another phase begins.
   void phase_begins(Surface_insertion_phase) {}
 

@@ -28,8 +28,8 @@ struct Insertion_order
   /// strictly increasing; the last is n. Empty if and only if n is 0.
   std::vector<std::size_t> round_ends;
 
-  /// for every `k > 0` a `starting_places[k] < k`: the insertion of the point `order[k]` may start at
-  /// the point `order[starting_places[k]]`, which is near. Empty if the plan knows of none.
+  /// for every `k > 0` a `starting_places[k] < k`: the insertion of the point `order[k]` may start
+  /// at the point `order[starting_places[k]]`, which is near. Empty if the plan knows of none.
   std::vector<std::size_t> starting_places;
 };
 

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// This header needs the standard library only.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_COMPONENT_TOPOLOGY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_COMPONENT_TOPOLOGY_H
+
+// This header needs the standard library only.
 
 #include <algorithm>
 #include <cstddef>
@@ -17,8 +17,8 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-tells what kind of surface a connected component is. A surface is determined, up to homeomorphism, by its number of
-boundary loops, its Euler characteristic and whether it is orientable.
+tells what kind of surface a connected component is. A surface is determined, up to homeomorphism,
+by its number of boundary loops, its Euler characteristic and whether it is orientable.
 */
 struct Surface_component_topology
 {
@@ -41,7 +41,8 @@ struct Surface_component_topology
     return std::size_t(2 - euler_characteristic() - std::ptrdiff_t(number_of_boundary_loops));
   }
 
-  /// returns the genus: the number of handles, or of cross-caps where the surface is not orientable.
+  /// returns the genus: the number of handles, or of cross-caps where the surface is not
+  /// orientable.
   std::size_t genus() const { return is_orientable ? euler_genus() / 2 : euler_genus(); }
 
   /// returns the largest degree that `bounded_degree_spanning_subgraph()` can give a vertex here.
@@ -73,7 +74,8 @@ struct Surface_topology
   /// the components that have edges, in the order of their smallest vertex index.
   std::vector<Surface_component_topology> components;
 
-  /// for every vertex index the place of its component in `components`, or `components.size()` for an isolated vertex.
+  /// for every vertex index the place of its component in `components`, or `components.size()` for
+  /// an isolated vertex.
   std::vector<std::size_t> component_of_vertex;
 
   std::size_t number_of_isolated_vertices = 0; ///< vertices without edges, in no component

@@ -257,6 +257,7 @@ public:
   }
   void surface_is_irregular(const std::string&) {}
   void target_is_replaced(const std::string&) {}
+  void subgraph_is_replaced(const std::string&) {}
   void phase_begins(CGAL::Surface_insertion_phase) {}
   void round_begins(std::size_t, std::size_t) {}
   void trace_ends(std::size_t) {}

@@ -43,6 +43,7 @@ std::vector<typename Triangulation::Point> points_of(const Indexed_surface& surf
 struct Regular_surface_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   void surface_is_irregular(const std::string& reason) { BOOST_ERROR(reason); }
+  void subgraph_is_replaced(const std::string& reason) { BOOST_ERROR(reason); }
 };
 
 // A surface with CGAL's own triangulation of its points.

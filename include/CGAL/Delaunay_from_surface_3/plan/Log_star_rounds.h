@@ -21,10 +21,10 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-is the plan of the paper (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1), `Random_log_star_rounds`, with one
-difference: the first round follows a Hilbert curve. It has no trace before it to start from, and a walk
-from one random point to the next would be long. The set of its points is random all the same, and
-only the set enters the analysis of the later rounds.
+is the plan of the paper (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1), `Random_log_star_rounds`, with
+one difference: the first round follows a Hilbert curve. It has no trace before it to start from,
+and a walk from one random point to the next would be long. The set of its points is random all the
+same, and only the set enters the analysis of the later rounds.
 
 O(n + N_1 log N_1) = O(n) expected.
 

@@ -16,8 +16,8 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of `bounded_degree_spanning_subgraph()`: degree at most 3 on spheres and discs, and a bound that depends on the
-genus and the boundary elsewhere.
+writes the edges of `bounded_degree_spanning_subgraph()`: degree at most 3 on spheres and discs, and
+a bound that depends on the genus and the boundary elsewhere.
 
 O(n) for n vertices.
 
@@ -33,8 +33,8 @@ public:
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
   \tparam EdgeOutputIterator accepts edge descriptors of `graph`
 
-  \throws Surface_input_error that names a vertex or an edge, if `graph` is not a simple triangulated surface. Nothing has been
-  written then.
+  \throws Surface_input_error that names a vertex or an edge, if `graph` is not a simple
+  triangulated surface. Nothing has been written then.
   */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator,
             class = typename boost::graph_traits<Graph>::halfedge_descriptor>
@@ -59,7 +59,8 @@ O(n α(n)) for n vertices.
 class Bounded_degree_tree
 {
 public:
-  /// writes edges of `graph` that are a spanning tree of every component. As `Bounded_degree_subgraph::operator()()`.
+  /// writes edges of `graph` that are a spanning tree of every component. As
+  /// `Bounded_degree_subgraph::operator()()`.
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator,
             class = typename boost::graph_traits<Graph>::halfedge_descriptor>
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,

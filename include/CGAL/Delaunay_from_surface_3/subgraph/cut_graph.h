@@ -15,12 +15,13 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of a cut graph of a triangulated surface: removed from the surface, together with its boundary, they leave one
-open disc per component.
+writes the edges of a cut graph of a triangulated surface: removed from the surface, together with
+its boundary, they leave one open disc per component.
 
-The cut graph is pruned: no vertex inside the surface has exactly one of its edges. Together with the boundary its degrees
-satisfy Σ(deg − 2) = 2(1 − χ), so a closed surface of genus g falls apart into at most
-4g corners at any vertex. On a sphere or a disc nothing is written, and boundary edges never are.
+The cut graph is pruned: no vertex inside the surface has exactly one of its edges. Together with
+the boundary its degrees satisfy Σ(deg − 2) = 2(1 − χ), so a closed surface of genus g falls apart
+into at most 4g corners at any vertex. On a sphere or a disc nothing is written, and boundary edges
+never are.
 
 The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
 Complexity: linear time, for any genus.
@@ -37,9 +38,9 @@ EdgeOutputIterator cut_graph(const HalfedgeGraph& g, EdgeOutputIterator out,
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of a cut graph: removed from the surface, together with the boundary, they leave one open disc per
-component. No vertex that is not on the boundary has exactly one of them. On a sphere or disc nothing is written;
-boundary edges are never written.
+writes the edges of a cut graph: removed from the surface, together with the boundary, they leave
+one open disc per component. No vertex that is not on the boundary has exactly one of them. On a
+sphere or disc nothing is written; boundary edges are never written.
 
 The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
 Complexity: linear time.

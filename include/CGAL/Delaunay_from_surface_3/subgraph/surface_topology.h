@@ -17,7 +17,8 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-finds the components of a triangulated surface, and of each its Euler characteristic, genus and boundary loops.
+finds the components of a triangulated surface, and of each its Euler characteristic, genus and
+boundary loops.
 
 The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
 Complexity: linear time.
@@ -37,8 +38,8 @@ Surface_topology surface_topology(const HalfedgeGraph& g,
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-finds the components of a triangulated surface that is given as a graph with the cyclic order of the edges around every vertex, and of each its
-Euler characteristic, boundary loops and orientability.
+finds the components of a triangulated surface that is given as a graph with the cyclic order of the
+edges around every vertex, and of each its Euler characteristic, boundary loops and orientability.
 
 The parameters, preconditions and exceptions are those of
 `bounded_degree_spanning_subgraph()` for an embedded graph.

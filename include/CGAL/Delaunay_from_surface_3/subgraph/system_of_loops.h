@@ -14,16 +14,20 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes a system of loops of a closed triangulated surface: on every component of genus g, 2g closed walks through one
-base vertex such that the surface without them is an open disc.
+writes a system of loops of a closed triangulated surface: on every component of genus g, 2g closed
+walks through one base vertex such that the surface without them is an open disc.
 
-This is the kind of cut that \cgalCite{choi-dtsm-02} uses; it is here for comparison. Each loop follows a breadth-first tree from the base
-vertex, crosses over one edge and follows the tree back; loops share the parts of the tree that lie near the base.
+This is the kind of cut that \cgalCite{choi-dtsm-02} uses; it is here for comparison. Each loop
+follows a breadth-first tree from the base vertex, crosses over one edge and follows the tree back;
+loops share the parts of the tree that lie near the base.
 
-\tparam LoopOutputIterator a model of `OutputIterator` that holds `std::vector<boost::graph_traits<HalfedgeGraph>::%edge_descriptor>`:
-the edges of a loop in order, starting and ending at the base vertex. An edge that a loop passes in both directions is there twice.
+\tparam LoopOutputIterator a model of `OutputIterator` that holds
+`std::vector<boost::graph_traits<HalfedgeGraph>::%edge_descriptor>`: the edges of a loop in order,
+starting and ending at the base vertex. An edge that a loop passes in both directions is there
+twice.
 
-The other parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
+The other parameters, preconditions and exceptions are those of
+`bounded_degree_spanning_subgraph()`.
 \pre `g` is closed.
 Complexity: linear time plus the length of the loops, O(gn); about 120 bytes of memory per vertex.
 */

@@ -5,13 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_DAG_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_DAG_3_H
 
-// Choi 2002, §2: the location structure Q, "the history DAG by Clarkson et al. which exploits all the
-// intermediate Delaunay tetrahedra created".
+// Choi 2002, §2: the location structure Q, "the history DAG by Clarkson et al. which exploits all
+// the intermediate Delaunay tetrahedra created".
 //
-// Invariant: the star of an event covers all cells that the event destroyed. So a point in a destroyed
-// cell is in a cell of that star, and a descent loses no point.
-// Links from a destroyed cell to the new cells that share a facet with it would not do: the point may
-// lie in none of these.
+// Invariant: the star of an event covers all cells that the event destroyed. So a point in a
+// destroyed cell is in a cell of that star, and a descent loses no point. Links from a destroyed
+// cell to the new cells that share a facet with it would not do: the point may lie in none of
+// these.
 
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/assertions.h>
@@ -30,11 +30,11 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Hints
 
 is the history of a Delaunay triangulation in dimension 3 while points are inserted
-(\cgalCite{cms-frric-93}): every cell that ever was, infinite ones too, is a node. Each insertion is an
-event that owns the cells which it created, its star, as a contiguous range of nodes. A destroyed cell
-knows the event that destroyed it. To locate a point is to descend from a node that contains it to the
-node in the star of the next event that does, until a cell of today is reached. The descent may start
-at the root or at any node that is known to contain the point.
+(\cgalCite{cms-frric-93}): every cell that ever was, infinite ones too, is a node. Each insertion is
+an event that owns the cells which it created, its star, as a contiguous range of nodes. A destroyed
+cell knows the event that destroyed it. To locate a point is to descend from a node that contains it
+to the node in the star of the next event that does, until a cell of today is reached. The descent
+may start at the root or at any node that is known to contain the point.
 
 The first event is the root. Its star consists of all cells that there are when the triangulation is
 handed over or becomes 3-dimensional; no history is kept before.
@@ -45,8 +45,9 @@ finite and has four vertices. So a descent enters 4 ln(i/k) nodes expected, if i
 triangulation of k points to that of i (\cgalCite{choi-dtsm-02}, Lemma 4), and 4 ln i from the root.
 To enter a node takes O(size of the star) tests.
 
-Memory: 48 bytes per cell that ever was, where handles have 8 bytes, and about 24 bytes per cell of today.
-That is several times what the triangulation itself takes. Nothing is freed before the end, and then all at once.
+Memory: 48 bytes per cell that ever was, where handles have 8 bytes, and about 24 bytes per cell of
+today. That is several times what the triangulation itself takes. Nothing is freed before the end,
+and then all at once.
 
 Points may only be inserted, every conflict zone must be reported, and the predicates must be exact.
 
@@ -137,8 +138,8 @@ public:
     return descend(p, {from, 0});
   }
 
-  /// returns whether `p` is in the closed cell of node `n`; for an infinite cell, whether `p` is strictly
-  /// beyond its finite facet. A point outside the convex hull may be in several of these.
+  /// returns whether `p` is in the closed cell of node `n`; for an infinite cell, whether `p` is
+  /// strictly beyond its finite facet. A point outside the convex hull may be in several of these.
   bool contains(Node n, const Point& p) const
   {
     const std::array<Vertex, 4>& vertices = m_records[n].vertices;

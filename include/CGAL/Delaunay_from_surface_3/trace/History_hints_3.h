@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_HINTS_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_HINTS_3_H
 
-// Choi 2002, Fig. 1, lines 2a and 2b, with the paper's own Q: a trace records d_{N_h}(s_k) as nodes of
-// the history DAG, and s_i is located by a descent from its record.
+// Choi 2002, Fig. 1, lines 2a and 2b, with the paper's own Q: a trace records d_{N_h}(s_k) as nodes
+// of the history DAG, and s_i is located by a descent from its record.
 //
 // Invariant: the record of a point is a node that contains it. A node never dies.
 // Cost: O(log(i/k)) expected for s_i if the last trace was in D(S_k) (Lemma 4).
@@ -26,16 +26,17 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-starts every insertion in the very cell that contains the point, found by a descent in the history of
-all cells (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). The descent starts at the node that the last
-trace recorded for the point, and at the root if there was no trace. A trace is that of
-`Traced_hints_3`; it records nodes instead of vertices.
+starts every insertion in the very cell that contains the point, found by a descent in the history
+of all cells (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). The descent starts at the node
+that the last trace recorded for the point, and at the root if there was no trace. A trace is that
+of `Traced_hints_3`; it records nodes instead of vertices.
 
-This is the location structure of the paper's theorem. It takes several times the memory of the triangulation
-(see `History_dag_3`) and is slower than a walk on all surfaces measured: it is here for the theory.
+This is the location structure of the paper's theorem. It takes several times the memory of the
+triangulation (see `History_dag_3`) and is slower than a walk on all surfaces measured: it is here
+for the theory.
 
-A trace takes O(n) expected time, and a descent O(log(i/k)) expected for point i after a trace in the
-triangulation of k points (Theorem 3 and Lemma 4), under the assumptions of the paper.
+A trace takes O(n) expected time, and a descent O(log(i/k)) expected for point i after a trace in
+the triangulation of k points (Theorem 3 and Lemma 4), under the assumptions of the paper.
 
 \tparam Target `Triangulation_target_3`, not of a triangulation with `Fast_location`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
@@ -69,7 +70,8 @@ public:
   {
   }
 
-  /// returns the cell that contains point `i`; below dimension 3, a cell of the vertex inserted last.
+  /// returns the cell that contains point `i`; below dimension 3, a cell of the vertex inserted
+  /// last.
   typename Target::Cell start(std::size_t i)
   {
     if (m_dag.is_empty())
@@ -94,7 +96,8 @@ public:
     m_dag.after_update(i, v);
   }
 
-  /// locates every point that is not yet inserted, records its node and returns the number of these points.
+  /// locates every point that is not yet inserted, records its node and returns the number of these
+  /// points.
   /// \pre A point is inserted.
   std::size_t trace()
   {
@@ -117,7 +120,7 @@ public:
 private:
   const Target& m_target;
   Dag m_dag;
-  internal::Trace_subgraph<Target, Subgraph> m_trace;
+  Trace_subgraph<Target, Subgraph> m_trace;
   std::vector<typename Dag::Node> m_record;
   typename Target::Vertex m_previous = {};
   std::size_t m_nodes_entered = 0;

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_PLANNED_HINTS_3_H
 
-// Beyond the paper: the plan already knows where a point starts, so that nothing need be searched or
-// stored while points are inserted.
+// Beyond the paper: the plan already knows where a point starts, so that nothing need be searched
+// or stored while points are inserted.
 
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
@@ -46,8 +46,8 @@ public:
   {
   }
 
-  /// returns a cell of the starting point that the plan names for point `i`, or of the vertex inserted
-  /// last.
+  /// returns a cell of the starting point that the plan names for point `i`, or of the vertex
+  /// inserted last.
   typename Target::Cell start(std::size_t i) const
   {
     return m_target.cell(i == 0 || m_places.empty() ? m_previous : m_target.vertex(m_places[i]));

@@ -13,11 +13,21 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
 
-// Choi 2002, Fig. 1, line 2a, whatever is recorded: traverses T depth first from inserted vertices
-// outwards and locates every point not yet inserted from the cell of the neighbour that led to it.
-// O(n + cells entered).
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+is the trace (\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2a), whatever is recorded: it traverses T depth
+first from inserted vertices outwards, and locates every point not yet inserted from the cell of the
+neighbour that led to it. A hint policy of one's own may use it as `Traced_hints_3` does.
+
+Time: O(n) for the traversal, plus the cells that the locations enter. Memory: a byte per point, and
+during a trace at most an index and a cell handle per point. There is no recursion: T may be a path
+of millions of vertices.
+
+\tparam Target a model of `InsertionTarget_3`
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
+*/
 template <class Target, class Subgraph>
 class Trace_subgraph
 {
@@ -25,14 +35,22 @@ class Trace_subgraph
   using Cell = typename Target::Cell;
 
 public:
+  /// keeps references to target and subgraph.
   Trace_subgraph(const Target& target, const Subgraph& subgraph)
     : m_target(target)
     , m_subgraph(subgraph)
   {
   }
 
-  // Calls record(i, location) for every point i not yet inserted, and returns their number. In a
-  // component without an inserted vertex the first point is located from start(i).
+  /*!
+  locates the points that are not yet inserted.
+
+  \param start `start(i)` gives the cell from which point `i` is located, where it is the first of a
+  component of T without an inserted vertex
+  \param record `record(i, location)` is called for every point `i` that is located
+
+  \return how many points were located
+  */
   template <class Start, class Record>
   std::size_t operator()(const Start& start, const Record& record)
   {
@@ -48,7 +66,7 @@ public:
   }
 
 private:
-  // Depth first, with a stack of our own: T may be a path of millions of vertices.
+  // Depth first, with a stack of our own.
   template <class Record>
   std::size_t trace_component(std::size_t root, Cell start, const Record& record)
   {
@@ -87,7 +105,6 @@ private:
   std::vector<std::pair<std::size_t, Cell>> m_stack;
 };
 
-} // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

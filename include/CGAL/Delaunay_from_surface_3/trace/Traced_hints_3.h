@@ -89,7 +89,7 @@ public:
 
 private:
   const Target& m_target;
-  internal::Trace_subgraph<Target, Subgraph> m_trace;
+  Trace_subgraph<Target, Subgraph> m_trace;
   Vertex m_previous = {};
   std::vector<Vertex> m_record;
 };

@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// T, made by the functor of the traits. A functor may need more than the graph has, as halfedges, or refuse the
-// surface by a Surface_input_error; a spanning forest serves then, and the visitor is told why.
+// T, made by the functor of the traits. A functor may need more than the graph has, as halfedges,
+// or refuse the surface by a Surface_input_error; a spanning forest serves then, and the visitor is
+// told why.
 template <class SurfaceSubgraph, class Graph, class VertexIndexMap, class Visitor>
 Index_graph spanning_subgraph(const SurfaceSubgraph& subgraph, const Graph& graph,
                               VertexIndexMap index_map, const std::vector<std::size_t>& numbers,
@@ -31,12 +32,11 @@ Index_graph spanning_subgraph(const SurfaceSubgraph& subgraph, const Graph& grap
     try {
       return index_graph(subgraph, graph, index_map, numbers);
     } catch (const Surface_input_error& refusal) {
-      visitor.surface_is_irregular(refusal.what());
+      visitor.subgraph_is_replaced(refusal.what());
     }
   } else {
-    visitor.surface_is_irregular(
-        "the subgraph needs halfedges, which a soup or a plain graph does not "
-        "have: a spanning forest is used");
+    visitor.subgraph_is_replaced(
+        "the subgraph needs halfedges, which a soup or a plain graph does not have");
   }
   return index_graph(Spanning_forest(), graph, index_map, numbers);
 }

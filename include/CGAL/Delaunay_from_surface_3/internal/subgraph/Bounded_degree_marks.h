@@ -1,21 +1,24 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The composition: from a rotation system to marks on the darts of a subgraph of bounded degree.
-//
-//     1. try the surface as one sphere or one disc, if its counts are such: peel from one opened face, or from the one
-//        boundary loop; what is reached hangs together, so reaching every vertex proves the counts to be one component's
-//     2. else: search the triangles, prune to the cut graph, open along it, open a face of every sphere, peel
-//     3. for a tree: drop the cycles
-//
-// Result: H spans every component, is connected there, and has degree at most 3 on spheres and discs, elsewhere 4h (closed) or
-// 4h + 2b + 1 where χ = 2 - h - b is the component's Euler characteristic and b its number of boundary loops.
-// Cost: O(n), with no recursion; 28 bytes per vertex for the rotation system and at most 12 more at any time, plus what
-// the copies on the cut need.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_BOUNDED_DEGREE_MARKS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_BOUNDED_DEGREE_MARKS_H
+
+// The composition: from a rotation system to marks on the darts of a subgraph of bounded degree.
+//
+//     1. try the surface as one sphere or one disc, if its counts are such: peel from one opened
+//        face, or from the one boundary loop; what is reached hangs together, so reaching every
+//        vertex proves the counts to be one component's
+//     2. else: search the triangles, prune to the cut graph, open along it, open a face of every
+//        sphere, peel
+//     3. for a tree: drop the cycles
+//
+// Result: H spans every component, is connected there, and has degree at most 3 on spheres and
+// discs, elsewhere 4h (closed) or 4h + 2b + 1 where χ = 2 - h - b is the component's Euler
+// characteristic and b its number of boundary loops.
+// Cost: O(n), with no recursion; 28 bytes per vertex for the rotation system and at most 12 more at
+// any time, plus what the copies on the cut need.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Drop_cycles.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Open_along_cut.h>

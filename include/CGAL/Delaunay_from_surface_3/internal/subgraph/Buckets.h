@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Groups values by a key below n in linear time: linked lists in flat arrays.
-// It turns "what v says of u" around into "what u hears from all v", which is how the two darts of an edge
-// meet where the cut needs it; elsewhere they never have to.
-// Cost: the array of heads is the caller's; two words per value.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_BUCKETS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_BUCKETS_H
+
+// Groups values by a key below n in linear time: linked lists in flat arrays.
+// It turns "what v says of u" around into "what u hears from all v", which is how the two darts of
+// an edge meet where the cut needs it; elsewhere they never have to.
+// Cost: the array of heads is the caller's; two words per value.
 
 #include <cstddef>
 #include <limits>

@@ -1,17 +1,18 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Checks that lists which were given, not derived from faces, describe triangles: where v's list has a next to b,
-// a's list must have b next to v, and b's list v next to a.
-//
-// Each triangle is looked up from its heaviest corner only (by degree, then index) in the lists of the other two. When all these are
-// there, and heaviest, middle and lightest corners are equally many, then no corner is left over.
-// Cost: the sum over the edges of the smaller degree of its two ends, O(n) on surfaces of bounded genus (Chiba
-// and Nishizeki 1985), one list with a million entries included; no memory.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_CHECK_TRIANGLES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_CHECK_TRIANGLES_H
+
+// Checks that lists which were given, not derived from faces, describe triangles: where v's list
+// has a next to b, a's list must have b next to v, and b's list v next to a.
+//
+// Each triangle is looked up from its heaviest corner only (by degree, then index) in the lists of
+// the other two. When all these are there, and heaviest, middle and lightest corners are equally
+// many, then no corner is left over.
+// Cost: the sum over the edges of the smaller degree of its two ends, O(n) on surfaces of bounded
+// genus (Chiba and Nishizeki 1985), one list with a million entries included; no memory.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>

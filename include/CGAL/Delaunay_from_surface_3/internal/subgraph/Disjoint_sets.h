@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// boost::disjoint_sets over 0, …, n-1, with its storage. Not boost::disjoint_sets_with_storage: that
-// takes pointers for property maps, whose get() cannot be found where
+// boost::disjoint_sets over 0, …, n-1, with its storage. Not boost::disjoint_sets_with_storage:
+// that takes pointers for property maps, whose get() cannot be found where
 // <boost/graph/compressed_sparse_row_graph.hpp> was included first.
 template <class Index>
 class Disjoint_sets

@@ -1,18 +1,21 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The tree variant: drops edges of H until no cycle is left, at the heaviest vertices first.
-//
-// All cycles of H lie in the rim (the cut graph, the boundary and opened faces); the rest hangs on it as trees. So: Kruskal on the rim's
-// edges, each weighted by the larger degree in H of its two ends, light edges first; what closes a cycle is dropped.
-// Invariant: of all spanning trees of H this is one in which the heaviest vertex keeps as few edges as it can.
-// Bound: with h = 2 - χ - b, H's degree exceeds max(3, 3h + 2b) at one vertex at most (at two on an annulus, on
-// one rim cycle each), and dropping at that vertex brings it down to 3h + 2b; only on the projective plane 4 remain.
-// Cost: O(n + r α(r)) for r rim edges; 9 bytes per vertex after all else has been freed.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_DROP_CYCLES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_DROP_CYCLES_H
+
+// The tree variant: drops edges of H until no cycle is left, at the heaviest vertices first.
+//
+// All cycles of H lie in the rim (the cut graph, the boundary and opened faces); the rest hangs on
+// it as trees. So: Kruskal on the rim's edges, each weighted by the larger degree in H of its two
+// ends, light edges first; what closes a cycle is dropped.
+// Invariant: of all spanning trees of H this is one in which the heaviest vertex keeps as few edges
+// as it can.
+// Bound: with h = 2 - χ - b, H's degree exceeds max(3, 3h + 2b) at one vertex at most (at two on an
+// annulus, on one rim cycle each), and dropping at that vertex brings it down to 3h + 2b; only on
+// the projective plane 4 remain.
+// Cost: O(n + r α(r)) for r rim edges; 9 bytes per vertex after all else has been freed.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Opened_surface.h>

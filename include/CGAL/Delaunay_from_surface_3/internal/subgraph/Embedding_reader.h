@@ -1,16 +1,18 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// A Boost graph with the cyclic orders of its edges as a rotation system, and marked darts back as edges.
-//
-// Invariant: as Rotation_system.h says; the lists are the user's, unchanged. What is outside the definition is refused by
-// name: loops, doubled edges, edges that are missing from a list, boundary edges that do not stand at the
-// ends of a list, lists that disagree on a triangle (Check_triangles.h).
-// Cost: two passes over the lists. Edges are not paired: in a simple graph the ends name the edge.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_EMBEDDING_READER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_EMBEDDING_READER_H
+
+// A Boost graph with the cyclic orders of its edges as a rotation system, and marked darts back as
+// edges.
+//
+// Invariant: as Rotation_system.h says; the lists are the user's, unchanged. What is outside the
+// definition is refused by name: loops, doubled edges, edges that are missing from a list, boundary
+// edges that do not stand at the ends of a list, lists that disagree on a triangle
+// (Check_triangles.h).
+// Cost: two passes over the lists. Edges are not paired: in a simple graph the ends name the edge.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Check_triangles.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Counts that give the Euler characteristic of a surface or of one component: vertices - edges + triangles.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_EULER_COUNT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_EULER_COUNT_H
+
+// Counts that give the Euler characteristic of a surface or of one component: vertices - edges +
+// triangles.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
 

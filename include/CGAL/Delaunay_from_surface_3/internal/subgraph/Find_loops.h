@@ -5,15 +5,16 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_LOOPS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_LOOPS_H
 
-// The paper's own kind of cut (Choi 2002, §3.2, after Lazarus et al.): loops through one base vertex, here found by
-// tree and cotree.
+// The paper's own kind of cut (Choi 2002, §3.2, after Lazarus et al.): loops through one base
+// vertex, here found by tree and cotree.
 //
 //     1. a breadth-first tree over the vertices from the base
 //     2. a tree over the triangles that crosses no edge of it
 //     3. every edge in neither closes a loop with the tree: 2 - χ of them
 //
 // Invariant: tree, crossed edges and loop edges share out all edges.
-// Cost: O(n), and O(gn) to write the loops down; about 90 bytes per vertex besides the lists. For comparison with the cut graph only.
+// Cost: O(n), and O(gn) to write the loops down; about 90 bytes per vertex besides the lists. For
+// comparison with the cut graph only.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Pair_darts.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>

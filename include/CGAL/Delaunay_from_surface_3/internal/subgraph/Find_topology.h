@@ -1,16 +1,18 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The topology of every component of a rotation system: Euler characteristic, boundary loops, orientability.
-//
-// Vertices are visited from neighbour to neighbour. Each gets a turn: whether its list runs against that of the component's
-// first vertex. Where v's list goes from w to x, w's list goes from x to v if the two run alike, from v to x if
-// not; an edge at which the turns do not fit shows that the surface is not orientable.
-// Cost: O(n); 28 bytes per vertex besides the lists, for the pairs of darts.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_TOPOLOGY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_TOPOLOGY_H
+
+// The topology of every component of a rotation system: Euler characteristic, boundary loops,
+// orientability.
+//
+// Vertices are visited from neighbour to neighbour. Each gets a turn: whether its list runs against
+// that of the component's first vertex. Where v's list goes from w to x, w's list goes from x to v
+// if the two run alike, from v to x if not; an edge at which the turns do not fit shows that the
+// surface is not orientable.
+// Cost: O(n); 28 bytes per vertex besides the lists, for the pairs of darts.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_component_topology.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Euler_count.h>

@@ -1,16 +1,17 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// A halfedge graph as a rotation system, and marked darts back as edges of the graph.
-//
-// Invariant: vertex indices are a bijection onto 0 .. n-1 and the list of a vertex follows
-// `opposite(next(h))` around it, from the stored halfedge, or from the boundary where there is one. What is outside the definition is
-// refused here, by name: loops, edges doubled, faces that are not triangles, vertices that are pinched.
-// Cost: one pass over the halfedges, one over the stars; nothing is kept of the halfedges.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_HALFEDGE_GRAPH_READER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_HALFEDGE_GRAPH_READER_H
+
+// A halfedge graph as a rotation system, and marked darts back as edges of the graph.
+//
+// Invariant: vertex indices are a bijection onto 0 .. n-1 and the list of a vertex follows
+// `opposite(next(h))` around it, from the stored halfedge, or from the boundary where there is one.
+// What is outside the definition is refused here, by name: loops, edges doubled, faces that are not
+// triangles, vertices that are pinched.
+// Cost: one pass over the halfedges, one over the stars; nothing is kept of the halfedges.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
@@ -132,8 +133,8 @@ private:
   };
 
   // Walks around every vertex for which start() says so, until step() says that there is no more.
-  // Several walks go side by side, and all look at the graph before any goes on: where the mesh lies in
-  // memory in no good order their cache misses overlap.
+  // Several walks go side by side, and all look at the graph before any goes on: where the mesh
+  // lies in memory in no good order their cache misses overlap.
   template <class Index, class Start, class Look, class Step, class Finish>
   void walk_stars(const Start& start, const Look& look, const Step& step,
                   const Finish& finish) const

@@ -1,18 +1,20 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Step 3 of the cut: open the surface along the cut graph, with copies of the vertices on it.
-//
-// The edges of the cut graph divide the list of a vertex into sectors; a vertex with two sectors or more gets one copy per sector,
-// whose list is the sector with the cut edge at either end. Then the neighbours' lists are turned to the copies: u
-// hears from every copy that lists it, and names that copy where it named the origin. Along a
-// cut edge u-v two copies of v list u; the third corner of the triangle on this side tells which is meant.
-// Invariant: afterwards every component is a disc and every list names a vertex by the copy that lies in the same disc corner.
-// Cost: O(length of the lists of vertices on the cut), plus one pass over the vertices.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_OPEN_ALONG_CUT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_OPEN_ALONG_CUT_H
+
+// Step 3 of the cut: open the surface along the cut graph, with copies of the vertices on it.
+//
+// The edges of the cut graph divide the list of a vertex into sectors; a vertex with two sectors or
+// more gets one copy per sector, whose list is the sector with the cut edge at either end. Then the
+// neighbours' lists are turned to the copies: u hears from every copy that lists it, and names that
+// copy where it named the origin. Along a cut edge u-v two copies of v list u; the third corner of
+// the triangle on this side tells which is meant.
+// Invariant: afterwards every component is a disc and every list names a vertex by the copy that
+// lies in the same disc corner.
+// Cost: O(length of the lists of vertices on the cut), plus one pass over the vertices.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Buckets.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Opened_surface.h>
@@ -106,7 +108,8 @@ private:
            m_opened.copy_origin[c + 1] != m_opened.copy_origin[c];
   }
 
-  // Each edge at the origin once: the last edge of a sector is the first of the following one, if there is one.
+  // Each edge at the origin once: the last edge of a sector is the first of the following one, if
+  // there is one.
   void tell_neighbors(Index c)
   {
     const bool at_end = m_surface.on_boundary[m_opened.copy_origin[c]] && is_last_copy(c);

@@ -1,16 +1,17 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The surface cut open into discs: the rotation system, plus copies of the vertices on the cut.
-//
-// Invariant: vertices 0 .. n-1 are the surface's own; n, n+1, … are the copies. A vertex that has copies is
-// dead itself: no list names it any more. Around a vertex on the rim of a disc (a copy, a vertex with one
-// sector on the boundary, a corner of an opened face) the live part of its list lies between its two rim neighbours.
-// Cost: no memory where nothing is cut; 4 bytes per dart of a copy and 16 per copy.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_OPENED_SURFACE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_OPENED_SURFACE_H
+
+// The surface cut open into discs: the rotation system, plus copies of the vertices on the cut.
+//
+// Invariant: vertices 0 .. n-1 are the surface's own; n, n+1, … are the copies. A vertex that has
+// copies is dead itself: no list names it any more. Around a vertex on the rim of a disc (a copy, a
+// vertex with one sector on the boundary, a corner of an opened face) the live part of its list
+// lies between its two rim neighbours.
+// Cost: no memory where nothing is cut; 4 bytes per dart of a copy and 16 per copy.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
 

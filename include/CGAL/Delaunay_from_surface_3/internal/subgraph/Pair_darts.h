@@ -1,15 +1,16 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Links the two darts of every edge. The subgraph itself never needs this; to tell an orientable surface from
-// another, and to walk over the triangles in any order, it is the simplest way.
-//
-// Result: mate[dart] is the other dart of the same edge, for darts numbered as in the rotation system.
-// Cost: O(n), two passes; 24 bytes per vertex and twice that again while it runs.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_PAIR_DARTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_PAIR_DARTS_H
+
+// Links the two darts of every edge. The subgraph itself never needs this; to tell an orientable
+// surface from another, and to walk over the triangles in any order, it is the simplest way.
+//
+// Result: mate[dart] is the other dart of the same edge, for darts numbered as in the rotation
+// system.
+// Cost: O(n), two passes; 24 bytes per vertex and twice that again while it runs.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
 

@@ -1,19 +1,21 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Step 2 of the cut: prune G to the cut graph.
-//
-// Vertices of degree 1 are removed until none is left; then an edge is in the cut graph if and only if both its ends
-// still have a degree. The one neighbour of a vertex of degree 1 is the exclusive or of its
-// neighbours, so no list is looked at. The last step puts the mark of a cut edge on both its darts.
-// Invariant: removing a leaf and its edge leaves the complement of G an open disc.
-// Bound: with χ = 2 - h - b the sum of (degree - 2) over the cut graph is 2(1 - χ) and no degree is below 2. This is what
-// bounds the degree of the subgraph; G itself has no bound. A sphere prunes to a point.
-// Cost: O(n), one bit per vertex and two words per cut edge.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_PRUNE_CUT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_PRUNE_CUT_H
+
+// Step 2 of the cut: prune G to the cut graph.
+//
+// Vertices of degree 1 are removed until none is left; then an edge is in the cut graph if and only
+// if both its ends still have a degree. The one neighbour of a vertex of degree 1 is the exclusive
+// or of its neighbours, so no list is looked at. The last step puts the mark of a cut edge on both
+// its darts.
+// Invariant: removing a leaf and its edge leaves the complement of G an open disc.
+// Bound: with χ = 2 - h - b the sum of (degree - 2) over the cut graph is 2(1 - χ) and no degree is
+// below 2. This is what bounds the degree of the subgraph; G itself has no bound. A sphere prunes
+// to a point.
+// Cost: O(n), one bit per vertex and two words per cut edge.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Buckets.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Search_triangles.h>

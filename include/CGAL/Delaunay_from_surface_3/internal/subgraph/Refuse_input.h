@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The words in which the subgraph room refuses its input: what is wrong, and at which vertex or edge.
-// Vertices are named by their index, edges by their two ends.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_REFUSE_INPUT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_REFUSE_INPUT_H
+
+// The words in which the subgraph room refuses its input: what is wrong, and at which vertex or
+// edge. Vertices are named by their index, edges by their two ends.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 

@@ -1,17 +1,17 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// A triangulated surface as flat arrays: what every step of the subgraph room works on.
-//
-// Invariant: darts first[v] .. first[v+1]-1 are the edges at v in the order in which they stand around v, in
-// either direction; neighbor[dart] is the other end. The list of an interior vertex is cyclic, that
-// of a vertex on the boundary starts and ends with its boundary edges. The graph is simple, so an edge is
-// known by its two ends and the darts of an edge need no link to each other.
-// Cost: 4 bytes per dart and per vertex; 28 bytes per vertex on a closed surface.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_ROTATION_SYSTEM_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_ROTATION_SYSTEM_H
+
+// A triangulated surface as flat arrays: what every step of the subgraph room works on.
+//
+// Invariant: darts first[v] .. first[v+1]-1 are the edges at v in the order in which they stand
+// around v, in either direction; neighbor[dart] is the other end. The list of an interior vertex is
+// cyclic, that of a vertex on the boundary starts and ends with its boundary edges. The graph is
+// simple, so an edge is known by its two ends and the darts of an edge need no link to each other.
+// Cost: 4 bytes per dart and per vertex; 28 bytes per vertex on a closed surface.
 
 #include <cstddef>
 #include <vector>

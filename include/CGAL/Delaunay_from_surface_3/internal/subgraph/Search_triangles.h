@@ -1,21 +1,23 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Step 1 of the cut: a breadth-first search over the triangles, star by star.
-//
-// Vertices are taken in breadth-first order. When v is taken, every triangle of its star that the search has not met
-// is joined to one that it has met, across the edge at v between the two; so all of v's star is met.
-// Invariant: a triangle has been met if and only if one of its corners has been taken. So no
-// marks for triangles are needed, and no links between the darts of an edge: whether the search
-// crosses an edge is settled when the first of its ends is taken.
-// Result: the edges that are not crossed (boundary edges among them) form a graph G; removed from the surface they leave one open
-// disc per component. G is handed on as its degrees, the exclusive or of each vertex's neighbours
-// (all that pruning needs) and one mark per edge, at the end that was taken first.
-// Cost: one pass over the lists; 8 bytes per vertex, one bit per dart, and the front of the search.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_SEARCH_TRIANGLES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_SEARCH_TRIANGLES_H
+
+// Step 1 of the cut: a breadth-first search over the triangles, star by star.
+//
+// Vertices are taken in breadth-first order. When v is taken, every triangle of its star that the
+// search has not met is joined to one that it has met, across the edge at v between the two; so all
+// of v's star is met.
+// Invariant: a triangle has been met if and only if one of its corners has been taken. So no
+// marks for triangles are needed, and no links between the darts of an edge: whether the search
+// crosses an edge is settled when the first of its ends is taken.
+// Result: the edges that are not crossed (boundary edges among them) form a graph G; removed from
+// the surface they leave one open disc per component. G is handed on as its degrees, the exclusive
+// or of each vertex's neighbours (all that pruning needs) and one mark per edge, at the end that
+// was taken first.
+// Cost: one pass over the lists; 8 bytes per vertex, one bit per dart, and the front of the search.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Euler_count.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
@@ -100,7 +102,8 @@ private:
     Index start = 0; // a triangle that has been met; at the root the first one counts as such
     while (!is_root && !is_met(start))
       ++start;
-    // From there on, edges `begin` .. i lead over the triangles that had not been met between two that had.
+    // From there on, edges `begin` .. i lead over the triangles that had not been met between two
+    // that had.
     Index begin = start + 1;
     for (Index i = begin; i < (is_open ? degree - 1 : start + degree + 1); ++i)
       if (i == start + degree || is_met(at(i))) {

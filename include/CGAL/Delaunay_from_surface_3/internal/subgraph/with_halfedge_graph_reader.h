@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_WITH_HALFEDGE_GRAPH_READER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_WITH_HALFEDGE_GRAPH_READER_H
 
-// Named parameters to reader: the one thing that the public forms for halfedge graphs have in common.
+// Named parameters to reader: the one thing that the public forms for halfedge graphs have in
+// common.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Halfedge_graph_reader.h>
 

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Chooses the index type: 32 bits wherever the number of edges allows.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_WITH_ROTATION_SYSTEM_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_WITH_ROTATION_SYSTEM_H
+
+// Chooses the index type: 32 bits wherever the number of edges allows.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
 
@@ -17,8 +17,9 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Reads the surface and calls function(Rotation_system<Index>&). A reader (Halfedge_graph_reader, Embedding_reader)
-// turns one kind of graph into a rotation system, and marked darts back into its edges.
+// Reads the surface and calls function(Rotation_system<Index>&). A reader (Halfedge_graph_reader,
+// Embedding_reader) turns one kind of graph into a rotation system, and marked darts back into its
+// edges.
 template <class Reader, class Function>
 auto with_rotation_system(const Reader& reader, const Function& function)
 {

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// What every public form comes down to: read, mark darts, write edges.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_WRITE_BOUNDED_DEGREE_SUBGRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_WRITE_BOUNDED_DEGREE_SUBGRAPH_H
+
+// What every public form comes down to: read, mark darts, write edges.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Bounded_degree_marks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_rotation_system.h>

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_WRITE_SYSTEM_OF_LOOPS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_WRITE_SYSTEM_OF_LOOPS_H
 
-// Loops of darts as loops of edges. A reader goes from darts to edges in one sweep only, so the darts that
-// loops use are noted in one sweep and then looked up.
+// Loops of darts as loops of edges. A reader goes from darts to edges in one sweep only, so the
+// darts that loops use are noted in one sweep and then looked up.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Find_loops.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_rotation_system.h>

@@ -20,14 +20,15 @@ namespace internal {
 
 constexpr std::size_t large_page = std::size_t(1) << 21;
 
-// Whether an array of so many bytes begins at a large page. Small ones do not take one for themselves.
+// Whether an array of so many bytes begins at a large page. Small ones do not take one for
+// themselves.
 constexpr bool has_large_pages(std::size_t bytes)
 {
   return bytes >= 2 * large_page;
 }
 
-// Memory for large arrays that live for a short time: in large pages where the system offers them, so
-// that their first touch is one page fault instead of 512.
+// Memory for large arrays that live for a short time: in large pages where the system offers them,
+// so that their first touch is one page fault instead of 512.
 template <class T>
 struct Large_page_allocator
 {

@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared first,
-// and the front can be given back while the rest is still read. Elements up to capacity() may be written;
-// there is no size to keep.
+// A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared
+// first, and the front can be given back while the rest is still read. Elements up to capacity()
+// may be written; there is no size to keep.
 template <class T>
 class Page_array
 {

@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""The package's folders include each other downwards only, and scripts/check_arrows would say so."""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+PACKAGE = "CGAL/Delaunay_from_surface_3"
+
+
+def check(*arguments):
+    done = subprocess.run([sys.executable, ROOT / "scripts" / "check_arrows", *arguments],
+                          capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout
+
+
+class Arrows(unittest.TestCase):
+    def check_tree(self, headers):
+        """Checks a tree of headers: a path and the header that it includes, or none."""
+        with tempfile.TemporaryDirectory() as include:
+            for path, included in headers.items():
+                header = Path(include) / path
+                header.parent.mkdir(parents=True, exist_ok=True)
+                header.write_text(f"\n#include <{included}>\n" if included else "\n", encoding="utf-8")
+            return check(include)
+
+    def test_package(self):
+        self.assertEqual(check(), (0, "all arrows go down\n"))
+
+    def test_down_and_within_a_room(self):
+        self.assertEqual(self.check_tree({
+            "CGAL/insert_it_3.h": f"{PACKAGE}/plan/Order.h",
+            f"{PACKAGE}/plan/Order.h": f"{PACKAGE}/plan/Other.h",
+            f"{PACKAGE}/plan/Other.h": f"{PACKAGE}/internal/support/sort.h",
+            f"{PACKAGE}/internal/support/sort.h": "vector",
+        }), (0, "all arrows go down\n"))
+
+    def test_up(self):
+        self.assertEqual(self.check_tree({
+            f"{PACKAGE}/internal/plan/nets.h": f"{PACKAGE}/plan/Order.h",
+            f"{PACKAGE}/plan/Order.h": None,
+        }), (1, "Delaunay_from_surface_3/internal/plan/nets.h:2: up, from internal plan to plan: "
+                "Delaunay_from_surface_3/plan/Order.h\n"))
+
+    def test_sideways(self):
+        self.assertEqual(self.check_tree({
+            f"{PACKAGE}/plan/Order.h": f"{PACKAGE}/trace/Hints_3.h",
+            f"{PACKAGE}/trace/Hints_3.h": None,
+        }), (1, "Delaunay_from_surface_3/plan/Order.h:2: sideways, from plan to trace: "
+                "Delaunay_from_surface_3/trace/Hints_3.h\n"))
+
+    def test_no_room(self):
+        self.assertEqual(self.check_tree({f"{PACKAGE}/attic/Old.h": None}),
+                         (1, "Delaunay_from_surface_3/attic/Old.h: stands in no room\n"))
+
+    def test_nothing_to_check(self):
+        self.assertEqual(self.check_tree({})[0], 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
