@@ -10,6 +10,24 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/History_tracing_traits_3.h>
+#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,6 +38,7 @@ namespace fuzz {
 namespace {
 
 using namespace CGAL;
+using namespace CGAL::Delaunay_from_surface_3;
 
 // Any order, any rounds, and any point before it for each point to start from.
 struct Random_plan
@@ -81,7 +100,7 @@ std::vector<Insertion_way> ways_by_traits()
           {"default, mesh", check_insertion<Tr, Surface_insertion_traits_3, As_mesh>},
           {"tracing, mesh", check_insertion<Tr, Tracing_traits_3, As_mesh>},
           {"history, mesh", check_insertion<Tr, History_tracing_traits_3, As_mesh>},
-          {"plain order, soup", check_insertion<Tr, Stock_order_traits_3, As_soup>},
+          {"plain order, soup", check_insertion<Tr, Plain_insertion_traits_3, As_soup>},
           {"random plan, compact", check_insertion<Tr, Random_compact, As_soup>},
           {"geometric rounds, compact", check_insertion<Tr, Geometric_compact, As_graph>},
           {"traces, compact", check_insertion<Tr, Traced_compact, As_soup>},

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/Tracing_traits_3.h>
 
 #include <string>
 #include <vector>

@@ -1,4 +1,7 @@
-#!/usr/bin/env python3
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
 """The package's folders include each other downwards only, and scripts/check_arrows would say so."""
 
 import subprocess

@@ -68,6 +68,7 @@ struct Hostile_visitor : CGAL::Default_surface_insertion_visitor_3
     is_replaced = true;
     notice();
   }
+  void subgraph_is_replaced(const std::string&) { notice(); }
   void phase_begins(CGAL::Surface_insertion_phase) { notice(); }
   void round_begins(std::size_t, std::size_t) { notice(); }
   void trace_ends(std::size_t) { notice(); }
