@@ -167,17 +167,22 @@ std::string difference(const Tr& tr, const Tr& plain)
   return tr == plain ? "" : "the triangulation is not plain CGAL's";
 }
 
-// Whether the triangulation can still be used.
+// Whether the triangulation can still be used. Of several nearest vertices either may come first.
 template <class Tr>
 std::string difference_later(Tr& tr, Tr& plain, const Points& later_points)
 {
   bool removes = false;
   for (const auto& p : points_of<Tr>(later_points)) {
-    for (Tr* t : {&tr, &plain}) {
-      if (removes && t->number_of_vertices() > 0)
-        t->remove(t->nearest_vertex(p));
-      t->insert(p);
+    if (removes && plain.number_of_vertices() > 0) {
+      const auto v = plain.nearest_vertex(p);
+      typename Tr::Vertex_handle w;
+      if (!tr.is_vertex(v->point(), w))
+        return "after later insertions and removals: a vertex is missing";
+      tr.remove(w);
+      plain.remove(v);
     }
+    tr.insert(p);
+    plain.insert(p);
     removes = !removes;
   }
   const std::string wrong = difference(tr, plain);
