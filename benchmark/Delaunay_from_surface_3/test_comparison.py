@@ -1,0 +1,107 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Runs compare_with_plain at small sizes, with all that it can measure, and looks at what it has written."""
+
+import json
+import os
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+from program_case import TORUS, ProgramCase
+
+HERE = Path(__file__).resolve().parent
+PEER = os.path.abspath(os.environ["PLAIN_PEER"])
+TETGEN = os.environ.get("TETGEN_PEER", "")
+METHODS = ["plain", "plain-fast", "default", "default-fast", "compact-spatial", "nets", "plain-order", "tracing"]
+
+
+class Comparison(ProgramCase):
+    program = os.environ["COMPARE_WITH_PLAIN"]
+
+    def refuses(self, message, *arguments):
+        super().refuses(f"[^\n]*{message}", *arguments, "--output", "refused.json", prefix="compare_with_plain: ")
+
+    def compare(self, name, *arguments):
+        result = self.run_program(*arguments, "--output", name)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads((self.folder / name).read_text())["results"]
+
+    def between(self, low, value, high):
+        self.assertGreater(value, low)
+        self.assertLess(value, high)
+
+    def check_method(self, name, method):
+        self.assertEqual((method["method"], method["equal"], method["equal_checked_by"]), (name, True, "=="))
+        self.between(0, method["median_cpu"], 100)
+        self.between(0, method["ratio_plain_to_method"], 1000)
+        self.between(0, method["ratio_method_to_yardstick"], 1000)
+        self.between(300, method["memory"]["result_above_input_per_point"], 10000)
+        self.between(300, method["memory"]["peak_above_input_per_point"], 10000)
+
+    def check_counts(self, methods):
+        for name in ("default", "default-fast", "compact-spatial"):  # the compact triangulation
+            self.between(0, methods[name]["stages"]["build"], 100)
+            self.between(0, methods[name]["stages"]["export"], 100)
+            self.between(0, methods[name]["phases"]["seconds"]["update"], 100)
+        for name in ("default", "compact-spatial"):
+            self.between(1, methods[name]["kernel"]["cells_tested_to_start"], 200)
+            self.between(20, methods[name]["kernel"]["sphere_tests"], 200)
+        for name in ("nets", "plain-order", "tracing"):  # CGAL's insertion
+            self.between(5, methods[name]["predicates"]["update"]["in_sphere"], 200)
+        # The order decides what is destroyed, whoever inserts; only the beginnings differ.
+        for ours, cgal in (("default", "nets"), ("compact-spatial", "plain-order")):
+            destroyed = methods[cgal]["cells"]["destroyed"]
+            self.between(5, destroyed, 100)
+            self.between(destroyed - 2, methods[ours]["cells"]["destroyed"], destroyed + 2)
+
+    def check_peers(self, again, broken, mute, tetgen=None):
+        self.assertEqual((again["method"], again["has_as_many_tetrahedra"]), ("again", True))
+        self.between(1e6, again["memory"]["peak_bytes"], 1e10)
+        self.assertEqual(broken["left_out"], "exit code 1")
+        self.assertEqual(mute["left_out"], "it does not print cpu_seconds and tetrahedra")
+        if tetgen:
+            self.between(5000, tetgen["tetrahedra"], 50000)
+
+    def test_all_that_can_be_measured(self):
+        peers = {"again": PEER, "broken": "false", "mute": "echo", **({"tetgen": TETGEN} if TETGEN else {})}
+        results = self.compare("all.json", "--surfaces", "genus-3", "sphere-exact-shuffled", "--sizes", 2500,
+                               "--repetitions", 2, "--memory", "--methods", *METHODS[1:],
+                               *(word for name, command in peers.items() for word in ("--peer", f"{name}={command}")))
+        self.assertEqual([r["surface"] for r in results], ["genus-3", "sphere-exact-shuffled"])
+        for result in results:
+            methods = dict(zip(METHODS, result["methods"]))
+            for name, method in methods.items():
+                self.check_method(name, method)
+            self.check_counts(methods)
+            self.check_peers(*result["methods"][len(METHODS):])
+            self.between(0, result["yardstick"]["verification"], 100)
+            self.between(0, result["yardstick"]["total"], 100)
+        # Cospherical points are where the first filter must give up.
+        self.between(0.1, methods["default"]["kernel"]["first_filter_failures"], 100)
+
+        torus = self.compare("torus.json", "--mesh", TORUS, "--sizes", 0, 1000, "--methods", "default", "--only-times",
+                             "--repetitions", 1)
+        self.assertEqual([(r["surface"], r["points"]) for r in torus], [("torus", 960), ("torus", 1000)])
+
+        plot = subprocess.run([sys.executable, "-B", HERE / "plot_results.py", "all.json", "torus.json", "--tables",
+                               "--output-dir", "."], cwd=self.folder, text=True, capture_output=True)
+        self.assertEqual(plot.returncode, 0, plot.stderr)
+        self.assertIn("\n| genus-3 | 2.44141k |", plot.stdout)
+        for figure in ("before_and_now", "ratio", "phases", "cells"):
+            self.assertIn(f"performance_{figure}.svg", self.files())
+
+    def test_what_it_refuses(self):
+        self.refuses("a peer is given as NAME=COMMAND, not as 'false'", "--peer", "false")
+        self.refuses("'default' is a method", "--peer", "default=false")
+        self.refuses("there is no surface 'moon'", "--surfaces", "moon")
+        self.refuses("there is no method 'magic'", "--methods", "magic")
+        self.refuses("--repetitions must be at least 1", "--repetitions", 0)
+        self.refuses(r"nowhere\.off: No such file", "--mesh", "nowhere.off")
+
+
+if __name__ == "__main__":
+    unittest.main()
