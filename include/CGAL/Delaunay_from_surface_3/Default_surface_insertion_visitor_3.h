@@ -40,7 +40,7 @@ struct Default_surface_insertion_visitor_3
   /// is called before the first phase if the surface is not a manifold mesh of triangles.
   void surface_is_irregular(const std::string& /* reason */) {}
 
-  /// is called before the first phase if the insertion target of the traits cannot serve and CGAL's
+  /// is called before the first round if the insertion target of the traits cannot serve and CGAL's
   /// own insertion takes its place.
   void target_is_replaced(const std::string& /* reason */) {}
 
@@ -56,6 +56,12 @@ struct Default_surface_insertion_visitor_3
 
   /// is called after the trace that ends a round.
   void trace_ends(std::size_t /* number_of_located_points */) {}
+
+  /// is called after the last insertion, before the triangulation is handed over.
+  template <class Target, class Hints>
+  void insertion_ends(const Target&, const Hints&)
+  {
+  }
 
   /// is called before each insertion; `false` stops the work.
   bool go_further() { return true; }

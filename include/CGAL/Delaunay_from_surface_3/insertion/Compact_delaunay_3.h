@@ -11,25 +11,24 @@
 // Invariant: between insertions the cells are the (perturbed) Delaunay triangulation of the points
 // inserted. Cost: that of the conflict zones, as with CGAL's insertion; the export is linear.
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/exact_scale.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,14 +44,15 @@ of the geometric traits and CGAL's symbolic perturbation.
 
 It serves geometric traits whose numbers are `double` and whose predicates are filtered, such as
 `Exact_predicates_inexact_constructions_kernel`, empty triangulations, and points that do not all lie
-in one plane; `obstacle()` says what stands against it.
+in one plane; `obstacle()` says what stands against it. The rounding mode must be to nearest.
 
-Memory: 32 bytes per cell, 40 per vertex, and 4 per point while it inserts. The export gives the
-cells back as it goes.
+Memory: 32 bytes per cell and per point, and the size of an `Id` per point, while it inserts. The
+export gives the cells back as it goes.
 
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`
 \tparam Id an unsigned integer type for the numbers of vertices and cells: there can be 2^(b-2)
-cells for b bits. An insertion that needs more throws `std::length_error`.
+cells for b bits. A constructor or an insertion that needs more throws a `std::length_error`;
+`Wider_target` can take the work over from the beginning.
 
 \cgalModels{InsertionTarget_3}
 */
@@ -61,14 +61,20 @@ class Compact_delaunay_with_ids_3
 {
   using Geom_traits = typename Triangulation::Geom_traits;
   using Predicates = internal::Perturbed_predicates<Geom_traits>;
+  using Complex = internal::Compact_complex<Id>;
   using Kernel = internal::Compact_triangulation<Id, Predicates>;
-  using Coordinates = std::array<double, 3>;
 
 public:
   using Point = typename Triangulation::Point; ///< the points inserted.
   using Vertex = Id;                           ///< the number of a vertex; `Vertex()`: none.
   using Cell = Id;                             ///< the number of a cell.
-  using Location = typename Kernel::Place;     ///< a cell in conflict with the point.
+  using Location = typename Kernel::Location;  ///< a cell in conflict with the point.
+
+  /// the same with ids of twice as many bits, or `void` if those here have 64.
+  using Wider_target = std::conditional_t<
+      sizeof(Id) == 8, void,
+      Compact_delaunay_with_ids_3<
+          Triangulation, std::conditional_t<sizeof(Id) == 4, std::uint64_t, std::uint32_t>>>;
 
   /// `false`: `obstacle()` is to be asked.
   static constexpr bool serves_everything = false;
@@ -79,46 +85,28 @@ public:
   {
     return std::is_same<typename Geom_traits::FT, double>::value &&
            std::is_same<typename Geom_traits::Point_3, Point>::value &&
-           Delaunay_from_surface_3::internal::has_predicates_of_kernel<
+           internal::has_predicates_of_kernel<
                Geom_traits, typename Kernel_traits<Point>::Kernel>() &&
-           Delaunay_from_surface_3::internal::rounds_every_operation &&
+           internal::rounds_every_operation &&
            has_filtered_predicates<Geom_traits>(0);
   }
 
-  /// returns why `points` cannot be inserted into `tr` this way; nothing if they can.
-  static std::string obstacle(const Triangulation& tr, const std::vector<Point>& points)
-  {
-    using namespace Delaunay_from_surface_3::internal;
-    if constexpr (serves_geom_traits()) {
-      if (tr.number_of_vertices() > 0)
-        return "the triangulation is not empty";
-      if (!starting_simplex(Predicates(tr.geom_traits(), points), points.size()).is_found)
-        return "the points lie in one plane";
-      return "";
-    } else {
-      return "the coordinates are not doubles with filtered predicates";
-    }
-  }
-
-  /// is to insert `points` into `tr`; keeps references to both. Four of the points that do not lie
-  /// in one plane are inserted at once. \pre `obstacle(tr, points)` is empty.
+  /// is to insert `points` into `tr`; keeps references to both. If nothing stands against it, four
+  /// of the points that do not lie in one plane are inserted at once. Linear.
   Compact_delaunay_with_ids_3(Triangulation& tr, const std::vector<Point>& points)
     : m_tr(tr)
     , m_points(points)
-    , m_predicates(tr.geom_traits(), points)
-    , m_scale(scale(points))
-    , m_kernel(m_predicates, points.size())
+    , m_exact(tr.geom_traits())
+    , m_scale(internal::exact_scale(points))
+    , m_complex(is_ready() ? points.size() : 0, [this](std::size_t i) { return scaled(i); })
+    , m_kernel(m_exact, m_complex)
     , m_vertices(points.size(), Vertex())
+    , m_obstacle(begin())
   {
-    const auto simplex = internal::starting_simplex(m_predicates, points.size());
-    CGAL_precondition(simplex.is_found);
-    std::array<Coordinates, 4> coordinates;
-    for (std::size_t k = 0; k < 4; ++k)
-      coordinates[k] = scaled(simplex.points[k]);
-    const std::array<Id, 4> v = m_kernel.start(simplex.points, coordinates);
-    for (std::size_t k = 0; k < 4; ++k)
-      m_vertices[simplex.points[k]] = v[k];
   }
+
+  /// returns why the points cannot be inserted this way; nothing if they can.
+  const std::string& obstacle() const { return m_obstacle; }
 
   /// returns the number of points.
   std::size_t size() const { return m_points.size(); }
@@ -127,14 +115,22 @@ public:
   Vertex vertex(std::size_t i) const { return m_vertices[i]; }
 
   /// returns a cell of `v`, or any cell if `v` is none.
-  Cell cell(Vertex v) const { return m_kernel.complex().vertex(v).cell; }
+  Cell cell(Vertex v) const { return m_complex.vertex(v).cell; }
 
   /// finds a cell in conflict with point `i` by a walk from `start`, or the vertex at its place.
+  Location locate(std::size_t i, Cell start)
+  {
+    if (m_vertices[i] != Vertex())
+      return {start, m_vertices[i]};
+    return m_kernel.locate(Complex::vertex_of_point(i), start);
+  }
+
+  /// does the same, and is not counted.
   Location locate(std::size_t i, Cell start) const
   {
     if (m_vertices[i] != Vertex())
       return {start, m_vertices[i]};
-    return m_kernel.locate(i, scaled(i), start);
+    return m_kernel.locate(Complex::vertex_of_point(i), start);
   }
 
   /// returns a vertex of the located cell that is nearest to point `i` up to rounding; finite.
@@ -142,7 +138,7 @@ public:
   {
     if (location.vertex != Vertex())
       return location.vertex;
-    const auto& cell = m_kernel.complex().cell(location.cell);
+    const auto& cell = m_complex.cell(location.cell);
     Vertex nearest = cell.v[0];
     for (unsigned k = 1; k < 4; ++k)
       if (cell.v[k] != Vertex() && is_closer(i, cell.v[k], nearest))
@@ -153,10 +149,9 @@ public:
   /// returns whether `v` is closer to point `i` than `w`, up to rounding.
   bool is_closer(std::size_t i, Vertex v, Vertex w) const
   {
-    const Coordinates p = scaled(i);
+    const double* const p = m_complex.vertex(Complex::vertex_of_point(i)).coordinates;
     using internal::Row;
-    return Row(m_kernel.complex().vertex(v).coordinates, p.data()).w <
-           Row(m_kernel.complex().vertex(w).coordinates, p.data()).w;
+    return Row(m_complex.vertex(v).coordinates, p).w < Row(m_complex.vertex(w).coordinates, p).w;
   }
 
   /// inserts point `i` where it was just located, and tells `observer` (a model of
@@ -164,23 +159,32 @@ public:
   template <class Observer>
   void insert(std::size_t i, const Location& location, Observer& observer)
   {
-    if (location.vertex != Vertex())
-      m_vertices[i] = location.vertex;
-    else
-      m_vertices[i] =
-          m_kernel.insert(i, scaled(i), location.cell, [&](const Id* first, const Id* last) {
-            if constexpr (Observer::observes_conflict_zone)
-              observer.before_update(i, first, last);
-          });
+    m_vertices[i] = location.vertex;
+    if (location.vertex == Vertex()) {
+      m_vertices[i] = Complex::vertex_of_point(i);
+      m_kernel.insert(m_vertices[i], location.cell, [&](const Id* first, const Id* last) {
+        if constexpr (Observer::observes_conflict_zone)
+          observer.before_update(i, first, last);
+      });
+    }
     observer.after_update(i, m_vertices[i]);
+  }
+
+  /// inserts the points `first`, …, `last - 1` one after the other.
+  template <class Hints, class Visitor>
+  bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor)
+  {
+    return insert_one_by_one(*this, first, last, hints, visitor);
   }
 
   /// writes the triangulation into the user's.
   void finish()
   {
     using namespace Delaunay_from_surface_3::internal;
-    m_handles = export_complex(m_tr, m_kernel.complex(), [this](std::size_t v) -> const Point& {
-      return m_points[m_kernel.point_of(v)];
+    CGAL_expensive_postcondition(m_kernel.is_valid());
+    m_handles = export_complex(m_tr, m_complex, [this](std::size_t v) -> const Point* {
+      const std::size_t i = Complex::point_of_vertex(v);
+      return m_vertices[i] == v ? &m_points[i] : nullptr;
     });
     fill_upper_levels(m_tr, m_handles);
   }
@@ -192,13 +196,12 @@ public:
     std::vector<typename Triangulation::Vertex_handle> handles(m_points.size());
     if (!m_handles.empty())
       for (std::size_t i = 0; i < handles.size(); ++i)
-        if (m_vertices[i] != Vertex())
-          handles[i] = m_handles[m_vertices[i]];
+        handles[i] = m_handles[m_vertices[i]];
     return handles;
   }
 
-  /// returns what the insertions did, for statistics.
-  const internal::Compact_counts& counts() const { return m_kernel.counts(); }
+  /// returns what the insertions did.
+  const Insertion_counts& counts() const { return m_kernel.counts(); }
 
 private:
   template <class Gt>
@@ -212,30 +215,42 @@ private:
     return false;
   }
 
-  // A power of 2 that makes all coordinates at most 1 in absolute value.
-  static double scale(const std::vector<Point>& points)
-  {
-    double largest = 0;
-    for (const Point& p : points)
-      for (const double c : {to_double(p.x()), to_double(p.y()), to_double(p.z())})
-        largest = (std::max)(largest, std::abs(c));
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    return std::ldexp(1., (std::min)(-exponent, 1000));
-  }
-
-  Coordinates scaled(std::size_t i) const
+  std::array<double, 3> scaled(std::size_t i) const
   {
     const Point& p = m_points[i];
     return {to_double(p.x()) * m_scale, to_double(p.y()) * m_scale, to_double(p.z()) * m_scale};
   }
 
+  bool is_ready() const { return m_tr.number_of_vertices() == 0 && m_scale != 0; }
+
+  // Returns what stands against the insertion; if nothing does, makes the first cells.
+  std::string begin()
+  {
+    if (m_tr.number_of_vertices() > 0)
+      return "the triangulation is not empty";
+    if (m_scale == 0)
+      return "the coordinates are of too different size";
+    const auto simplex = internal::starting_simplex(
+        m_exact, m_points.size(), [this](std::size_t i) {
+          return m_complex.vertex(Complex::vertex_of_point(i)).coordinates;
+        });
+    if (!simplex.is_found)
+      return "the points lie in one plane";
+    std::array<Id, 4> v;
+    for (std::size_t k = 0; k < 4; ++k)
+      v[k] = m_vertices[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
+    m_complex.start(v);
+    return "";
+  }
+
   Triangulation& m_tr;
   const std::vector<Point>& m_points;
-  Predicates m_predicates;
-  double m_scale;
+  Predicates m_exact;
+  double m_scale; // 0: there is none
+  Complex m_complex;
   Kernel m_kernel;
   std::vector<Vertex> m_vertices;
+  std::string m_obstacle;
   std::vector<typename Triangulation::Vertex_handle> m_handles;
 };
 

@@ -8,6 +8,9 @@
 // Choi 2002, Fig. 1, line 2c: "Insert s_i and update D(S_i)", through CGAL's own insertion; and the
 // walk that stands for Q in lines 2a and 2b.
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
+
 #include <CGAL/Triangulation_hierarchy_3.h>
 #include <CGAL/assertions.h>
 
@@ -125,6 +128,16 @@ public:
     m_vertices[i] = insert_at(i, location, observer);
     observer.after_update(i, m_vertices[i]);
   }
+
+  /// inserts the points `first`, …, `last - 1` one after the other.
+  template <class Hints, class Visitor>
+  bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor)
+  {
+    return Delaunay_from_surface_3::insert_one_by_one(*this, first, last, hints, visitor);
+  }
+
+  /// returns nothing but zeros: CGAL's insertion does not count.
+  Delaunay_from_surface_3::Insertion_counts counts() const { return {}; }
 
   /// does nothing: the triangulation is complete at any time.
   void finish() {}

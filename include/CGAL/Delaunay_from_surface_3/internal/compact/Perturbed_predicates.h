@@ -12,14 +12,11 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/enum.h>
 
-#include <cstddef>
-#include <vector>
-
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Predicates on points given by their indices.
+// Predicates on points given by their coordinates.
 template <class GeomTraits>
 class Perturbed_predicates
 {
@@ -69,70 +66,65 @@ class Perturbed_predicates
   };
 
 public:
-  using Point = typename GeomTraits::Point_3;
-
-  // Keeps a reference to `points`.
-  Perturbed_predicates(const GeomTraits& gt, const std::vector<Point>& points)
+  explicit Perturbed_predicates(const GeomTraits& gt)
     : m_exposed(gt)
     , m_cospherical(Cospherical_traits(gt))
-    , m_points(points)
   {
   }
 
-  Orientation orientation(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const
+  Orientation orientation(const double* a, const double* b, const double* c, const double* d) const
   {
-    return m_exposed.geom_traits().orientation_3_object()(m_points[a], m_points[b], m_points[c],
-                                                          m_points[d]);
+    return traits().orientation_3_object()(point(a), point(b), point(c), point(d));
   }
 
   // Is p inside the sphere of the positively oriented cell (a, b, c, d)?
-  bool is_in_sphere(std::size_t a, std::size_t b, std::size_t c, std::size_t d, std::size_t p) const
+  bool is_in_sphere(const double* a, const double* b, const double* c, const double* d,
+                    const double* p) const
   {
-    return m_exposed.side_of_oriented_sphere(m_points[a], m_points[b], m_points[c], m_points[d],
-                                             m_points[p], true) == ON_POSITIVE_SIDE;
+    return m_exposed.side_of_oriented_sphere(point(a), point(b), point(c), point(d), point(p),
+                                             true) == ON_POSITIVE_SIDE;
   }
 
   // The same for a point that is known to lie on the sphere.
-  bool is_perturbed_into_sphere(std::size_t a, std::size_t b, std::size_t c, std::size_t d,
-                                std::size_t p) const
+  bool is_perturbed_into_sphere(const double* a, const double* b, const double* c, const double* d,
+                                const double* p) const
   {
-    return m_cospherical.side_of_oriented_sphere(m_points[a], m_points[b], m_points[c], m_points[d],
-                                                 m_points[p], true) == ON_POSITIVE_SIDE;
+    return m_cospherical.side_of_oriented_sphere(point(a), point(b), point(c), point(d), point(p),
+                                                 true) == ON_POSITIVE_SIDE;
   }
 
   // Is p in conflict with the infinite cell (a, b, c, infinite): beyond the facet (a, b, c) of the
   // convex hull, or in its plane and inside its circle?
-  bool is_beyond(std::size_t a, std::size_t b, std::size_t c, std::size_t p) const
+  bool is_beyond(const double* a, const double* b, const double* c, const double* p) const
   {
     const Orientation o = orientation(a, b, c, p);
     if (o != COPLANAR)
       return o == POSITIVE;
-    return m_exposed.coplanar_side_of_bounded_circle(m_points[a], m_points[b], m_points[c],
-                                                     m_points[p], true) == ON_BOUNDED_SIDE;
+    return m_exposed.coplanar_side_of_bounded_circle(point(a), point(b), point(c), point(p),
+                                                     true) == ON_BOUNDED_SIDE;
   }
 
   // The same for a point that is known to lie on the circle.
-  bool is_perturbed_into_circle(std::size_t a, std::size_t b, std::size_t c, std::size_t p) const
+  bool is_perturbed_into_circle(const double* a, const double* b, const double* c,
+                                const double* p) const
   {
-    return m_cospherical.coplanar_side_of_bounded_circle(m_points[a], m_points[b], m_points[c],
-                                                         m_points[p], true) == ON_BOUNDED_SIDE;
+    return m_cospherical.coplanar_side_of_bounded_circle(point(a), point(b), point(c), point(p),
+                                                         true) == ON_BOUNDED_SIDE;
   }
 
-  bool are_equal(std::size_t a, std::size_t b) const
+  bool are_collinear(const double* a, const double* b, const double* c) const
   {
-    return m_exposed.geom_traits().compare_xyz_3_object()(m_points[a], m_points[b]) == EQUAL;
-  }
-
-  bool are_collinear(std::size_t a, std::size_t b, std::size_t c) const
-  {
-    return m_exposed.geom_traits().coplanar_orientation_3_object()(m_points[a], m_points[b],
-                                                                   m_points[c]) == COLLINEAR;
+    return traits().coplanar_orientation_3_object()(point(a), point(b), point(c)) == COLLINEAR;
   }
 
 private:
+  using Point = typename GeomTraits::Point_3;
+
+  static Point point(const double* p) { return Point(p[0], p[1], p[2]); }
+  const GeomTraits& traits() const { return m_exposed.geom_traits(); }
+
   Exposed<GeomTraits> m_exposed;
   Exposed<Cospherical_traits> m_cospherical;
-  const std::vector<Point>& m_points;
 };
 
 } // namespace internal

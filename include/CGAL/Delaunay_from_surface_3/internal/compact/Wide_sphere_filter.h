@@ -13,21 +13,21 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 
-#if defined(__GNUC__) && defined(__x86_64__)
-#define CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
-#include <immintrin.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/vectors.h>
+
+#include <algorithm>
+
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-#define CGAL_DELAUNAY_FROM_SURFACE_3_WIDE __attribute__((target("avx2"), always_inline)) inline
-
 // A coordinate of the four rows, and the three permutations of it.
 struct Wide_column
 {
   __m256d v, a, b, c;
-  CGAL_DELAUNAY_FROM_SURFACE_3_WIDE explicit Wide_column(__m256d value)
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS explicit Wide_column(__m256d value)
     : v(value)
     , a(_mm256_permute_pd(value, 5))
     , b(_mm256_permute2f128_pd(value, value, 1))
@@ -40,7 +40,8 @@ struct Wide_column
 struct Wide_rows
 {
   __m256d x, y, z, w;
-  CGAL_DELAUNAY_FROM_SURFACE_3_WIDE Wide_rows(const double* const* points, const double* p)
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Wide_rows(const double* const* points,
+                                                           const double* p)
   {
     const __m256d r0 = _mm256_loadu_pd(points[0]), r1 = _mm256_loadu_pd(points[1]);
     const __m256d r2 = _mm256_loadu_pd(points[2]), r3 = _mm256_loadu_pd(points[3]);
@@ -57,13 +58,14 @@ struct Wide_rows
 struct Wide_minors
 {
   __m256d bc, ca, ab;
-  CGAL_DELAUNAY_FROM_SURFACE_3_WIDE Wide_minors(const Wide_column& r, const Wide_column& s)
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Wide_minors(const Wide_column& r,
+                                                             const Wide_column& s)
     : bc(_mm256_sub_pd(_mm256_mul_pd(r.b, s.c), _mm256_mul_pd(s.b, r.c)))
     , ca(_mm256_sub_pd(_mm256_mul_pd(r.c, s.a), _mm256_mul_pd(s.c, r.a)))
     , ab(_mm256_sub_pd(_mm256_mul_pd(r.a, s.b), _mm256_mul_pd(s.a, r.b)))
   {
   }
-  CGAL_DELAUNAY_FROM_SURFACE_3_WIDE __m256d times(const Wide_column& t) const
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS __m256d times(const Wide_column& t) const
   {
     return _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(t.a, bc), _mm256_mul_pd(t.b, ca)),
                          _mm256_mul_pd(t.c, ab));
@@ -72,9 +74,7 @@ struct Wide_minors
 
 struct Wide_sphere_filter
 {
-  static bool is_supported() { return __builtin_cpu_supports("avx2"); }
-
-  CGAL_DELAUNAY_FROM_SURFACE_3_WIDE static Sphere_signs
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Sphere_signs
   signs(const double* const* vertices, const double* const* opposite, const double* p)
   {
     const Wide_rows rows(vertices, p), e(opposite, p);
@@ -93,8 +93,8 @@ struct Wide_sphere_filter
             unsigned(_mm256_movemask_pd(_mm256_cmp_pd(value, minus, _CMP_LT_OQ)))};
   }
 
-  __attribute__((target("avx2"))) static Cell_view view(const double* const* vertices,
-                                                        const double* p)
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Cell_view view(const double* const* vertices,
+                                                                const double* p)
   {
     const Wide_rows rows(vertices, p);
     const Wide_column x(rows.x), y(rows.y), z(rows.z);
@@ -113,12 +113,10 @@ struct Wide_sphere_filter
   }
 };
 
-#undef CGAL_DELAUNAY_FROM_SURFACE_3_WIDE
-
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // x86-64
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_WIDE_SPHERE_FILTER_H

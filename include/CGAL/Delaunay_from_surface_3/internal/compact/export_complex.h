@@ -39,13 +39,16 @@ Large_vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<I
   constexpr std::size_t release_interval = std::size_t(1) << 16;
   Large_vector<typename Tds::Cell_handle> cells(complex.cells_end(), scratch);
   const std::size_t last = cells.size() - 1;
+  // So many cells ahead handles, and then what they lead to, are fetched: the flat part of the curve
+  // on elephants of 256k and 1M points.
+  constexpr std::size_t handles_ahead = 24, cells_ahead = 8;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (const Id link : complex.cell((std::min)(c + 24, last)).links)
+    for (const Id link : complex.cell((std::min)(c + handles_ahead, last)).links)
       prefetch(&cells[link >> 2]);
-    for (const Id link : complex.cell((std::min)(c + 8, last)).links)
+    for (const Id link : complex.cell((std::min)(c + cells_ahead, last)).links)
       prefetch(&*cells[link >> 2]);
     const Compact_cell<Id>& cell = complex.cell(c);
-    if (Compact_complex<Id>::is_doomed(cell))
+    if (Compact_complex<Id>::is_dead(cell))
       continue;
     const auto made = tds.create_cell(vertices[cell.v[0]], vertices[cell.v[1]], vertices[cell.v[2]],
                                       vertices[cell.v[3]]);
@@ -62,19 +65,22 @@ Large_vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<I
   return cells;
 }
 
-// Fills `tr`, empty, and gives up the memory of `complex`. `point(v)` is the point of vertex v.
-// Returns the handles by vertex, that of the infinite vertex first.
+// Fills `tr`, empty, and gives up the memory of `complex`. point(v) leads to the point of vertex v, or
+// to none if that vertex is in no cell. Returns the handles by vertex, that of the infinite vertex
+// first, and none where there is no vertex.
 template <class Triangulation, class Id, class PointOf>
 std::vector<typename Triangulation::Vertex_handle>
 export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& point)
 {
+  using Vertex_handle = typename Triangulation::Vertex_handle;
   auto& tds = tr.tds();
-  std::vector<typename Triangulation::Vertex_handle> vertices(complex.number_of_vertices());
+  std::vector<Vertex_handle> vertices(complex.vertices_end());
   vertices[0] = tr.infinite_vertex();
-  for (std::size_t v = 1; v < vertices.size(); ++v) {
-    vertices[v] = tds.create_vertex();
-    vertices[v]->set_point(point(v));
-  }
+  for (std::size_t v = 1; v < vertices.size(); ++v)
+    if (const auto* const p = point(v)) {
+      vertices[v] = tds.create_vertex();
+      vertices[v]->set_point(*p);
+    }
   Large_vector<Id> cell_of(vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v)
     cell_of[v] = complex.vertex(v).cell;
@@ -84,7 +90,8 @@ export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& p
   const auto cells = export_cells(tds, complex, vertices, only_cell);
   tds.delete_cell(only_cell);
   for (std::size_t v = 0; v < vertices.size(); ++v)
-    vertices[v]->set_cell(cells[cell_of[v]]);
+    if (vertices[v] != Vertex_handle())
+      vertices[v]->set_cell(cells[cell_of[v]]);
   return vertices;
 }
 
@@ -97,6 +104,8 @@ void fill_upper_levels(Triangulation& tr,
   using Has_upper_levels = decltype(has_upper_levels(static_cast<Triangulation*>(nullptr)));
   if constexpr (Has_upper_levels::value) {
     for (std::size_t v = 1; v < vertices.size(); ++v) {
+      if (vertices[v] == typename Triangulation::Vertex_handle())
+        continue;
       const auto c = vertices[v]->cell();
       const auto p = vertices[v]->point(); // a copy: the insertion assigns it
       tr.insert(p, Triangulation::VERTEX, c, c->index(vertices[v]), 0);

@@ -7,9 +7,9 @@
 
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -22,18 +22,19 @@ struct Starting_simplex
   bool is_found;
 };
 
-// The first such points among n. Exact; O(n) at worst, a few tests as a rule.
-template <class Predicates>
-Starting_simplex starting_simplex(const Predicates& predicates, std::size_t n)
+// The first such points among n; `point(i)` gives the coordinates of the i-th. Exact; O(n) at worst, a
+// few tests as a rule.
+template <class Predicates, class PointOf>
+Starting_simplex starting_simplex(const Predicates& predicates, std::size_t n, const PointOf& point)
 {
   std::size_t b = 1;
-  while (b < n && predicates.are_equal(0, b))
+  while (b < n && std::equal(point(0), point(0) + 3, point(b)))
     ++b;
   std::size_t c = b + 1;
-  while (c < n && predicates.are_collinear(0, b, c))
+  while (c < n && predicates.are_collinear(point(0), point(b), point(c)))
     ++c;
   for (std::size_t d = c + 1; d < n; ++d) {
-    const Orientation o = predicates.orientation(0, b, c, d);
+    const Orientation o = predicates.orientation(point(0), point(b), point(c), point(d));
     if (o != COPLANAR)
       return {o == POSITIVE ? std::array<std::size_t, 4>{0, b, c, d}
                             : std::array<std::size_t, 4>{b, 0, c, d},

@@ -6,7 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERT_WITH_PARAMETERS_H
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_in_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/iterator.h>

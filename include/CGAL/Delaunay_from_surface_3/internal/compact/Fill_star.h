@@ -2,22 +2,21 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_STAR_FILLER_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_STAR_FILLER_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_FILL_STAR_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_FILL_STAR_H
 
-// Fills a hole with the star of a vertex (Choi 2002, Fig. 1, line 2c: "update"): one cell for each
-// facet of the hole's boundary.
+// Choi 2002, Fig. 1, line 2c, second half: fills the conflict zone with the star of the new vertex,
+// one cell for each facet of the zone's boundary (Bowyer 1981; Watson 1981).
 //
 // Two new cells are neighbours if their facets share an edge. Each facet writes its links to a
 // table under its three directed edges; the neighbour across an edge stands under its reverse. The
 // boundary is a sphere of B facets, so it has B/2 + 2 vertices; they are labelled 0, 1, … on the
-// way. The table is small, never cleared, and stays in the cache. Large holes sort their edges
-// instead.
+// way. The table is small, never cleared, and stays in the cache: the idea is HXT's (Marot, Pellerin,
+// Remacle 2019). Large zones sort their edges instead.
 //
-// Cost: O(B); O(B log B) for large holes.
+// Cost: O(B); O(B log B) for large zones.
 
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Explore_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Conflict_zone.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,52 +31,55 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 template <class Id>
-class Star_filler
+class Fill_star
 {
   using Complex = Compact_complex<Id>;
-  using Facet = Hole_facet<Id>;
+  using Zone = Conflict_zone<Id>;
 
 public:
   static constexpr std::size_t small_side = 32, side = 64;
   // So many facets can have `side` vertices.
   static constexpr std::size_t max_table_facets = 2 * side - 4;
 
-  Star_filler()
+  Fill_star()
     : m_table(side * side)
   {
   }
 
-  // Makes cells[f] the cell of p and of facets[f], 0 <= f < n. The facets' corners become labels.
-  void operator()(Complex& complex, Id p, Facet* facets, const Id* cells, std::size_t n)
+  // Makes the star of p of the zone's facets, whose corners become labels. The zone's cells are then
+  // those of the star.
+  void operator()(Complex& complex, Zone& zone, Id p)
   {
-    if (std::size_t((std::numeric_limits<Id>::max)() - m_base) < complex.number_of_vertices())
+    zone.take_cells_of_star(complex);
+    const std::size_t n = zone.number_of_facets;
+    if (std::size_t((std::numeric_limits<Id>::max)() - m_base) < complex.vertices_end())
       forget_labels(complex);
     if (n <= 2 * small_side - 4) {
-      fill<small_side>(complex, p, facets, cells, n);
+      fill_by_table<small_side>(complex, zone, p);
     } else if (n <= max_table_facets) {
-      fill<side>(complex, p, facets, cells, n);
+      fill_by_table<side>(complex, zone, p);
     } else {
-      make_cells(complex, p, facets, cells, n, [](Id, Id, Id, Id) {});
-      link_sorted(complex, facets, cells, n);
+      make_cells(complex, zone, p, [](Id, Id, Id, Id) {});
+      link_by_sorting(complex, zone);
     }
-    complex.vertex(p).cell = cells[0];
+    complex.vertex(p).cell = zone.cells[0];
   }
 
 private:
   template <std::size_t Side>
-  void fill(Complex& complex, Id p, Facet* facets, const Id* cells, std::size_t n)
+  void fill_by_table(Complex& complex, Zone& zone, Id p)
   {
     Id* const table = m_table.data();
-    make_cells(complex, p, facets, cells, n, [table](Id a, Id b, Id d, Id c) {
+    make_cells(complex, zone, p, [table](Id a, Id b, Id d, Id c) {
       table[b * Side + d] = Complex::link(c, 1);
       table[d * Side + a] = Complex::link(c, 2);
       table[a * Side + b] = Complex::link(c, 3);
     });
-    typename Complex::Cell* const pool = complex.cells();
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t a = facets[i].corners[0], b = facets[i].corners[1],
-                        d = facets[i].corners[2];
-      Id* const links = pool[cells[i]].links;
+    typename Complex::Cell* const cells = complex.cells();
+    for (std::size_t i = 0; i < zone.number_of_facets; ++i) {
+      const Id* const corners = zone.facets[i].corners;
+      const std::size_t a = corners[0], b = corners[1], d = corners[2];
+      Id* const links = cells[zone.cells[i]].links;
       links[1] = table[d * Side + b];
       links[2] = table[a * Side + d];
       links[3] = table[b * Side + a];
@@ -87,23 +89,22 @@ private:
   // Vertices and outer links of the cells. Corners are replaced by their labels. `then` is given
   // these and the cell.
   template <class Then>
-  void make_cells(Complex& complex, Id p, Facet* facets, const Id* cells, std::size_t n,
-                  const Then& then)
+  void make_cells(Complex& complex, Zone& zone, Id p, const Then& then)
   {
-    typename Complex::Cell* const pool = complex.cells();
+    typename Complex::Cell* const cells = complex.cells();
     typename Complex::Vertex* const vertices = complex.vertices();
     const Id base = m_base;
     Id count = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      Facet& f = facets[i];
-      const Id c = cells[i];
+    for (std::size_t i = 0, n = zone.number_of_facets; i < n; ++i) {
+      Zone_facet<Id>& f = zone.facets[i];
+      const Id c = zone.cells[i];
       const Id outside = f.outside;
-      typename Complex::Cell& cell = pool[c];
+      typename Complex::Cell& cell = cells[c];
       static_assert(sizeof(cell.v) == sizeof(f), "a facet is a cell without its first vertex");
       std::memcpy(cell.v, &f, sizeof(f));
       cell.v[0] = p;
       cell.links[0] = outside;
-      pool[outside >> 2].links[outside & 3] = Complex::link(c, 0);
+      cells[outside >> 2].links[outside & 3] = Complex::link(c, 0);
       for (Id& corner : f.corners) {
         typename Complex::Vertex& vertex = vertices[corner];
         vertex.cell = c;
@@ -114,7 +115,7 @@ private:
     m_base = Id(base + count);
   }
 
-  // Labels 0, 1, … are kept as m_base + 0, m_base + 1, …: what is left from earlier holes is less
+  // Labels 0, 1, … are kept as m_base + 0, m_base + 1, …: what is left from earlier zones is less
   // than m_base, and so beyond every label after the subtraction. No branch: it would not be
   // predicted.
   static Id label(Id& kept, Id base, Id& count)
@@ -129,19 +130,20 @@ private:
 
   void forget_labels(Complex& complex)
   {
-    for (std::size_t v = 0; v < complex.number_of_vertices(); ++v)
+    for (std::size_t v = 0; v < complex.vertices_end(); ++v)
       complex.vertex(v).label = 0;
     m_base = 1;
   }
 
-  void link_sorted(Complex& complex, const Facet* facets, const Id* cells, std::size_t n)
+  void link_by_sorting(Complex& complex, const Zone& zone)
   {
     m_edges.clear();
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < zone.number_of_facets; ++i)
       for (unsigned k = 0; k < 3; ++k) {
-        const std::uint64_t a = facets[i].corners[(k + 1) % 3], b = facets[i].corners[(k + 2) % 3];
+        const Id* const corners = zone.facets[i].corners;
+        const std::uint64_t a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
         m_edges.emplace_back((std::min)(a, b) << 32 | (std::max)(a, b),
-                             Complex::link(cells[i], k + 1));
+                             Complex::link(zone.cells[i], k + 1));
       }
     std::sort(m_edges.begin(), m_edges.end());
     for (std::size_t e = 0; e + 1 < m_edges.size(); e += 2) {
@@ -160,4 +162,4 @@ private:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_STAR_FILLER_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_FILL_STAR_H

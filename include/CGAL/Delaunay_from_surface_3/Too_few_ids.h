@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TOO_FEW_IDS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TOO_FEW_IDS_H
+
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Insertion
+
+is thrown by an insertion target that numbers its cells or vertices and runs out of numbers. The work
+then begins anew with the target's `Wider_target`, if it has one.
+*/
+struct Too_few_ids : std::length_error
+{
+  /// has numbers of `bits` bits.
+  explicit Too_few_ids(int bits)
+    : std::length_error("ids of " + std::to_string(bits) + " bits are too few for its cells")
+  {
+  }
+};
+
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TOO_FEW_IDS_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_DIG_CONFLICT_ZONE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_DIG_CONFLICT_ZONE_H
+
+// Choi 2002, Fig. 1, line 2c, first half: the cells in conflict with the new point, and the boundary
+// of what they fill (Bowyer 1981; Watson 1981). They are connected, so they are dug out breadth first
+// from one of them; the queue is the list of the cells found.
+//
+// Invariant: the cells found are dead, no others have died.
+// Cost: O(cells in conflict).
+
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Explore_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Explore: how the neighbours of a cell are looked at, scalar or in vectors.
+template <class Explore>
+struct Dig_conflict_zone
+{
+  // Fills the zone of point p from the cell `first`, which is in conflict with it.
+  template <class Id, class Predicates>
+  void operator()(Compact_complex<Id>& complex, Predicates& predicates, Conflict_zone<Id>& zone,
+                  Id p, Id first) const
+  {
+    zone.cells[0] = first;
+    zone.number_of_cells = 1;
+    zone.number_of_facets = 0;
+    complex.cell(first).v[0] |= Compact_complex<Id>::dead;
+    for (std::size_t k = 0; k < zone.number_of_cells; ++k) {
+      if (!zone.has_room(zone.number_of_cells + 4))
+        zone.make_room(2 * zone.room());
+      if (k + 1 < zone.number_of_cells)
+        for (const Id link : complex.cell(zone.cells[k + 1]).links)
+          prefetch(&complex.cell(link >> 2));
+      look_around(complex, predicates, zone, p, complex.cell(zone.cells[k]));
+    }
+    zone.counts.sphere_tests += zone.number_of_cells - 1 + zone.number_of_facets;
+    zone.counts.cells_destroyed += zone.number_of_cells;
+    zone.counts.cells_created += zone.number_of_facets;
+  }
+
+private:
+  // Tests the neighbours of a cell in conflict.
+  template <class Id, class Predicates>
+  static void look_around(Compact_complex<Id>& complex, Predicates& predicates,
+                          Conflict_zone<Id>& zone, Id p, const Compact_cell<Id>& cell)
+  {
+    Neighborhood around =
+        Explore::around(complex.cells(), complex.vertices(), cell, complex.vertex(p).coordinates);
+    if (around.undecided != 0)
+      around.inside |= undecided_conflicts(complex, predicates, cell, around.undecided, p);
+    const Zone_ends<Id> ends =
+        Explore::note(complex.cells(), cell, around.inside, around.open & ~around.inside,
+                      Zone_ends<Id>{zone.cells.data() + zone.number_of_cells,
+                                    zone.facets.data() + zone.number_of_facets});
+    zone.number_of_cells = std::size_t(ends.cell - zone.cells.data());
+    zone.number_of_facets = std::size_t(ends.facet - zone.facets.data());
+  }
+
+  // Of the neighbours that the filter left undecided, those in conflict.
+  template <class Id, class Predicates>
+  static unsigned undecided_conflicts(const Compact_complex<Id>& complex, Predicates& predicates,
+                                      const Compact_cell<Id>& cell, unsigned undecided, Id p)
+  {
+    using Complex = Compact_complex<Id>;
+    unsigned inside = 0;
+    for (unsigned k = 0; k < 4; ++k)
+      if (undecided >> k & 1) {
+        const Compact_cell<Id>& neighbor = complex.cell(cell.links[k] >> 2);
+        const bool is_filtered = !Complex::is_infinite(cell) && !Complex::is_infinite(neighbor);
+        inside |= unsigned(is_filtered ? predicates.is_in_close_sphere(neighbor, p)
+                                       : predicates.is_in_conflict(neighbor, p))
+                  << k;
+      }
+    return inside;
+  }
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_DIG_CONFLICT_ZONE_H

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXACT_SCALE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXACT_SCALE_H
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// The power of 2 that makes the largest coordinate in absolute value at least 1/2 and less than 1, as
+// near as the range of numbers allows. It multiplies all coordinates exactly; if there are some that
+// it would make too small for that, returns 0. Linear.
+template <class Point>
+double exact_scale(const std::vector<Point>& points)
+{
+  double largest = 0, least = 1;
+  for (const Point& p : points)
+    for (const double c : {to_double(p.x()), to_double(p.y()), to_double(p.z())}) {
+      const double size = std::abs(c);
+      largest = (std::max)(largest, size);
+      least = size == 0 ? least : (std::min)(least, size);
+    }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const double scale = std::ldexp(1., (std::min)(-exponent, 1000));
+  return least * scale > (std::numeric_limits<double>::min)() ? scale : 0;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXACT_SCALE_H
