@@ -237,15 +237,20 @@ BOOST_AUTO_TEST_CASE(more_cells_than_ids)
   CGAL::insert_points_along_graph_3(tr, few, Graph(few.size()),
                                     Traits<DFS::Geometric_rounds, Compact_with_16_bits>());
   BOOST_TEST((tr == Triangulation(few.begin(), few.end())));
-  Triangulation empty;
-  BOOST_CHECK_THROW(
-      CGAL::insert_points_along_graph_3(empty, many, Graph(many.size()),
-                                        Traits<DFS::Geometric_rounds, Compact_with_16_bits>()),
-      std::length_error);
-  BOOST_TEST(empty.number_of_vertices() == 0u);
-  BOOST_TEST(empty.is_valid());
-  empty.insert(many.begin(), many.end());
-  BOOST_TEST((empty == Triangulation(many.begin(), many.end())));
+  Fallback_visitor visitor;
+  Triangulation wider;
+  CGAL::insert_points_along_graph_3(wider, many, Graph(many.size()),
+                                    Traits<DFS::Geometric_rounds, Compact_with_16_bits>(),
+                                    CGAL::parameters::visitor(std::ref(visitor)));
+  BOOST_TEST(visitor.reason == "ids of 16 bits are too few for its cells");
+  BOOST_TEST((wider == Triangulation(many.begin(), many.end())));
+
+  // More points than ids.
+  const std::vector<Point> most = random_points(40000);
+  Triangulation widest;
+  CGAL::insert_points_along_graph_3(widest, most, Graph(most.size()),
+                                    Traits<DFS::Geometric_rounds, Compact_with_16_bits>());
+  BOOST_TEST((widest == Triangulation(most.begin(), most.end())));
 }
 
 BOOST_AUTO_TEST_CASE(labels_start_again_when_ids_run_out)

@@ -85,7 +85,7 @@ Sphere_signs signs_of(Sphere_filter, const double* const* v, const double* const
   return Sphere_filter::neighbors(v, opposite, p, 15);
 }
 
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 __attribute__((target("avx2"))) Sphere_signs
 signs_of(Wide_sphere_filter, const double* const* v, const double* const* opposite, const double* p)
 {
@@ -128,8 +128,8 @@ void check(Five f, const Record& apex, Tallies& tallies)
   tallies.wrong_integers += lattice.is_known && lattice.sign != sphere;
   check_view<Sphere_filter>(f, sphere, tallies);
   check_neighbors<Sphere_filter>(f, apex, tallies);
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
-  if (Wide_sphere_filter::is_supported()) {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  if (machine_has_vectors()) {
     check_view<Wide_sphere_filter>(f, sphere, tallies);
     check_neighbors<Wide_sphere_filter>(f, apex, tallies);
   }

@@ -10,8 +10,8 @@ and 2b.
 A target has never heard of a surface. A model is a class template with one parameter:
 `Triangulation`, a `CGAL::Delaunay_triangulation_3`.
 
-The complete insertion calls, in this order: the constructor; `locate()` and `insert()` for the
-points 0, …, n-1, with locations of points not yet inserted in between; `finish()`;
+The complete insertion calls, in this order: the constructor; `obstacle()`; `insert_round()` for one
+round after the other, with locations of points not yet inserted in between; `finish()`;
 `take_vertices()`. If it is stopped, `finish()` is left out. All functions declared `const` may be
 called at any time before `take_vertices()`.
 
@@ -58,23 +58,26 @@ public:
   static constexpr bool serves_everything = unspecified_value;
 
   /*!
-  returns whether triangulations with these geometric traits can be served at all. If not, no more than `obstacle()` is
-  compiled.
+  returns whether triangulations with these geometric traits can be served at all. If not, nothing
+  else is compiled.
   */
   static constexpr bool serves_geom_traits();
 
   /*!
-  returns why `points` cannot be inserted into `tr` this way, in words; an empty string if they can. It is
-  asked before the first change; if there is an obstacle, `Triangulation_target_3` takes the target's place.
-  The points come in any order.
-  */
-  static std::string obstacle(const Triangulation& tr, const std::vector<Triangulation::Point>& points);
-
-  /*!
   is to insert `points`, in this order, into `tr`, which may have vertices already. Both outlive
-  the target, so references to them may be kept.
+  the target, so references to them may be kept. `tr` is not changed before `insert_round()`.
+
+  A target that numbers its cells and runs out of numbers throws a
+  `CGAL::Delaunay_from_surface_3::Too_few_ids`, here or from `insert()`, and leaves `tr` empty. If it
+  names a type `Wider_target`, that begins anew.
   */
   InsertionTarget_3(Triangulation& tr, const std::vector<Triangulation::Point>& points);
+
+  /*!
+  returns why the points cannot be inserted this way, in words; an empty string if they can. If there is
+  an obstacle, no other function is called, and `Triangulation_target_3` takes the target's place.
+  */
+  const std::string& obstacle() const;
 
   /// @}
 
@@ -96,7 +99,7 @@ public:
   /// @{
 
   /// returns the place of point `i`, found by a walk from `start`. Point `i` may be inserted or
-  /// not.
+  /// not. A target may have the same function without `const`, which is counted.
   Location locate(std::size_t i, Cell start) const;
 
   /*!
@@ -124,6 +127,22 @@ public:
   */
   template <class Observer>
   void insert(std::size_t i, const Location& location, Observer& observer);
+
+  /*!
+  inserts the points `first`, …, `last - 1`, which make up one round: asks `hints` where the location
+  of each starts, and tells them of each insertion, and `visitor` of the phases `LOCATION` and `UPDATE`.
+  A target that has no better way calls `insert_one_by_one()`.
+
+  \tparam Hints a model of `InsertionHints_3`
+  \tparam Visitor a model of `SurfaceInsertionVisitor_3`
+  \return `false` if the visitor's `go_further()` stopped it
+  */
+  template <class Hints, class Visitor>
+  bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor);
+
+  /// returns what the insertions did: a `CGAL::Delaunay_from_surface_3::Insertion_counts`, with zeros
+  /// for what is not counted.
+  Insertion_counts counts() const;
 
   /*!
   is called once, after the last insertion. From then on the triangulation is complete.

@@ -12,15 +12,16 @@ For points p, q, …, in two rounds, the calls come in this order:
 
 | call | |
 |---|---|
-| `surface_is_irregular(reason)`, `target_is_replaced(reason)` | only if it applies |
+| `surface_is_irregular(reason)` | only if it applies |
 | `phase_begins(PLAN)`, `phase_begins(SUBGRAPH)` | |
 | `subgraph_is_replaced(reason)` | only if the subgraph refuses the surface |
+| `target_is_replaced(reason)` | only if it applies |
 | `round_begins(0, n_0)` | |
 | `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on for each point of the round |
 | `phase_begins(TRACE)`, `trace_ends(k)` | |
 | `round_begins(1, n_1)` | |
 | `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for q, and so on |
-| `phase_begins(FINISH)` | left out after a stop |
+| `insertion_ends(target, hints)`, `phase_begins(FINISH)` | left out after a stop |
 | `phase_begins(DONE)` | |
 
 \cgalHasModelsBegin
@@ -41,9 +42,9 @@ public:
   void surface_is_irregular(const std::string& reason);
 
   /*!
-  is called before the first phase if the insertion target of the traits cannot serve. This is no error:
-  CGAL's own insertion takes its place, and the result is the same.
-
+  is called before the first round if the insertion target of the traits cannot serve. This is no error:
+  CGAL's own insertion takes its place, and the result is the same. It is called in the middle of the
+  work if a target has too few ids: the rounds then begin anew with its `Wider_target`.
   \param reason what stands against it: `InsertionTarget_3::obstacle()`
   */
   void target_is_replaced(const std::string& reason);
@@ -74,6 +75,15 @@ public:
   \param number_of_located_points what `InsertionHints_3::trace()` returned
   */
   void trace_ends(std::size_t number_of_located_points);
+
+  /*!
+  is called after the last insertion, before the triangulation is handed over: here their counts can be
+  had. Not after a stop.
+  \tparam Target a model of `InsertionTarget_3`
+  \tparam Hints a model of `InsertionHints_3`
+  */
+  template <class Target, class Hints>
+  void insertion_ends(const Target& target, const Hints& hints);
 
   /*!
   is called before each insertion.

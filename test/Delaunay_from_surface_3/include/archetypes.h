@@ -215,6 +215,11 @@ public:
   {
     m_hidden.insert(i, location.hidden, observer);
   }
+  template <class Hints, class Visitor>
+  bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor)
+  {
+    return CGAL::Delaunay_from_surface_3::insert_one_by_one(*this, first, last, hints, visitor);
+  }
   void finish() { m_hidden.finish(); }
   std::vector<Vertex> take_vertices() { return m_hidden.take_vertices(); }
 
@@ -261,6 +266,10 @@ public:
   void phase_begins(CGAL::Surface_insertion_phase) {}
   void round_begins(std::size_t, std::size_t) {}
   void trace_ends(std::size_t) {}
+  template <class Target, class Hints>
+  void insertion_ends(const Target&, const Hints&)
+  {
+  }
   bool go_further() { return ++*m_insertions > 0; }
 
 private:

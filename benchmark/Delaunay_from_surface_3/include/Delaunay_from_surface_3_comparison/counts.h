@@ -32,18 +32,31 @@ struct Counted_calls
 
 using Counting_visitor = CGAL::Delaunay_from_surface_3::Metering_visitor_3<Counted_calls>;
 
-// Targets and hints live and die inside an insertion: what they have counted stays here.
-struct Counted_insertion
+// Targets and hints live and die inside an insertion: what they have counted is taken at its end.
+struct Take_counts : CGAL::Default_surface_insertion_visitor_3
 {
-  CGAL::Delaunay_from_surface_3::internal::Compact_counts kernel;
-  std::size_t cells_destroyed = 0;
-};
+  CGAL::Delaunay_from_surface_3::Insertion_counts kernel;
+  std::size_t cells_destroyed = 0; // that the hints have seen
 
-inline Counted_insertion& last_insertion()
-{
-  static Counted_insertion counted;
-  return counted;
-}
+  template <class Target, class Hints>
+  void insertion_ends(const Target& target, const Hints& hints)
+  {
+    kernel = target.counts();
+    cells_destroyed = destroyed_seen_by(hints, 0);
+  }
+
+private:
+  template <class Hints>
+  static auto destroyed_seen_by(const Hints& hints, int) -> decltype(hints.cells_destroyed())
+  {
+    return hints.cells_destroyed();
+  }
+  template <class Hints>
+  static std::size_t destroyed_seen_by(const Hints&, long)
+  {
+    return 0;
+  }
+};
 
 // The hints, watching what CGAL's insertion destroys.
 template <class Hints>
@@ -57,37 +70,21 @@ public:
   template <class CellIterator>
   void before_update(std::size_t i, CellIterator first, CellIterator last)
   {
-    last_insertion().cells_destroyed += std::size_t(std::distance(first, last));
+    m_cells_destroyed += std::size_t(std::distance(first, last));
     if constexpr (Hints::observes_conflict_zone)
       Hints::before_update(i, first, last);
   }
-};
 
-// The compact triangulation, leaving its own counts behind.
-template <class Tr>
-class Counted_compact_delaunay_3 : public CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Tr>
-{
-public:
-  using CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Tr>::Compact_delaunay_3;
+  std::size_t cells_destroyed() const { return m_cells_destroyed; }
 
-  void finish()
-  {
-    last_insertion().kernel = this->counts();
-    CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Tr>::finish();
-  }
+private:
+  std::size_t m_cells_destroyed = 0;
 };
 
 template <class Traits>
 inline constexpr bool is_compact =
     std::is_same<typename Traits::template Insertion_target_3<Triangulation>,
                  CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Triangulation>>::value;
-
-template <class Traits>
-struct Compact_counting_traits : Traits
-{
-  template <class Tr>
-  using Insertion_target_3 = Counted_compact_delaunay_3<Tr>;
-};
 
 template <class Traits>
 struct Zone_counting_traits : Traits
@@ -158,11 +155,11 @@ Json predicates_of_insertion(const Mesh& mesh, unsigned int seed)
 template <class Traits>
 Json counts_of_insertion(const Mesh& mesh, unsigned int seed)
 {
-  last_insertion() = {};
+  Take_counts counts;
   Triangulation tr;
   CGAL::insert_surface_vertices_3(tr, mesh, Zone_counting_traits<Traits>(),
-                                  CGAL::parameters::random_seed(seed));
-  const std::size_t destroyed = last_insertion().cells_destroyed;
+                                  CGAL::parameters::random_seed(seed).visitor(std::ref(counts)));
+  const std::size_t destroyed = counts.cells_destroyed;
   return {{"predicates", predicates_of_insertion<Traits>(mesh, seed)},
           {"cells", cells_as_json(destroyed, destroyed + tr.number_of_cells(),
                                   double(mesh.number_of_vertices()))}};
@@ -172,11 +169,11 @@ Json counts_of_insertion(const Mesh& mesh, unsigned int seed)
 template <class Traits>
 Json counts_of_kernel(const Mesh& mesh, unsigned int seed)
 {
-  last_insertion() = {};
+  Take_counts visitor;
   Triangulation tr;
-  CGAL::insert_surface_vertices_3(tr, mesh, Compact_counting_traits<Traits>(),
-                                  CGAL::parameters::random_seed(seed));
-  const auto& counts = last_insertion().kernel;
+  CGAL::insert_surface_vertices_3(tr, mesh, Traits(),
+                                  CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
+  const auto& counts = visitor.kernel;
   const double n = double(mesh.number_of_vertices());
   const auto per_point = [n](std::size_t count) { return rounded(double(count) / n, 1e4); };
   return {{"kernel",

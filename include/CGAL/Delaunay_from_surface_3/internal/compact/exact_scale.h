@@ -22,7 +22,7 @@ namespace internal {
 template <class Point>
 double exact_scale(const std::vector<Point>& points)
 {
-  double largest = 0, least = 1;
+  double largest = 0, least = (std::numeric_limits<double>::max)();
   for (const Point& p : points)
     for (const double c : {to_double(p.x()), to_double(p.y()), to_double(p.z())}) {
       const double size = std::abs(c);

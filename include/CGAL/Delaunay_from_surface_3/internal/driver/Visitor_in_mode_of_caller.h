@@ -30,6 +30,10 @@ public:
   {
     m_rounding.in_mode_of_caller([&] { m_visitor.surface_is_irregular(reason); });
   }
+  void subgraph_is_replaced(const std::string& reason)
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.subgraph_is_replaced(reason); });
+  }
   void target_is_replaced(const std::string& reason)
   {
     m_rounding.in_mode_of_caller([&] { m_visitor.target_is_replaced(reason); });
