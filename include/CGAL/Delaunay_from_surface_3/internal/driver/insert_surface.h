@@ -154,8 +154,9 @@ void insert_surface(Triangulation& tr, const std::vector<typename Triangulation:
 
   const Rounding_to_nearest rounding;
   Visitor_in_mode_of_caller<Visitor> observer(visitor, rounding);
-  const auto [planned, places] =
-      plan_insertion<Target>(tr, points, graph, index_map, traits, seed, observer);
+  const auto plan = plan_insertion<Target>(tr, points, graph, index_map, traits, seed, observer);
+  const auto& planned = plan.first; // names of their own: a lambda captures no structured binding
+  const std::vector<std::size_t>& places = plan.second;
   const auto insert_and_write = [&](Triangulation& into, bool writes_after_stop) {
     const auto inserted = insert_into_target<Target, Traits>(into, planned, observer);
     if (inserted.is_complete || writes_after_stop)
