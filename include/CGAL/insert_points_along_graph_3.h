@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -124,7 +125,7 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
 
   const std::vector<Point> converted = read_points<Point>(points, point_map);
   check_indices(graph, index_map, converted.size());
-  return insert_with_parameters(tr, converted, "", graph, index_map, traits, np,
+  return insert_with_parameters(tr, converted, std::nullopt, graph, index_map, traits, np,
                                 [](std::size_t i) { return i; });
 }
 

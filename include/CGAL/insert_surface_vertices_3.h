@@ -16,6 +16,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -26,12 +27,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 template <class FaceGraph>
-std::string irregularity_of_mesh(const FaceGraph& mesh)
+std::optional<std::string> irregularity_of_mesh(const FaceGraph& mesh)
 {
   std::size_t non_triangles = 0;
   for (const auto f : faces(mesh))
     non_triangles += !is_triangle(halfedge(f, mesh), mesh);
-  return non_triangles == 0 ? "" : "faces that are not triangles: " + std::to_string(non_triangles);
+  if (non_triangles == 0)
+    return std::nullopt;
+  return "faces that are not triangles: " + std::to_string(non_triangles);
 }
 
 // CGAL's helper is asked only where no map is given: its assertion wants one without gaps.

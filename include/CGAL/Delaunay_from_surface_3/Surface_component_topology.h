@@ -74,7 +74,7 @@ struct Surface_topology
   /// the components that have edges, in the order of their smallest vertex index.
   std::vector<Surface_component_topology> components;
 
-  /// for every vertex index the place of its component in `components`, or `components.size()` for
+  /// for every vertex index the position of its component in `components`, or `components.size()` for
   /// an isolated vertex.
   std::vector<std::size_t> component_of_vertex;
 

@@ -27,7 +27,7 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Insertion
 
 inserts points into a `CGAL::Delaunay_triangulation_3` by its own member functions: `locate()` with
-a starting cell, then `insert()` at the place found. The triangulation may be of any dimension, may
+a starting cell, then `insert()` at the location found. The triangulation may be of any dimension, may
 hold points already, and may have any vertex and cell base.
 
 If the observer wants to see conflict zones, an insertion in dimension 3 goes through
@@ -53,7 +53,7 @@ public:
   using Vertex = typename Triangulation::Vertex_handle; ///< `Vertex()` stands for none.
   using Cell = typename Triangulation::Cell_handle;     ///< where a walk starts.
 
-  /// the place of a point in the triangulation, as `Triangulation_3::locate()` gives it.
+  /// the location of a point in the triangulation, as `Triangulation_3::locate()` gives it.
   struct Location
   {
     Cell cell; ///< the cell that contains the point, or an infinite cell that sees it.
@@ -103,7 +103,7 @@ public:
   }
 
   /// returns the vertex of the located cell that is nearest to point `i`; finite.
-  /// \pre The triangulation has a finite vertex, and `location` is the place of point `i` in it.
+  /// \pre The triangulation has a finite vertex, and `location` is that of point `i` in it.
   Vertex nearest_vertex(std::size_t i, const Location& location) const
   {
     // In dimension 0 a cell is a single vertex, perhaps the infinite one.

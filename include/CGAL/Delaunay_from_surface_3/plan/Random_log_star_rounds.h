@@ -58,10 +58,12 @@ public:
   {
     std::vector<std::size_t> ends;
     // log* n is the largest h with log^(h) n >= 1: the loop runs for exactly these h.
-    for (double log_h = n > 1 ? std::log2(double(n)) : 0.; log_h >= 1.; log_h = std::log2(log_h)) {
+    double log_h = n > 1 ? std::log2(double(n)) : 0.;
+    while (log_h >= 1.) {
       const auto end = static_cast<std::size_t>(std::ceil(double(n) / log_h));
       if (end < n && (ends.empty() || end > ends.back()))
         ends.push_back(end);
+      log_h = std::log2(log_h);
     }
     if (n > 0)
       ends.push_back(n);

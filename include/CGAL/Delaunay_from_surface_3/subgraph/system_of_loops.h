@@ -17,7 +17,7 @@ namespace Delaunay_from_surface_3 {
 writes a system of loops of a closed triangulated surface: on every component of genus g, 2g closed
 walks through one base vertex such that the surface without them is an open disc.
 
-This is the kind of cut that \cgalCite{choi-dtsm-02} uses; it is here for comparison. Each loop
+This is the kind of cut that \cgalCite{choi-dtsm-02} uses, after \cgalCite{l-ps-01}; it is here for comparison. Each loop
 follows a breadth-first tree from the base vertex, crosses over one edge and follows the tree back;
 loops share the parts of the tree that lie near the base.
 

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,11 +39,11 @@ Visitor& visitor_of(const std::reference_wrapper<Visitor>& visitor)
 // The parameters that all forms share: seed, visitor, and what is done with the vertices.
 template <class Triangulation, class Graph, class VertexIndexMap, class Traits,
           class NamedParameters, class NameOf>
-std::ptrdiff_t insert_with_parameters(Triangulation& tr,
-                                      const std::vector<typename Triangulation::Point>& points,
-                                      const std::string& irregularity, const Graph& graph,
-                                      VertexIndexMap index_map, const Traits& traits,
-                                      const NamedParameters& np, const NameOf& name_of)
+std::ptrdiff_t
+insert_with_parameters(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
+                       const std::optional<std::string>& irregularity, const Graph& graph,
+                       VertexIndexMap index_map, const Traits& traits, const NamedParameters& np,
+                       const NameOf& name_of)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -54,8 +55,8 @@ std::ptrdiff_t insert_with_parameters(Triangulation& tr,
   auto out = choose_parameter(get_parameter(np, internal_np::vertex_to_vertex_output_iterator),
                               Emptyset_iterator());
 
-  if (!irregularity.empty())
-    visitor.surface_is_irregular(irregularity);
+  if (irregularity)
+    visitor.surface_is_irregular(*irregularity);
   const auto before = static_cast<std::ptrdiff_t>(tr.number_of_vertices());
   insert_surface(tr, points, graph, index_map, traits, seed, visitor, [&](const auto& vertices) {
     for (std::size_t i = 0; i < vertices.size(); ++i)

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,8 +22,9 @@ namespace internal {
 
 struct Soup_graph
 {
-  Index_graph graph;        // every edge once, from the smaller index to the larger
-  std::string irregularity; // empty if all faces are triangles and no edge has more than two
+  Index_graph graph; // every edge once, from the smaller index to the larger
+  // None if all faces are triangles and no edge has more than two.
+  std::optional<std::string> irregularity;
 };
 
 template <class IndexRange>
@@ -60,7 +63,8 @@ Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 
   Soup_graph soup = {
-      Index_graph(boost::edges_are_sorted, edges.begin(), edges.end(), number_of_points), ""};
+      Index_graph(boost::edges_are_sorted, edges.begin(), edges.end(), number_of_points),
+      std::nullopt};
   if (non_triangles + non_manifold_edges > 0)
     soup.irregularity = "faces that are not triangles: " + std::to_string(non_triangles) +
                         ", edges with more than two faces: " + std::to_string(non_manifold_edges);

@@ -123,12 +123,12 @@ std::vector<std::size_t> dense_indices(const VertexRange& vertices, VertexIndexM
                                 std::to_string(index) + " is too large");
     if (std::size_t(index) >= dense.size())
       dense.resize((std::max)(std::size_t(index) + 1, 2 * dense.size()), no_index);
-    std::size_t& place = dense[std::size_t(index)];
-    if (place != no_index)
-      throw Surface_input_error("vertices " + std::to_string(place) + " and " +
+    std::size_t& number = dense[std::size_t(index)];
+    if (number != no_index)
+      throw Surface_input_error("vertices " + std::to_string(number) + " and " +
                                 std::to_string(position) + " have the same index " +
                                 std::to_string(index));
-    place = position++;
+    number = position++;
   }
   return dense;
 }

@@ -76,17 +76,17 @@ private:
   // Sorted by counting.
   std::vector<Rim_edge<Index>> light_edges_first(const std::vector<Rim_edge<Index>>& edges) const
   {
-    std::vector<std::size_t> place(1, 0);
+    std::vector<std::size_t> begin_of_weight(1, 0);
     for (const Rim_edge<Index>& edge : edges) {
-      if (place.size() < std::size_t(weight(edge)) + 2)
-        place.resize(std::size_t(weight(edge)) + 2, 0);
-      ++place[weight(edge) + 1];
+      if (begin_of_weight.size() < std::size_t(weight(edge)) + 2)
+        begin_of_weight.resize(std::size_t(weight(edge)) + 2, 0);
+      ++begin_of_weight[weight(edge) + 1];
     }
-    for (std::size_t w = 1; w < place.size(); ++w)
-      place[w] += place[w - 1];
+    for (std::size_t w = 1; w < begin_of_weight.size(); ++w)
+      begin_of_weight[w] += begin_of_weight[w - 1];
     std::vector<Rim_edge<Index>> sorted(edges.size());
     for (const Rim_edge<Index>& edge : edges)
-      sorted[place[weight(edge)]++] = edge;
+      sorted[begin_of_weight[weight(edge)]++] = edge;
     return sorted;
   }
 

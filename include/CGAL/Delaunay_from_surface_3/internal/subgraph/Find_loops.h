@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_LOOPS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_LOOPS_H
 
-// The paper's own kind of cut (Choi 2002, §3.2, after Lazarus et al.): loops through one base
+// The paper's own kind of cut (Choi 2002, §3.2, after Lazarus et al. 2001): loops through one base
 // vertex, here found by tree and cotree.
 //
 //     1. a breadth-first tree over the vertices from the base

@@ -29,14 +29,14 @@ std::vector<Index> pair_darts(const Rotation_system<Index>& surface)
     Index source;
     Index dart;
   };
-  std::vector<Incoming> incoming(
-      surface.number_of_darts()); // grouped by target, as the lists are by source
-  std::vector<Index> place(surface.first);
+  // Grouped by target, as the lists are by source.
+  std::vector<Incoming> incoming(surface.number_of_darts());
+  std::vector<Index> next(surface.first);
   for (Index v = 0; v < n; ++v)
     for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
-      incoming[place[surface.neighbor[dart]]++] = {v, dart};
+      incoming[next[surface.neighbor[dart]]++] = {v, dart};
   std::vector<Index> mate(surface.number_of_darts());
-  std::vector<Index>& dart_to = place; // for each u the dart from v to u, while v is looked at
+  std::vector<Index>& dart_to = next; // for each u the dart from v to u, while v is looked at
   for (Index v = 0; v < n; ++v) {
     for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
       dart_to[surface.neighbor[dart]] = dart;

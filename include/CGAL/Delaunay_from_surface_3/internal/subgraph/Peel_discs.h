@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_PEEL_DISCS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_PEEL_DISCS_H
 
-// Choi 2002, Fig. 3, bsg(G, C), unrolled into a forward loop: no recursion, nothing to undo.
+// Choi 2002, Fig. 3, bsg(G, C), inspired by a proof of Thomassen, unrolled into a forward loop: no
+// recursion, nothing to undo.
 //
 //     H := C                                                                          (line 1)
 //     while a vertex is strictly inside C:

@@ -38,23 +38,23 @@ inline std::string edge_name(std::size_t v, std::size_t w)
          " and index " + std::to_string(index) + (index < n ? " is there twice" : " is too large"));
 }
 
-// Names two edges with the same ends by their places in the range edges(g).
+// Names two edges with the same ends by their positions in the range edges(g).
 template <class Graph, class VertexIndexMap>
 [[noreturn]] void refuse_multi_edge(const Graph& g, VertexIndexMap index, std::size_t v,
                                     std::size_t w)
 {
-  std::string places;
-  std::size_t place = 0, found = 0;
+  std::string positions;
+  std::size_t position = 0, found = 0;
   const auto range = edges(g);
-  for (auto e = range.first; e != range.second; ++e, ++place) {
+  for (auto e = range.first; e != range.second; ++e, ++position) {
     const std::size_t a = get(index, source(*e, g)), b = get(index, target(*e, g));
     if ((a == v && b == w) || (a == w && b == v))
-      places += (found++ == 0 ? "" : found == 2 ? " and " : ", ") + std::to_string(place);
+      positions += (found++ == 0 ? "" : found == 2 ? " and " : ", ") + std::to_string(position);
   }
   if (found < 2)
     refuse(edge_name(v, w) + " stands twice in the list of " + vertex_name(v));
   refuse("the graph is not simple: " + edge_name(v, w) + " is there " + std::to_string(found) +
-         " times, as edges number " + places + " of edges(g)");
+         " times, as edges number " + positions + " of edges(g)");
 }
 
 } // namespace internal
