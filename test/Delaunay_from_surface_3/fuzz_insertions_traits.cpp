@@ -68,8 +68,9 @@ private:
   unsigned int m_seed;
 };
 
+// Enough for 2^6 cells, so that wider ids take over on the way.
 template <class Tr>
-using With_16_bits = Compact_delaunay_with_ids_3<Tr, std::uint16_t>;
+using With_8_bits = Compact_delaunay_with_ids_3<Tr, std::uint8_t>;
 template <class Tr>
 using With_64_bits = Compact_delaunay_with_ids_3<Tr, std::uint64_t>;
 
@@ -81,8 +82,8 @@ using Geometric_compact = Compact<Full_graph, Geometric_rounds, Planned_hints_3>
 using Traced_compact = Compact<Spanning_forest, Log_star_rounds, Traced_hints_3>;
 using Neighbor_compact = Compact<Full_graph, Spatial_sort_order, Neighbor_hints_3>;
 using Started_compact = Compact<Full_graph, Neighbor_started_rounds<Random_plan>, Planned_hints_3>;
-using Random_with_16_bits =
-    Surface_insertion_policies_3<Full_graph, Random_plan, Previous_hint_3, With_16_bits>;
+using Random_with_8_bits =
+    Surface_insertion_policies_3<Full_graph, Random_plan, Previous_hint_3, With_8_bits>;
 using Hilbert_with_64_bits =
     Surface_insertion_policies_3<Full_graph, Hilbert_sorted_rounds<Log_star_rounds>,
                                  Previous_hint_3, With_64_bits>;
@@ -106,7 +107,7 @@ std::vector<Insertion_way> ways_by_traits()
           {"traces, compact", check_insertion<Tr, Traced_compact, As_soup>},
           {"neighbours, compact", check_insertion<Tr, Neighbor_compact, As_graph>},
           {"started random plan, compact", check_insertion<Tr, Started_compact, As_graph>},
-          {"random plan, 16 bits", check_insertion<Tr, Random_with_16_bits, As_soup>},
+          {"random plan, 8 bits", check_insertion<Tr, Random_with_8_bits, As_soup>},
           {"Hilbert rounds, 64 bits", check_insertion<Tr, Hilbert_with_64_bits, As_graph>},
           {"nets through CGAL", check_insertion<Tr, Nets_through_cgal, As_soup>}};
 }

@@ -29,11 +29,15 @@ using Triangulation =
     CGAL::Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
 
 namespace parts = CGAL::Delaunay_from_surface_3;
-template <class Tr>
-using Compact_with_16_bits = parts::Compact_delaunay_with_ids_3<Tr, std::uint16_t>;
-using Traits_with_16_bits =
-    CGAL::Surface_insertion_policies_3<parts::Full_graph, parts::Geometric_rounds,
-                                       parts::Planned_hints_3, Compact_with_16_bits>;
+
+template <class Id>
+struct Traits_with_bits
+  : CGAL::Surface_insertion_policies_3<parts::Full_graph, parts::Geometric_rounds,
+                                       parts::Planned_hints_3>
+{
+  template <class Tr>
+  using Insertion_target_3 = parts::Compact_delaunay_with_ids_3<Tr, Id>;
+};
 
 namespace {
 
@@ -102,19 +106,21 @@ BOOST_AUTO_TEST_CASE(more_cells_than_ids)
   fuzz::Random random(1);
   Insertion_case c;
   c.points = fuzz::cube(random, 4000);
-  check<Traits_with_16_bits>(c);
+  check<Traits_with_bits<std::uint16_t>>(c);
   c.old_points = fuzz::cube(random, 10);
-  check<Traits_with_16_bits>(c);
+  check<Traits_with_bits<std::uint16_t>>(c);
   c.old_points.clear();
   c.stops_at = 3900;
-  check<Traits_with_16_bits>(c);
+  check<Traits_with_bits<std::uint16_t>>(c);
 }
 
-// With more points than ids, not even the number of vertices will do.
+// 8 bits do not even suffice for the vertices.
 BOOST_AUTO_TEST_CASE(more_vertices_than_ids)
 {
   fuzz::Random random(1);
-  Insertion_case c;
-  c.points = fuzz::sphere(random, 40000);
-  check<Traits_with_16_bits>(c);
+  for (const std::size_t n : {60, 126, 127, 128, 129, 300}) {
+    Insertion_case c;
+    c.points = fuzz::sphere(random, n);
+    check<Traits_with_bits<std::uint8_t>>(c);
+  }
 }

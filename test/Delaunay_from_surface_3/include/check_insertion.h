@@ -69,6 +69,11 @@ struct Hostile_visitor : CGAL::Default_surface_insertion_visitor_3
     notice();
   }
   void subgraph_is_replaced(const std::string&) { notice(); }
+  template <class Target, class Hints>
+  void insertion_ends(const Target&, const Hints&)
+  {
+    notice();
+  }
   void phase_begins(CGAL::Surface_insertion_phase) { notice(); }
   void round_begins(std::size_t, std::size_t) { notice(); }
   void trace_ends(std::size_t) { notice(); }
