@@ -74,8 +74,8 @@ struct Surface_topology
   /// the components that have edges, in the order of their smallest vertex index.
   std::vector<Surface_component_topology> components;
 
-  /// for every vertex index the position of its component in `components`, or `components.size()` for
-  /// an isolated vertex.
+  /// for every vertex index the position of its component in `components`, or `components.size()`
+  /// for an isolated vertex.
   std::vector<std::size_t> component_of_vertex;
 
   std::size_t number_of_isolated_vertices = 0; ///< vertices without edges, in no component

@@ -27,8 +27,8 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Insertion
 
 inserts points into a `CGAL::Delaunay_triangulation_3` by its own member functions: `locate()` with
-a starting cell, then `insert()` at the location found. The triangulation may be of any dimension, may
-hold points already, and may have any vertex and cell base.
+a starting cell, then `insert()` at the location found. The triangulation may be of any dimension,
+may hold points already, and may have any vertex and cell base.
 
 If the observer wants to see conflict zones, an insertion in dimension 3 goes through
 `find_conflicts()` and `insert_in_hole()` instead. It does not for `Fast_location`, whose `insert()`

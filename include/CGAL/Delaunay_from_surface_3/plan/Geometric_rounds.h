@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {

@@ -11,6 +11,8 @@
 #include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 

@@ -12,6 +12,8 @@
 
 #include <CGAL/spatial_sort.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 

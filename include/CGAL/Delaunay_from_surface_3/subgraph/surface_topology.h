@@ -11,6 +11,8 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_rotation_system.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 

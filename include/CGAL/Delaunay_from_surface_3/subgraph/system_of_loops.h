@@ -8,6 +8,8 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_system_of_loops.h>
 
+#include <vector>
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 
@@ -17,9 +19,9 @@ namespace Delaunay_from_surface_3 {
 writes a system of loops of a closed triangulated surface: on every component of genus g, 2g closed
 walks through one base vertex such that the surface without them is an open disc.
 
-This is the kind of cut that \cgalCite{choi-dtsm-02} uses, after \cgalCite{l-ps-01}; it is here for comparison. Each loop
-follows a breadth-first tree from the base vertex, crosses over one edge and follows the tree back;
-loops share the parts of the tree that lie near the base.
+This is the kind of cut that \cgalCite{choi-dtsm-02} uses, after \cgalCite{l-ps-01}; it is here for
+comparison. Each loop follows a breadth-first tree from the base vertex, crosses over one edge and
+follows the tree back; loops share the parts of the tree that lie near the base.
 
 \tparam LoopOutputIterator a model of `OutputIterator` that holds
 `std::vector<boost::graph_traits<HalfedgeGraph>::%edge_descriptor>`: the edges of a loop in order,

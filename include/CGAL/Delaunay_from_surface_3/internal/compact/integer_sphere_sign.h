@@ -30,7 +30,7 @@ struct Integer_sign
 
 #if defined(__SIZEOF_INT128__)
 
-__extension__ typedef __int128 Wide_integer;
+__extension__ using Wide_integer = __int128;
 
 inline int sign_of(Wide_integer i)
 {

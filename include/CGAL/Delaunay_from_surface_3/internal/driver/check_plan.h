@@ -68,8 +68,8 @@ inline std::vector<std::size_t> places_in_order(const std::vector<std::size_t>& 
   return places;
 }
 
-// Throws a std::invalid_argument that says what is wrong with the plan for n points and where. Returns
-// the place of each point. Linear.
+// Throws a std::invalid_argument that says what is wrong with the plan for n points and where.
+// Returns the place of each point. Linear.
 inline std::vector<std::size_t> check_plan(const Insertion_order& plan, std::size_t n)
 {
   check_round_ends(plan.round_ends, n);

@@ -53,7 +53,7 @@ Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
     for (const auto& index : face) {
       const std::size_t t = std::size_t(index);
       if (s != t)
-        edges.push_back(std::minmax(s, t));
+        edges.emplace_back(std::minmax(s, t));
       s = t;
     }
   }

@@ -18,7 +18,6 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
 
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {

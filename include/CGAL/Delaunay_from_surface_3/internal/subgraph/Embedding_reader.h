@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -167,7 +166,7 @@ private:
         if (!std::binary_search(darts.begin(), darts.end(), dart))
           refuse(edge_name(dart.first, dart.second) + " is missing from the list of " +
                  vertex_name(dart.first));
-      edges_of_graph.push_back(std::minmax(ends.first, ends.second));
+      edges_of_graph.emplace_back(std::minmax(ends.first, ends.second));
     }
     std::sort(edges_of_graph.begin(), edges_of_graph.end());
     const auto twin = std::adjacent_find(edges_of_graph.begin(), edges_of_graph.end());

@@ -22,7 +22,6 @@
 #include <array>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -139,7 +138,8 @@ private:
   void walk_stars(const Start& start, const Look& look, const Step& step,
                   const Finish& finish) const
   {
-    std::array<Walk<Index>, 8> walks;
+    constexpr std::size_t walks_at_once = 8; // measure_subgraphs times it
+    std::array<Walk<Index>, walks_at_once> walks;
     std::size_t size = 0;
     const auto range = vertices(m_graph);
     auto next_vertex = range.first;

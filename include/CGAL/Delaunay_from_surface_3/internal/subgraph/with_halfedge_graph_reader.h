@@ -13,6 +13,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {

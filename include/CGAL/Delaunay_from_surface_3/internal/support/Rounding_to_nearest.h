@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Rounds to nearest while it lives, as the error bounds of the filters assume; a caller may be inside
-// CGAL's Protect_FPU_rounding. What is the caller's is called in the caller's mode.
+// Rounds to nearest while it lives, as the error bounds of the filters assume; a caller may be
+// inside CGAL's Protect_FPU_rounding. What is the caller's is called in the caller's mode.
 class Rounding_to_nearest
 {
 public:
