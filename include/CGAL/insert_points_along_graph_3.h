@@ -5,7 +5,7 @@
 #ifndef CGAL_INSERT_POINTS_ALONG_GRAPH_3_H
 #define CGAL_INSERT_POINTS_ALONG_GRAPH_3_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_with_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
@@ -125,8 +125,8 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
 
   const std::vector<Point> converted = read_points<Point>(points, point_map);
   check_indices(graph, index_map, converted.size());
-  return insert_with_parameters(tr, converted, std::nullopt, graph, index_map, traits, np,
-                                [](std::size_t i) { return i; });
+  return insert_surface(tr, converted, std::nullopt, graph, index_map, traits, np,
+                        [](std::size_t i) { return i; });
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref

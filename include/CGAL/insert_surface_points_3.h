@@ -5,7 +5,7 @@
 #ifndef CGAL_INSERT_SURFACE_POINTS_3_H
 #define CGAL_INSERT_SURFACE_POINTS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_with_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Surface_insertion_traits_3.h>
@@ -96,9 +96,9 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
                                           Identity_property_map<const Item>());
   const std::vector<Point> converted = read_points<Point>(points, point_map);
   const Soup_graph soup = soup_graph(faces, converted.size());
-  return insert_with_parameters(tr, converted, soup.irregularity, soup.graph,
-                                get(boost::vertex_index, soup.graph), traits, np,
-                                [](std::size_t i) { return i; });
+  return insert_surface(tr, converted, soup.irregularity, soup.graph,
+                        get(boost::vertex_index, soup.graph), traits, np,
+                        [](std::size_t i) { return i; });
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref

@@ -5,7 +5,7 @@
 #ifndef CGAL_INSERT_SURFACE_VERTICES_3_H
 #define CGAL_INSERT_SURFACE_VERTICES_3_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_with_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
@@ -149,10 +149,10 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
       vertices(mesh).begin(), vertices(mesh).end());
   const std::vector<std::size_t> dense =
       dense_indices(descriptors, sparse_map, std::vector<std::size_t>().max_size());
-  return insert_with_parameters(
-      tr, read_points<Point>(descriptors, point_map), irregularity_of_mesh(mesh), mesh,
-      Dense_index_map<std::decay_t<decltype(sparse_map)>>(sparse_map, dense), traits, np,
-      [&](std::size_t i) { return descriptors[i]; });
+  return insert_surface(tr, read_points<Point>(descriptors, point_map), irregularity_of_mesh(mesh),
+                        mesh,
+                        Dense_index_map<std::decay_t<decltype(sparse_map)>>(sparse_map, dense),
+                        traits, np, [&](std::size_t i) { return descriptors[i]; });
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref

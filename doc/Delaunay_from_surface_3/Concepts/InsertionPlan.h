@@ -53,6 +53,23 @@ public:
   for each place, before it.
   */
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-  CGAL::Delaunay_from_surface_3::Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
-                                   const Graph& graph, VertexIndexMap index_map) const;
+  CGAL::Delaunay_from_surface_3::Insertion_order
+  operator()(const std::vector<Point>& points, const GeomTraits& gt, const Graph& graph,
+             VertexIndexMap index_map) const;
+
+  /// \name Budget
+  ///
+  /// A plan may have both of the following, or neither. They bound what an unlucky order can cost: when
+  /// the insertions have destroyed more cells than the budget allows (a step of a walk counts for a third of
+  /// a cell), those made so far are dropped and the work begins anew with `fallback_plan()`. Only targets
+  /// that build aside and count what they do can begin anew; for others the budget is not looked at.
+  /// @{
+
+  /// how many cells the insertions may destroy for each point inserted, on average.
+  static constexpr std::size_t cells_per_point = unspecified_value;
+
+  /// returns another `InsertionPlan`, made from the same seed.
+  unspecified_type fallback_plan() const;
+
+  /// @}
 };

@@ -74,10 +74,10 @@ public:
   InsertionTarget_3(Triangulation& tr, const std::vector<Triangulation::Point>& points);
 
   /*!
-  returns why the points cannot be inserted this way, in words; an empty string if they can. If there is
+  returns why the points cannot be inserted this way, in words; nothing if they can. If there is
   an obstacle, no other function is called, and `Triangulation_target_3` takes the target's place.
   */
-  const std::string& obstacle() const;
+  std::optional<std::string> obstacle() const;
 
   /// @}
 

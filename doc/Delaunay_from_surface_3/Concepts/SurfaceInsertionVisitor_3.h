@@ -58,6 +58,13 @@ public:
   */
   void subgraph_is_replaced(const std::string& reason);
 
+  /*!
+  is called in the middle of the work if the order of the plan makes the insertions too costly. This is
+  no error: they begin anew, with the phase `PLAN`, in another order, and the result is the same.
+  \param reason what is too costly, in words
+  */
+  void order_is_replaced(const std::string& reason);
+
   /// is called when `phase` begins; the phase before it ends there.
   void phase_begins(CGAL::Surface_insertion_phase phase);
 

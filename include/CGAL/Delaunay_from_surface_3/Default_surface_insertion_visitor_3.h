@@ -48,6 +48,9 @@ struct Default_surface_insertion_visitor_3
   /// spanning forest takes its place.
   void subgraph_is_replaced(const std::string& /* reason */) {}
 
+  /// is called if the order of the plan makes the insertions too costly: they begin anew, in another.
+  void order_is_replaced(const std::string& /* reason */) {}
+
   /// is called whenever another phase begins.
   void phase_begins(Surface_insertion_phase) {}
 

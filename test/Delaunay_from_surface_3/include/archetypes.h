@@ -220,6 +220,7 @@ public:
   {
     return CGAL::Delaunay_from_surface_3::insert_one_by_one(*this, first, last, hints, visitor);
   }
+  CGAL::Delaunay_from_surface_3::Insertion_counts counts() const { return {}; }
   void finish() { m_hidden.finish(); }
   std::vector<Vertex> take_vertices() { return m_hidden.take_vertices(); }
 
@@ -262,6 +263,7 @@ public:
   }
   void surface_is_irregular(const std::string&) {}
   void target_is_replaced(const std::string&) {}
+  void order_is_replaced(const std::string&) {}
   void subgraph_is_replaced(const std::string&) {}
   void phase_begins(CGAL::Surface_insertion_phase) {}
   void round_begins(std::size_t, std::size_t) {}

@@ -27,6 +27,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -85,10 +86,9 @@ public:
   {
     return std::is_same<typename Geom_traits::FT, double>::value &&
            std::is_same<typename Geom_traits::Point_3, Point>::value &&
-           internal::has_predicates_of_kernel<
-               Geom_traits, typename Kernel_traits<Point>::Kernel>() &&
-           internal::rounds_every_operation &&
-           has_filtered_predicates<Geom_traits>(0);
+           internal::has_predicates_of_kernel<Geom_traits,
+                                              typename Kernel_traits<Point>::Kernel>() &&
+           internal::rounds_every_operation && has_filtered_predicates<Geom_traits>(0);
   }
 
   /// is to insert `points` into `tr`; keeps references to both. If nothing stands against it, four
@@ -106,7 +106,7 @@ public:
   }
 
   /// returns why the points cannot be inserted this way; nothing if they can.
-  const std::string& obstacle() const { return m_obstacle; }
+  const std::optional<std::string>& obstacle() const { return m_obstacle; }
 
   /// returns the number of points.
   std::size_t size() const { return m_points.size(); }
@@ -224,14 +224,14 @@ private:
   bool is_ready() const { return m_tr.number_of_vertices() == 0 && m_scale != 0; }
 
   // Returns what stands against the insertion; if nothing does, makes the first cells.
-  std::string begin()
+  std::optional<std::string> begin()
   {
     if (m_tr.number_of_vertices() > 0)
       return "the triangulation is not empty";
     if (m_scale == 0)
       return "the coordinates are of too different size";
-    const auto simplex = internal::starting_simplex(
-        m_exact, m_points.size(), [this](std::size_t i) {
+    const auto simplex =
+        internal::starting_simplex(m_exact, m_points.size(), [this](std::size_t i) {
           return m_complex.vertex(Complex::vertex_of_point(i)).coordinates;
         });
     if (!simplex.is_found)
@@ -240,7 +240,7 @@ private:
     for (std::size_t k = 0; k < 4; ++k)
       v[k] = m_vertices[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
     m_complex.start(v);
-    return "";
+    return std::nullopt;
   }
 
   Triangulation& m_tr;
@@ -250,7 +250,7 @@ private:
   Complex m_complex;
   Kernel m_kernel;
   std::vector<Vertex> m_vertices;
-  std::string m_obstacle;
+  std::optional<std::string> m_obstacle;
   std::vector<typename Triangulation::Vertex_handle> m_handles;
 };
 

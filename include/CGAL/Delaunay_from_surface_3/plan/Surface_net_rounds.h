@@ -56,6 +56,10 @@ public:
   /// the number of vertices at which nets end.
   static constexpr std::size_t coarsest = 64;
 
+  /// the budget: on surfaces nets destroy 9 to 24 cells for each point, and on adversarial ones any
+  /// number. What is more than this can only be paid twice by plain CGAL's insertion.
+  static constexpr std::size_t cells_per_point = 32;
+
   /// hands `seed` to `Geometric_rounds`; the nets do not depend on it.
   explicit Surface_net_rounds(unsigned int seed = 0)
     : m_seed(seed)
@@ -77,6 +81,10 @@ public:
       return order<std::uint32_t>(points, gt, graph, index_map);
     return order<std::size_t>(points, gt, graph, index_map);
   }
+
+  /// returns the plan that serves when the budget is exceeded: the bound of \cgalCite{acr-icbr-03} on
+  /// the cells created and destroyed holds for it, whatever the surface.
+  Geometric_rounds fallback_plan() const { return Geometric_rounds(m_seed); }
 
 private:
   template <class Index, class Point, class GeomTraits, class Graph, class VertexIndexMap>

@@ -38,6 +38,10 @@ public:
   {
     m_rounding.in_mode_of_caller([&] { m_visitor.target_is_replaced(reason); });
   }
+  void order_is_replaced(const std::string& reason)
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.order_is_replaced(reason); });
+  }
   void phase_begins(Surface_insertion_phase phase)
   {
     m_rounding.in_mode_of_caller([&] { m_visitor.phase_begins(phase); });

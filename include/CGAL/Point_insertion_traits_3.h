@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_POINT_INSERTION_TRAITS_3_H
+#define CGAL_POINT_INSERTION_TRAITS_3_H
+
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Traits
+
+is what inserts points without a surface: a biased randomised insertion order, each point from the one
+before it, into a compact triangulation that is written into the user's at the end. Where that cannot
+serve, CGAL's own insertion does.
+
+O(n log n) expected for the order, plus what the insertions take.
+
+\cgalModels{SurfaceInsertionTraits_3}
+*/
+struct Point_insertion_traits_3
+  : Surface_insertion_policies_3<
+        Delaunay_from_surface_3::Full_graph, Delaunay_from_surface_3::Geometric_rounds,
+        Delaunay_from_surface_3::Previous_hint_3, Delaunay_from_surface_3::Compact_delaunay_3>
+{
+};
+
+} // namespace CGAL
+
+#endif // CGAL_POINT_INSERTION_TRAITS_3_H
