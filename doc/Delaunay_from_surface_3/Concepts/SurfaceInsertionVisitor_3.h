@@ -24,6 +24,9 @@ For points p, q, …, in two rounds, the calls come in this order:
 | `insertion_ends(target, hints)`, `phase_begins(FINISH)` | left out after a stop |
 | `phase_begins(DONE)` | |
 
+If the order is too dear, `order_is_replaced(reason)` comes after one of the `go_further()`, and all
+from `phase_begins(PLAN)` on comes again.
+
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_surface_insertion_visitor_3}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Metering_visitor_3<Meter>}
