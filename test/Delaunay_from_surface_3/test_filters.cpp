@@ -2,22 +2,27 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The filters of the compact kernel against exact arithmetic: they may leave a sign open, and must
-// never certify a wrong one. Also built with the machine's own instructions and contraction to fma.
+// The stages of the compact kernel's predicates against exact arithmetic: they may leave a sign open,
+// and must never give a wrong one; and its perturbation against CGAL's. Also built with the machine's
+// own instructions and contraction to fma.
 
 #define BOOST_TEST_MODULE test_filters
 #include <boost/test/included/unit_test.hpp>
 
+#include "hostile_points.h"
+
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/flat_beyond_sign.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/integer_sphere_sign.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/lattice_sphere_sign.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
@@ -28,6 +33,7 @@
 #include <string>
 #include <vector>
 
+using namespace CGAL::Delaunay_from_surface_3;
 using namespace CGAL::Delaunay_from_surface_3::internal;
 using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Record = std::array<double, 4>; // as wide as what the kernel loads
@@ -62,11 +68,66 @@ struct Tally
   }
 };
 
+// What the exact stages decided.
+struct Exact_tally
+{
+  std::size_t tests = 0, wrong = 0, perturbed = 0;
+  std::size_t stages[NUMBER_OF_EXACT_STAGES] = {};
+
+  // truth: not perturbed; it is asked for the perturbed sign if that is needed.
+  template <class Perturbed_sign>
+  void count(const Exact_sign& sign, int truth, const Perturbed_sign& perturbed_sign)
+  {
+    ++tests;
+    ++stages[sign.stage];
+    if (sign.stage == KERNEL) {
+      wrong += sign.sign != 0;
+      return;
+    }
+    perturbed += sign.is_perturbed;
+    wrong += sign.is_perturbed != (truth == 0);
+    wrong += sign.sign != (truth != 0 ? truth : perturbed_sign());
+  }
+};
+
 struct Tallies
 {
   Tally first, facets, second;
-  std::size_t cells = 0, integers = 0, lattices = 0, wrong_integers = 0;
+  Exact_tally exact;
 };
+
+int inside_or_outside(bool is_inside)
+{
+  return is_inside ? 1 : -1;
+}
+
+// CGAL's, in exact arithmetic.
+int perturbed_sphere(const Five& f)
+{
+  const Perturbed_predicates<Exact> predicates{Exact()};
+  return inside_or_outside(
+      predicates.is_in_sphere(f[0].data(), f[1].data(), f[2].data(), f[3].data(), f[4].data()));
+}
+
+int perturbed_beyond(const std::array<Record, 4>& f)
+{
+  const Perturbed_predicates<Exact> predicates{Exact()};
+  return inside_or_outside(
+      predicates.is_beyond(f[0].data(), f[1].data(), f[2].data(), f[3].data()));
+}
+
+// The predicate with two digits, also where one would do.
+template <class Determinant>
+Exact_sign sign_from_two_digits(const double* const* v, const double* p)
+{
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+  const Integer_differences<Determinant::size> differences(v, p);
+  Row<Fixed_integer<4>> rows[Determinant::size];
+  if (differences.can_be_scaled() && differences.set_rows(rows))
+    return Determinant::sign(rows, TWO_DIGITS, v, p);
+#endif
+  return {0, false, KERNEL};
+}
 
 template <class Filter>
 void check_view(const Five& f, int sphere, Tallies& tallies)
@@ -107,6 +168,12 @@ void check_neighbors(const Five& f, const Record& apex, Tallies& tallies)
   }
 }
 
+// The kernel knows the vertices at a point's place before it tests spheres.
+bool is_same_place(const double* a, const double* b)
+{
+  return std::equal(a, a + 3, b);
+}
+
 void check(Five f, const Record& apex, Tallies& tallies)
 {
   const int orientation = exact_orientation(f[0], f[1], f[2], f[3]);
@@ -119,13 +186,14 @@ void check(Five f, const Record& apex, Tallies& tallies)
   tallies.second.count(close_sphere_sign(v, f[4].data()), sphere);
   if (has_fused_products())
     tallies.second.count(fused_close_sphere_sign(v, f[4].data()), sphere);
-  const Integer_sign integer = integer_sphere_sign(v, f[4].data());
-  ++tallies.cells;
-  tallies.integers += integer.is_known;
-  tallies.wrong_integers += integer.is_known && integer.sign != sphere;
-  const Integer_sign lattice = lattice_sphere_sign(v, f[4].data());
-  tallies.lattices += lattice.is_known;
-  tallies.wrong_integers += lattice.is_known && lattice.sign != sphere;
+  if (std::none_of(v, v + 4, [&](const double* q) { return is_same_place(q, f[4].data()); })) {
+    const auto perturbed = [&] { return perturbed_sphere(f); };
+    tallies.exact.count(exact_sphere_sign(v, f[4].data(), false), sphere, perturbed);
+    tallies.exact.count(exact_sphere_sign(v, f[4].data(), has_fused_products()), sphere, perturbed);
+    Exact_tally two_digits;
+    two_digits.count(sign_from_two_digits<Exact_sphere>(v, f[4].data()), sphere, perturbed);
+    tallies.exact.wrong += two_digits.wrong;
+  }
   check_view<Sphere_filter>(f, sphere, tallies);
   check_neighbors<Sphere_filter>(f, apex, tallies);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
@@ -157,7 +225,7 @@ Tallies check_all(const std::string& name, const Make_point& make, std::size_t n
     BOOST_TEST(tallies.first.wrong == 0u);
     BOOST_TEST(tallies.facets.wrong == 0u);
     BOOST_TEST(tallies.second.wrong == 0u);
-    BOOST_TEST(tallies.wrong_integers == 0u);
+    BOOST_TEST(tallies.exact.wrong == 0u);
     BOOST_TEST(tallies.first.tests > n);
   }
   return tallies;
@@ -174,32 +242,39 @@ int exact_beyond(const Record& a, const Record& b, const Record& c, const Record
 
 struct Beyond_tallies
 {
-  Tally flat;
-  std::size_t facets = 0, on_circle = 0, integers = 0, lattices = 0, wrong = 0;
+  Tally first, flat;
+  Exact_tally exact;
 };
+
+void check_beyond(const std::array<Record, 4>& f, Beyond_tallies& tallies)
+{
+  const double *const v[3] = {f[0].data(), f[1].data(), f[2].data()}, *const p = f[3].data();
+  if (CGAL::collinear(exact(f[0]), exact(f[1]), exact(f[2])) ||
+      std::any_of(v, v + 3, [&](const double* q) { return is_same_place(q, p); }))
+    return;
+  const int truth = exact_beyond(f[0], f[1], f[2], f[3]);
+  tallies.first.count(beyond_sign(row(v[0], p), row(v[1], p), row(v[2], p)), truth);
+  tallies.flat.count(flat_beyond_sign(v, p), truth);
+  const auto perturbed = [&] { return perturbed_beyond(f); };
+  tallies.exact.count(exact_beyond_sign(v, p), truth, perturbed);
+  Exact_tally two_digits;
+  two_digits.count(sign_from_two_digits<Exact_beyond>(v, p), truth, perturbed);
+  tallies.exact.wrong += two_digits.wrong;
+}
 
 Beyond_tallies check_beyond(const std::function<Record(CGAL::Random&)>& make, std::size_t n)
 {
   CGAL::Random random(3);
   Beyond_tallies tallies;
   for (std::size_t i = 0; i < n; ++i) {
-    const Record a = make(random), b = make(random), c = make(random), p = make(random);
-    if (CGAL::collinear(exact(a), exact(b), exact(c)))
-      continue;
-    const double* const v[3] = {a.data(), b.data(), c.data()};
-    const int truth = exact_beyond(a, b, c, p);
-    const Integer_sign integer = integer_beyond_sign(v, p.data()),
-                       lattice = lattice_beyond_sign(v, p.data());
-    ++tallies.facets;
-    tallies.on_circle += truth == 0;
-    tallies.flat.count(flat_beyond_sign(v, p.data()), truth);
-    tallies.integers += integer.is_known;
-    tallies.lattices += lattice.is_known;
-    tallies.wrong += integer.is_known && integer.sign != truth;
-    tallies.wrong += lattice.is_known && lattice.sign != truth;
+    std::array<Record, 4> f;
+    for (Record& r : f)
+      r = make(random);
+    check_beyond(f, tallies);
   }
+  BOOST_TEST(tallies.first.wrong == 0u);
   BOOST_TEST(tallies.flat.wrong == 0u);
-  BOOST_TEST(tallies.wrong == 0u);
+  BOOST_TEST(tallies.exact.wrong == 0u);
   return tallies;
 }
 
@@ -265,12 +340,14 @@ BOOST_AUTO_TEST_CASE(exactly_degenerate)
           return p;
         },
         600);
-#ifdef __SIZEOF_INT128__
-    if (side < 8388608)
-      BOOST_TEST(t.integers == t.cells);
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+    BOOST_TEST((side > 3 || t.exact.perturbed > 0u));
+    BOOST_TEST(t.exact.stages[HALF_DIGIT] + t.exact.stages[ONE_DIGIT] == t.exact.tests);
+    if (side < 1 << 29) // differences are at most 2 side
+      BOOST_TEST(t.exact.stages[HALF_DIGIT] == t.exact.tests);
+    else
+      BOOST_TEST(t.exact.stages[ONE_DIGIT] > 0u);
 #endif
-    if (side == 1 << 29)
-      BOOST_TEST(t.integers < t.cells);
   }
 }
 
@@ -286,11 +363,13 @@ BOOST_AUTO_TEST_CASE(lattices_with_other_steps_on_each_axis)
                         thin * multiples[r.get_int(1, 4)], unused};
         },
         2000);
-#ifdef __SIZEOF_INT128__
-    if (thin > 1e-90)
-      BOOST_TEST(t.lattices > t.cells / 2);
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+    if (thin > 1e-3)
+      BOOST_TEST(t.exact.stages[ONE_DIGIT] == t.exact.tests);
+    else if (thin > 1e-10)
+      BOOST_TEST(t.exact.stages[DOUBLE_DOUBLE] > 0u);
     else
-      BOOST_TEST(t.lattices == 0u);
+      BOOST_TEST(t.exact.stages[KERNEL] > 0u);
 #endif
   }
 }
@@ -323,9 +402,9 @@ BOOST_AUTO_TEST_CASE(infinite_cells)
           return in_plane(.1, std::ldexp(r.get_int(-3, 4), -3), .1 * r.get_int(-1, 2));
         },
         1000);
-    BOOST_TEST(lattice.on_circle > 0u);
-#ifdef __SIZEOF_INT128__
-    BOOST_TEST(lattice.lattices > lattice.facets / 2);
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+    BOOST_TEST(lattice.exact.perturbed > 0u);
+    BOOST_TEST(lattice.exact.stages[ONE_DIGIT] > lattice.exact.tests / 2);
 #endif
   }
   const Beyond_tallies box = check_beyond(
@@ -334,9 +413,9 @@ BOOST_AUTO_TEST_CASE(infinite_cells)
                       std::ldexp(r.get_int(-2, 3), -3), unused};
       },
       2000);
-  BOOST_TEST(box.on_circle > 0u);
-#ifdef __SIZEOF_INT128__
-  BOOST_TEST(box.integers == box.facets);
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+  BOOST_TEST(box.exact.perturbed > 0u);
+  BOOST_TEST(box.exact.stages[HALF_DIGIT] == box.exact.tests);
 #endif
 }
 
@@ -369,3 +448,158 @@ BOOST_AUTO_TEST_CASE(far_from_the_origin_and_mixed_scales)
         },
         300);
 }
+
+// What the kernel sees of hostile points: scaled to at most 1 in absolute value.
+std::vector<Record> scaled(const fuzz::Points& points)
+{
+  double largest = 0;
+  for (const fuzz::Coordinates& p : points)
+    for (const double c : p)
+      largest = (std::max)(largest, std::abs(c));
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  std::vector<Record> records;
+  for (const fuzz::Coordinates& p : points)
+    records.push_back({std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent),
+                       std::ldexp(p[2], -exponent), unused});
+  return records;
+}
+
+BOOST_AUTO_TEST_CASE(hostile_categories)
+{
+  fuzz::Random random(11);
+  Tallies all;
+  Beyond_tallies all_beyond;
+  for (const fuzz::Category& category : fuzz::categories) {
+    BOOST_TEST_INFO_SCOPE(category.name);
+    Tallies tallies;
+    Beyond_tallies beyond;
+    for (int i = 0; i < 150; ++i) {
+      const std::vector<Record> p = scaled(hostile_points(category, random, 12));
+      if (p.size() < 6)
+        continue;
+      check({p[0], p[1], p[2], p[3], p[4]}, p[5], tallies);
+      check_beyond({p[0], p[1], p[2], p[3]}, beyond);
+    }
+    BOOST_TEST(tallies.first.wrong + tallies.facets.wrong + tallies.second.wrong == 0u);
+    BOOST_TEST(tallies.exact.wrong == 0u);
+    BOOST_TEST(beyond.first.wrong + beyond.flat.wrong + beyond.exact.wrong == 0u);
+    for (int stage = 0; stage < NUMBER_OF_EXACT_STAGES; ++stage) {
+      all.exact.stages[stage] += tallies.exact.stages[stage];
+      all_beyond.exact.stages[stage] += beyond.exact.stages[stage];
+    }
+    all.exact.perturbed += tallies.exact.perturbed;
+    all_beyond.exact.perturbed += beyond.exact.perturbed;
+  }
+  BOOST_TEST(all.exact.perturbed > 0u);
+  BOOST_TEST(all_beyond.exact.perturbed > 0u);
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+  for (int stage = 0; stage < NUMBER_OF_EXACT_STAGES; ++stage) {
+    BOOST_TEST(all.exact.stages[stage] > 0u, "no sphere test reached stage " << stage);
+    if (stage != DOUBLE_DOUBLE)
+      BOOST_TEST(all_beyond.exact.stages[stage] > 0u, "no facet test reached stage " << stage);
+  }
+#endif
+}
+
+BOOST_AUTO_TEST_CASE(perturbation_in_all_orders)
+{
+  CGAL::Random random(5);
+  std::size_t spheres = 0, circles = 0;
+  for (int i = 0; i < 300; ++i) { // corners of a box with steps of .1, many in one plane
+    Five f;
+    for (Record& r : f)
+      r = {.1 * random.get_int(0, 2), .3 * random.get_int(0, 2), .1 * random.get_int(0, 2), unused};
+    if (exact_sphere(f) != 0)
+      continue;
+    std::sort(f.begin(), f.end());
+    do {
+      Tallies tallies;
+      check(f, f[0], tallies);
+      BOOST_TEST(tallies.exact.wrong == 0u);
+      spheres += tallies.exact.perturbed;
+      Beyond_tallies beyond;
+      check_beyond({f[0], f[1], f[2], f[3]}, beyond);
+      BOOST_TEST(beyond.exact.wrong == 0u);
+      circles += beyond.exact.perturbed;
+    } while (std::next_permutation(f.begin(), f.end()));
+  }
+  BOOST_TEST(spheres > 1000u);
+  BOOST_TEST(circles > 1000u);
+}
+
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+
+using Plain_big = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                                boost::multiprecision::et_off>;
+
+template <int Halves>
+Fixed_integer<Halves> fixed(const Plain_big& n)
+{
+  Uncarried_integer<Halves, Fixed_integer<Halves>::size> sum = {};
+  Plain_big rest = abs(n);
+  for (auto& column : sum.columns) {
+    const auto digit = static_cast<std::int64_t>(Plain_big(rest & ((Plain_big(1) << 60) - 1)));
+    rest >>= 60;
+    if (&column == std::end(sum.columns) - 1)
+      column = static_cast<std::int64_t>(Plain_big((rest << 60) + digit));
+    else
+      column = digit;
+    column = n < 0 ? -column : column;
+  }
+  return carried(sum);
+}
+
+// Coordinates as large as the width allows, of all signs, and determinants near 0.
+template <int Halves>
+void check_width()
+{
+  fuzz::Random random(Halves);
+  const Plain_big largest = Plain_big(1) << (30 * Halves);
+  const auto coordinate = [&]() -> Plain_big {
+    Plain_big n = largest;
+    if (random.one_in(3))
+      n -= random.below(3);
+    else if (random.one_in(2))
+      for (Plain_big m = n = 0; n < largest / 3; n = (n << 40) + (random.bits() >> 24))
+        ;
+    n %= largest + 1;
+    return random.one_in(2) ? n : Plain_big(-n);
+  };
+  std::size_t zeros = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Row<Plain_big> big[4];
+    Row<Fixed_integer<Halves>> rows[4];
+    for (int k = 0; k < 4; ++k) {
+      big[k] = {coordinate(), coordinate(), coordinate()};
+      if (k > 0 && random.one_in(4))
+        big[k] = big[k - 1];
+      if (k > 0 && random.one_in(4))
+        big[k] = {big[k - 1].y, big[k - 1].x, Plain_big(-big[k - 1].z)};
+      rows[k] = {fixed<Halves>(big[k].x), fixed<Halves>(big[k].y), fixed<Halves>(big[k].z)};
+    }
+    const Sphere_cofactors<Plain_big> expected(big[0], big[1], big[2], big[3]);
+    const Sphere_cofactors<Fixed_integer<Halves>> cofactors(rows[0], rows[1], rows[2], rows[3]);
+    const int sign = expected.lifted(big[0], big[1], big[2], big[3]).sign();
+    BOOST_TEST(sign_of(cofactors.lifted(rows[0], rows[1], rows[2], rows[3])) == sign);
+    zeros += sign == 0;
+    for (int k = 0; k < 4; ++k)
+      BOOST_TEST(sign_of(cofactors.of[k]) == expected.of[k].sign());
+    using R = Row<Fixed_integer<Halves>>;
+    using B = Row<Plain_big>;
+    const Circle_cofactors<Fixed_integer<Halves>> circle(rows, &R::y, &R::z);
+    const Circle_cofactors<Plain_big> expected_circle(big, &B::y, &B::z);
+    BOOST_TEST(sign_of(circle.area) == expected_circle.area.sign());
+    BOOST_TEST(sign_of(circle.lifted(rows)) == expected_circle.lifted(big).sign());
+  }
+  BOOST_TEST(zeros > 0u);
+}
+
+BOOST_AUTO_TEST_CASE(integers_of_fixed_width)
+{
+  check_width<1>();
+  check_width<2>();
+  check_width<4>();
+}
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER

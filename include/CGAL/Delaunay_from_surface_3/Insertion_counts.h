@@ -13,6 +13,21 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
 
+names the stages of the predicates behind floating point, in the order in which they are asked. Digits
+have 60 bits; a stage of integers serves points whose differences are such integers times a power of 2.
+*/
+enum Exact_stage {
+  HALF_DIGIT,            ///< integers of 30 bits.
+  ONE_DIGIT,             ///< integers of 60 bits.
+  DOUBLE_DOUBLE,         ///< sums of two doubles, with a bound on their error.
+  TWO_DIGITS,            ///< integers of 120 bits.
+  KERNEL,                ///< the predicates of the geometric traits.
+  NUMBER_OF_EXACT_STAGES ///< how many there are.
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Insertion
+
 says what the insertions of an `InsertionTarget_3` did. It tells a good order from a bad one on any
 machine: times are proportional to `sphere_tests`, but for exact arithmetic.
 */
@@ -30,11 +45,14 @@ struct Insertion_counts
   /// tests of neighbours of cells in conflict.
   std::size_t sphere_tests = 0;
 
-  /// sphere tests that the first filter left open.
-  std::size_t first_failures = 0;
+  /// tests against spheres that floating point left open, by the stage that decided them.
+  std::size_t sphere_tests_by_stage[NUMBER_OF_EXACT_STAGES] = {};
 
-  /// sphere tests that all filters left open.
-  std::size_t second_failures = 0;
+  /// tests against facets of the convex hull that floating point left open, by the stage.
+  std::size_t facet_tests_by_stage[NUMBER_OF_EXACT_STAGES] = {};
+
+  /// those of these whose sign was 0, and was perturbed.
+  std::size_t perturbed = 0;
 };
 
 } // namespace Delaunay_from_surface_3

@@ -176,11 +176,20 @@ Json counts_of_kernel(const Mesh& mesh, unsigned int seed)
   const auto& counts = visitor.kernel;
   const double n = double(mesh.number_of_vertices());
   const auto per_point = [n](std::size_t count) { return rounded(double(count) / n, 1e4); };
+  const auto by_stage = [&](const std::size_t* decided) {
+    using namespace CGAL::Delaunay_from_surface_3;
+    return Json{{"half_digit", per_point(decided[HALF_DIGIT])},
+                {"one_digit", per_point(decided[ONE_DIGIT])},
+                {"double_double", per_point(decided[DOUBLE_DOUBLE])},
+                {"two_digits", per_point(decided[TWO_DIGITS])},
+                {"kernel", per_point(decided[KERNEL])}};
+  };
   return {{"kernel",
            {{"cells_tested_to_start", per_point(counts.cells_tested_to_start)},
             {"sphere_tests", per_point(counts.sphere_tests)},
-            {"first_filter_failures", per_point(counts.first_failures)},
-            {"second_filter_failures", per_point(counts.second_failures)}}},
+            {"sphere_tests_by_stage", by_stage(counts.sphere_tests_by_stage)},
+            {"facet_tests_by_stage", by_stage(counts.facet_tests_by_stage)},
+            {"perturbed", per_point(counts.perturbed)}}},
           {"cells", cells_as_json(counts.cells_destroyed, counts.cells_created, n)}};
 }
 

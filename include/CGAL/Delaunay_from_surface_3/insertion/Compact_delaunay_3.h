@@ -150,8 +150,8 @@ public:
   bool is_closer(std::size_t i, Vertex v, Vertex w) const
   {
     const double* const p = m_complex.vertex(Complex::vertex_of_point(i)).coordinates;
-    using internal::Row;
-    return Row(m_complex.vertex(v).coordinates, p).w < Row(m_complex.vertex(w).coordinates, p).w;
+    using internal::row;
+    return row(m_complex.vertex(v).coordinates, p).w < row(m_complex.vertex(w).coordinates, p).w;
   }
 
   /// inserts point `i` where it was just located, and tells `observer` (a model of

@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_DOUBLE_DOUBLE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_DOUBLE_DOUBLE_H
 
-// The second stage of the sphere test: the determinant of Sphere_filter.h in sums of two doubles.
-// Near-planar and near-spherical surfaces fail the first stage millions of times; nearly all of
-// that is decided here, at a fraction of the price of exact arithmetic.
+// A stage of the sphere test between integers of one digit and of two: the determinant in sums of two
+// doubles. It decides nearly all of what has too many bits for one digit, at less than half the price
+// of two.
 //
 // A product or sum of two such numbers is wrong by less than 2^-100 of (the sum of) the absolute
 // values of what enters, and differences of two doubles are exact. So the bound of the first stage
@@ -43,12 +43,6 @@ inline double opaque(double product)
   volatile double hidden = product;
   return hidden;
 }
-#endif
-
-#if defined(__GNUC__)
-#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE __attribute__((always_inline)) inline
-#else
-#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE inline
 #endif
 
 // What a product lost by rounding, a b - product, exactly: for any machine (Dekker 1971) …
@@ -124,53 +118,29 @@ private:
 };
 
 template <class Products>
-struct Close_sphere
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int close_sphere_sign_with(const double* const* vertices,
+                                                                      const double* p)
 {
   using Number = Double_double<Products>;
+  Row<Number> r[4];
+  for (int k = 0; k < 4; ++k)
+    r[k] = {Number::difference(vertices[k][0], p[0]), Number::difference(vertices[k][1], p[1]),
+            Number::difference(vertices[k][2], p[2])};
+  const Sphere_cofactors<Number> cofactors(r[0], r[1], r[2], r[3]);
+  const double m =
+      (std::max)((std::max)(r[0].w.high, r[1].w.high), (std::max)(r[2].w.high, r[3].w.high));
+  const double bound = 1. / 9903520314283042199192993792. * (m * m * std::sqrt(m)) + // 2^-93
+                       Filter_bounds::tiny;
+  return certified_sign(cofactors.lifted(r[0], r[1], r[2], r[3]).high, bound);
+}
 
-  struct Row
-  {
-    Number x, y, z, w;
-    CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Row(const double* v, const double* p)
-      : x(Number::difference(v[0], p[0]))
-      , y(Number::difference(v[1], p[1]))
-      , z(Number::difference(v[2], p[2]))
-      , w(x * x + y * y + z * z)
-    {
-    }
-  };
-
-  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Number minor(const Row& s, const Row& t)
-  {
-    return s.x * t.y - s.y * t.x;
-  }
-
-  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static int sign(const double* const* vertices,
-                                                             const double* p)
-  {
-    const Row a(vertices[0], p), b(vertices[1], p), c(vertices[2], p), d(vertices[3], p);
-    const Number ab = minor(a, b), bc = minor(b, c), cd = minor(c, d), da = minor(d, a),
-                 ac = minor(a, c), bd = minor(b, d);
-    const Number bcd = b.z * cd - c.z * bd + d.z * bc, acd = a.z * cd + c.z * da + d.z * ac;
-    const Number abd = a.z * bd + b.z * da + d.z * ab, abc = a.z * bc - b.z * ac + c.z * ab;
-    const Number value = (a.w * bcd - b.w * acd) + (c.w * abd - d.w * abc);
-    const double m = (std::max)((std::max)(a.w.high, b.w.high), (std::max)(c.w.high, d.w.high));
-    const double bound = 1. / 9903520314283042199192993792. * (m * m * std::sqrt(m)) + // 2^-93
-                         Filter_bounds::tiny;
-    return certified_sign(value.high, bound);
-  }
-};
-
-#undef CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE
-
-// Positive if p is inside the sphere through the four vertices of a positively oriented cell,
-// negative if it is outside, 0 if that is not decided.
+// Of a positively oriented cell.
 inline int close_sphere_sign(const double* const* vertices, const double* p)
 {
 #if defined(__FMA__) || defined(__aarch64__)
-  return Close_sphere<Fused_products>::sign(vertices, p);
+  return close_sphere_sign_with<Fused_products>(vertices, p);
 #else
-  return Close_sphere<Split_products>::sign(vertices, p);
+  return close_sphere_sign_with<Split_products>(vertices, p);
 #endif
 }
 
@@ -179,7 +149,7 @@ inline int close_sphere_sign(const double* const* vertices, const double* p)
 __attribute__((target("fma"))) inline int fused_close_sphere_sign(const double* const* vertices,
                                                                   const double* p)
 {
-  return Close_sphere<Fused_products>::sign(vertices, p);
+  return close_sphere_sign_with<Fused_products>(vertices, p);
 }
 
 inline bool has_fused_products()

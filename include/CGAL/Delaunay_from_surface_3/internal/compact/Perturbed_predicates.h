@@ -22,11 +22,10 @@ class Perturbed_predicates
 {
   // CGAL's perturbed predicates are protected members of the triangulation. They use nothing of it
   // but its traits.
-  template <class Gt>
-  struct Exposed : Delaunay_triangulation_3<Gt>
+  struct Exposed : Delaunay_triangulation_3<GeomTraits>
   {
-    using Base = Delaunay_triangulation_3<Gt>;
-    explicit Exposed(const Gt& gt)
+    using Base = Delaunay_triangulation_3<GeomTraits>;
+    explicit Exposed(const GeomTraits& gt)
       : Base(gt)
     {
     }
@@ -34,41 +33,9 @@ class Perturbed_predicates
     using Base::side_of_oriented_sphere;
   };
 
-  // Traits for points that are known to be cospherical, or cocircular: what is left is the
-  // perturbation.
-  struct Cospherical_traits : GeomTraits
-  {
-    explicit Cospherical_traits(const GeomTraits& gt)
-      : GeomTraits(gt)
-    {
-    }
-    struct Side_of_oriented_sphere_3
-    {
-      template <class P>
-      Oriented_side operator()(const P&, const P&, const P&, const P&, const P&) const
-      {
-        return ON_ORIENTED_BOUNDARY;
-      }
-    };
-    struct Coplanar_side_of_bounded_circle_3
-    {
-      template <class P>
-      Bounded_side operator()(const P&, const P&, const P&, const P&) const
-      {
-        return ON_BOUNDARY;
-      }
-    };
-    Coplanar_side_of_bounded_circle_3 coplanar_side_of_bounded_circle_3_object() const
-    {
-      return {};
-    }
-    Side_of_oriented_sphere_3 side_of_oriented_sphere_3_object() const { return {}; }
-  };
-
 public:
   explicit Perturbed_predicates(const GeomTraits& gt)
     : m_exposed(gt)
-    , m_cospherical(Cospherical_traits(gt))
   {
   }
 
@@ -85,14 +52,6 @@ public:
                                              true) == ON_POSITIVE_SIDE;
   }
 
-  // The same for a point that is known to lie on the sphere.
-  bool is_perturbed_into_sphere(const double* a, const double* b, const double* c, const double* d,
-                                const double* p) const
-  {
-    return m_cospherical.side_of_oriented_sphere(point(a), point(b), point(c), point(d), point(p),
-                                                 true) == ON_POSITIVE_SIDE;
-  }
-
   // Is p in conflict with the infinite cell (a, b, c, infinite): beyond the facet (a, b, c) of the
   // convex hull, or in its plane and inside its circle?
   bool is_beyond(const double* a, const double* b, const double* c, const double* p) const
@@ -102,14 +61,6 @@ public:
       return o == POSITIVE;
     return m_exposed.coplanar_side_of_bounded_circle(point(a), point(b), point(c), point(p),
                                                      true) == ON_BOUNDED_SIDE;
-  }
-
-  // The same for a point that is known to lie on the circle.
-  bool is_perturbed_into_circle(const double* a, const double* b, const double* c,
-                                const double* p) const
-  {
-    return m_cospherical.coplanar_side_of_bounded_circle(point(a), point(b), point(c), point(p),
-                                                         true) == ON_BOUNDED_SIDE;
   }
 
   bool are_collinear(const double* a, const double* b, const double* c) const
@@ -123,8 +74,7 @@ private:
   static Point point(const double* p) { return Point(p[0], p[1], p[2]); }
   const GeomTraits& traits() const { return m_exposed.geom_traits(); }
 
-  Exposed<GeomTraits> m_exposed;
-  Exposed<Cospherical_traits> m_cospherical;
+  Exposed m_exposed;
 };
 
 } // namespace internal

@@ -38,22 +38,13 @@ inline int flat_beyond_sign(const double* const* vertices, const double* p)
   const int axis = axis_across(vertices, p);
   if (axis == 3)
     return 0;
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  double x[3], y[3], w[3], area = 0, value = 0;
-  for (int k = 0; k < 3; ++k) {
-    x[k] = vertices[k][u] - p[u];
-    y[k] = vertices[k][v] - p[v];
-    w[k] = x[k] * x[k] + y[k] * y[k];
-  }
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const double minor = x[i] * y[j] - y[i] * x[j];
-    area += minor;
-    value += w[k] * minor;
-  }
-  const double m = (std::max)((std::max)(w[0], w[1]), w[2]);
-  return certified_sign(area, 20 * Filter_bounds::unit * m + Filter_bounds::tiny) *
-         certified_sign(value, 40 * Filter_bounds::unit * m * m + Filter_bounds::tiny);
+  constexpr double Row<double>::*columns[3] = {&Row<double>::x, &Row<double>::y, &Row<double>::z};
+  const Row<double> rows[3] = {row(vertices[0], p), row(vertices[1], p), row(vertices[2], p)};
+  const Circle_cofactors<double> cofactors(rows, columns[(axis + 1) % 3], columns[(axis + 2) % 3]);
+  const double m = largest_square(rows[0], rows[1], rows[2]);
+  return certified_sign(cofactors.area, 20 * Filter_bounds::unit * m + Filter_bounds::tiny) *
+         certified_sign(cofactors.lifted(rows),
+                        40 * Filter_bounds::unit * m * m + Filter_bounds::tiny);
 }
 
 } // namespace internal
