@@ -36,7 +36,7 @@ namespace internal {
 #define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("GCC unroll 16")
 #endif
 
-__extension__ typedef __int128 Double_digit;
+__extension__ using Double_digit = __int128;
 
 constexpr int digit_bits = 60;
 
