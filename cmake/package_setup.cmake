@@ -35,6 +35,13 @@ set(DELAUNAY_FROM_SURFACE_3_DATA_DIR "" CACHE PATH
 
 get_filename_component(DELAUNAY_FROM_SURFACE_3_ROOT "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
 
+# A folder of the package is configured alone in a tree of CGAL. There CGAL's own calls make programs and
+# tests, as of all its packages.
+set(DELAUNAY_FROM_SURFACE_3_IN_CGAL_TREE OFF)
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_SOURCE_DIR STREQUAL DELAUNAY_FROM_SURFACE_3_ROOT)
+  set(DELAUNAY_FROM_SURFACE_3_IN_CGAL_TREE ON)
+endif()
+
 add_library(Delaunay_from_surface_3 INTERFACE)
 add_library(Delaunay_from_surface_3::Delaunay_from_surface_3 ALIAS Delaunay_from_surface_3)
 target_compile_features(Delaunay_from_surface_3 INTERFACE cxx_std_17)

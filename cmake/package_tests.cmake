@@ -1,21 +1,28 @@
-# add_package_test(name LABELS label… [SOURCES file…] [LIBRARIES target…] [CHECKED])
+# add_package_test(name LABELS label… [GROUP group] [SOURCES file…] [LIBRARIES target…] [CHECKED] [OPTIMIZED])
 #
 # Builds name.cpp, one Boost.Test program with its own main, and makes it a ctest test of that name.
-#   LABELS     fast:     part of the everyday run, a few seconds;
-#              slow:     only in the whole run;
-#              versions: also built and run with every other compiler and CGAL version;
-#              sanitize: also built and run with the sanitizers, hence with Epick only;
-#              long:     a fuzzer, minutes to build and to run: not part of the build of everything.
+#   LABELS     fast:          part of the everyday run, a few seconds;
+#              slow:          only in the default run of scripts/test;
+#              long:          only in scripts/test --long, and not part of the build of everything;
+#              versions:      also built and run with another compiler and other CGAL versions;
+#              versions_long: the same, but with --long only;
+#              sanitize:      also built and run with the sanitizers, hence with Epick only;
+#              sanitize_long: the same, but with --long only.
+#   GROUP      Where tests are built in groups, those of one group are one unit: they instantiate the same
+#              templates, which makes up most of the time that a unit takes.
 #   SOURCES    further units.
 #   LIBRARIES  further targets to link.
 #   CHECKED    CGAL's checks are compiled in, the expensive ones included, whatever the build type.
+#   OPTIMIZED  at -O3, whatever the build type; what is right with less optimization may be wrong with it.
 #
 # Each label has a target tests_<label> that builds its programs and nothing else. The programs find the
 # meshes of Debian's package libcgal-demo in DELAUNAY_FROM_SURFACE_3_DATA_DIR, defined as a string; a
 # test that does not find one there says so and goes on.
 
+option(DELAUNAY_FROM_SURFACE_3_GROUP_TESTS "Build the tests of a group as one unit" OFF)
+
 find_package(Boost REQUIRED)
-foreach(label fast slow versions sanitize long)
+foreach(label fast slow long versions versions_long sanitize sanitize_long)
   if(NOT TARGET tests_${label})
     add_custom_target(tests_${label})
   endif()
@@ -31,13 +38,14 @@ function(write_all_headers_file include_dir file)
   file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
 endfunction()
 
-function(add_package_test name)
-  cmake_parse_arguments(arg "CHECKED" "" "LABELS;SOURCES;LIBRARIES" ${ARGN})
-  if(arg_UNPARSED_ARGUMENTS OR NOT arg_LABELS)
-    message(FATAL_ERROR "add_package_test(${name}): LABELS missing or unknown: ${arg_UNPARSED_ARGUMENTS}")
+# add_test_program(name sources LIBRARIES… CHECKED OPTIMIZED): the program alone.
+function(add_test_program name sources)
+  cmake_parse_arguments(arg "CHECKED;OPTIMIZED" "" "LIBRARIES" ${ARGN})
+  if(DELAUNAY_FROM_SURFACE_3_IN_CGAL_TREE)
+    create_single_source_cgal_program(${sources})
+  else()
+    add_executable(${name} ${sources})
   endif()
-
-  add_executable(${name} ${name}.cpp ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE
     Delaunay_from_surface_3_generator Boost::headers ${arg_LIBRARIES})
   target_include_directories(${name} PRIVATE
@@ -49,15 +57,87 @@ function(add_package_test name)
     target_compile_options(${name} PRIVATE -UNDEBUG)
     target_compile_definitions(${name} PRIVATE CGAL_CHECK_EXPENSIVE)
   endif()
+  if(arg_OPTIMIZED AND CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT CMAKE_CXX_FLAGS_RELEASE MATCHES "sanitize")
+    target_compile_options(${name} PRIVATE -O3)
+  endif()
+endfunction()
 
-  add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 900)
-  if("long" IN_LIST arg_LABELS) # FUZZ_MINUTES says how long; the fuzzer has a limit for each case
-    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+# register_test(name labels program [argument…])
+function(register_test name labels program)
+  add_test(NAME ${name} COMMAND ${program} ${ARGN})
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 900)
+  if("long" IN_LIST labels) # FUZZ_MINUTES says how long; the fuzzer has a limit for each case
+    set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL ON)
     set_tests_properties(${name} PROPERTIES TIMEOUT 86400)
   endif()
-  foreach(label IN LISTS arg_LABELS)
-    add_dependencies(tests_${label} ${name})
+  foreach(label IN LISTS labels)
+    add_dependencies(tests_${label} ${program})
+  endforeach()
+endfunction()
+
+function(add_package_test name)
+  cmake_parse_arguments(arg "CHECKED;OPTIMIZED" "GROUP" "LABELS;SOURCES;LIBRARIES" ${ARGN})
+  if(arg_UNPARSED_ARGUMENTS OR NOT arg_LABELS)
+    message(FATAL_ERROR "add_package_test(${name}): LABELS missing or unknown: ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+
+  if(arg_GROUP AND DELAUNAY_FROM_SURFACE_3_GROUP_TESTS)
+    set_property(GLOBAL APPEND PROPERTY test_groups "${arg_GROUP}")
+    set_property(GLOBAL APPEND PROPERTY test_group_${arg_GROUP} "${name}")
+    set_property(GLOBAL PROPERTY test_labels_${name} "${arg_LABELS}")
+    foreach(option CHECKED OPTIMIZED)
+      if(arg_${option})
+        set_property(GLOBAL APPEND PROPERTY test_options_${arg_GROUP} ${option})
+      endif()
+    endforeach()
+    set_property(GLOBAL APPEND PROPERTY test_libraries_${arg_GROUP} ${arg_LIBRARIES})
+    return()
+  endif()
+
+  set(options LIBRARIES ${arg_LIBRARIES})
+  foreach(option CHECKED OPTIMIZED)
+    if(arg_${option})
+      list(APPEND options ${option})
+    endif()
+  endforeach()
+  add_test_program(${name} "${name}.cpp;${arg_SOURCES}" ${options})
+  if(NOT DELAUNAY_FROM_SURFACE_3_IN_CGAL_TREE) # where CGAL's call has made a test of it
+    register_test(${name} "${arg_LABELS}" ${name})
+  endif()
+endfunction()
+
+# finish_test_groups(): to be called after the last test of a group. The unit of a group includes all that
+# its tests include, and then each test inside a Boost.Test suite, which is a namespace too, of its name.
+function(finish_test_groups)
+  get_property(groups GLOBAL PROPERTY test_groups)
+  list(REMOVE_DUPLICATES groups)
+  foreach(group IN LISTS groups)
+    get_property(tests GLOBAL PROPERTY test_group_${group})
+    set(includes "")
+    set(suites "")
+    foreach(test IN LISTS tests)
+      set(source "${CMAKE_CURRENT_SOURCE_DIR}/${test}.cpp")
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+      file(STRINGS "${source}" lines REGEX "^#include ")
+      list(APPEND includes ${lines})
+      string(APPEND suites "#undef BOOST_TEST_MODULE\n"
+        "BOOST_AUTO_TEST_SUITE(${test})\n#include \"${source}\"\nBOOST_AUTO_TEST_SUITE_END()\n")
+    endforeach()
+    list(REMOVE_DUPLICATES includes)
+    list(REMOVE_ITEM includes "#include <boost/test/included/unit_test.hpp>")
+    list(JOIN includes "\n" includes)
+    file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${group}.cpp" @ONLY CONTENT
+      "#define BOOST_TEST_MODULE ${group}\n#include <boost/test/included/unit_test.hpp>\n${includes}\n${suites}")
+
+    get_property(options GLOBAL PROPERTY test_options_${group})
+    list(REMOVE_DUPLICATES options)
+    get_property(libraries GLOBAL PROPERTY test_libraries_${group})
+    add_test_program(${group} "${CMAKE_CURRENT_BINARY_DIR}/${group}.cpp" ${options} LIBRARIES ${libraries})
+    target_include_directories(${group} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+    foreach(test IN LISTS tests)
+      get_property(labels GLOBAL PROPERTY test_labels_${test})
+      register_test(${test} "${labels}" ${group} --run_test=${test})
+    endforeach()
   endforeach()
 endfunction()
 
@@ -87,4 +167,7 @@ function(add_python_test name)
   add_test(NAME ${name} COMMAND Python3::Interpreter -B "${CMAKE_CURRENT_SOURCE_DIR}/${name}.py")
   set_tests_properties(${name} PROPERTIES
     LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${environment}")
+  if("long" IN_LIST arg_LABELS)
+    set_tests_properties(${name} PROPERTIES TIMEOUT 86400)
+  endif()
 endfunction()
