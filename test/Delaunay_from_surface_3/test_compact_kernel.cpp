@@ -9,6 +9,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include "differential.h"
+#include "points_and_graphs.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -41,7 +42,8 @@ namespace DFS = CGAL::Delaunay_from_surface_3;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+using tests::Graph;
+using tests::random_points;
 
 template <class Tr>
 using Compact_with_16_bits = DFS::Compact_delaunay_with_ids_3<Tr, std::uint16_t>;
@@ -97,16 +99,6 @@ void check_equal(const std::vector<Point>& points)
   check_equal<Triangulation, DFS::Spatial_sort_order>(points, Graph(points.size()));
   check_equal<Triangulation, DFS::Spatial_sort_order, Compact_with_64_bits>(points,
                                                                             Graph(points.size()));
-}
-
-std::vector<Point> random_points(std::size_t n, unsigned int seed = 1)
-{
-  CGAL::Random random(seed);
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < n; ++i)
-    points.emplace_back(random.get_double(-1, 1), random.get_double(-1, 1),
-                        random.get_double(-1, 1));
-  return points;
 }
 
 template <class Tr, class T>

@@ -9,6 +9,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include "named_surfaces.h"
+#include "points_and_graphs.h"
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
@@ -33,32 +34,16 @@ namespace DFS = CGAL::Delaunay_from_surface_3;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+using tests::Graph;
+using tests::graph_of;
+using tests::random_points;
 
 namespace {
-
-Graph graph_of(const surfaces::Indexed_surface& surface)
-{
-  Graph graph(surface.points.size());
-  for (const auto& face : surface.faces)
-    for (std::size_t k = 0; k < 3; ++k)
-      add_edge(face[k], face[(k + 1) % 3], graph);
-  return graph;
-}
 
 template <class Plan>
 DFS::Insertion_order plan_of(const std::vector<Point>& points, const Graph& graph)
 {
   return Plan(1)(points, Kernel(), graph, get(boost::vertex_index, graph));
-}
-
-std::vector<Point> random_points(std::size_t n)
-{
-  CGAL::Random random(3);
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < n; ++i)
-    points.emplace_back(random.get_double(), random.get_double(), random.get_double());
-  return points;
 }
 
 // A permutation, strictly growing rounds, and starting places that come before.

@@ -9,6 +9,7 @@
 
 #include "check_equal.h"
 #include "checking_hints.h"
+#include "points_and_graphs.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -44,22 +45,14 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
 using Fast_triangulation = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Fast_location>;
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+using tests::Graph;
+using tests::graph_of;
 using Indices = std::vector<std::size_t>;
 
 namespace {
 
 using tests::Indexed_surface;
 using tests::Named_surface;
-
-Graph graph_of(const Indexed_surface& surface)
-{
-  Graph graph(surface.points.size());
-  for (const auto& face : surface.faces)
-    for (std::size_t k = 0; k < 3; ++k)
-      add_edge(face[k], face[(k + 1) % 3], graph);
-  return graph;
-}
 
 template <class Plan>
 DFS::Insertion_order order_by(const Plan& plan, const std::vector<Point>& points)

@@ -8,6 +8,7 @@
 // What the tests of input share: a torus, checks with all traits, and checks that input is refused.
 
 #include "check_equal.h"
+#include "points_and_graphs.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -55,8 +56,8 @@ using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
 using Vertex_handle = Triangulation::Vertex_handle;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 using Index_map = std::vector<std::pair<std::size_t, Vertex_handle>>;
+using tests::Graph;
 using tests::Indexed_surface;
 namespace parameters = CGAL::parameters;
 
