@@ -97,6 +97,7 @@ using Tr = Delaunay_triangulation_3<Exact_predicates_inexact_constructions_kerne
 std::vector<Insertion_way> ways_by_traits()
 {
   return {{"default, soup", check_insertion<Tr, Surface_insertion_traits_3, As_soup>},
+          {"default, points", check_insertion<Tr, Surface_insertion_traits_3, As_points>},
           {"default, graph", check_insertion<Tr, Surface_insertion_traits_3, As_graph>},
           {"default, mesh", check_insertion<Tr, Surface_insertion_traits_3, As_mesh>},
           {"tracing, mesh", check_insertion<Tr, Tracing_traits_3, As_mesh>},

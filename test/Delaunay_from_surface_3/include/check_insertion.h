@@ -11,6 +11,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
@@ -93,7 +94,18 @@ struct Hostile_visitor : CGAL::Default_surface_insertion_visitor_3
   bool keeps_rounding = true, has_stopped = false, is_replaced = false;
 };
 
-// --- the three ways to give a surface --------------------------------------------------------------
+// --- the ways to give points and a surface -----------------------------------------------------
+
+// Without a surface: Traits are those of the function.
+struct As_points
+{
+  template <class Tr, class Traits, class NamedParameters>
+  static std::ptrdiff_t insert(Tr& tr, const std::vector<typename Tr::Point>& points, const Faces&,
+                               const Traits&, const NamedParameters& np)
+  {
+    return CGAL::insert_points_3(tr, points, np);
+  }
+};
 
 struct As_soup
 {
