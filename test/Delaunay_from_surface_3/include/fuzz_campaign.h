@@ -15,7 +15,10 @@
 //   --failures N           ends after N failures; default 10
 //   --case SEED            repeats one case, in this process (for a debugger)
 //   --keep I,J,…           of that case only these parts
+//
+// An interrupt (Ctrl-C) or a termination ends it after the present case, with its counts.
 
+#include "fuzz_subject.h"
 #include "fuzz_tally.h"
 
 #include <sys/mman.h>
@@ -23,6 +26,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
@@ -39,28 +43,8 @@
 
 namespace fuzz {
 
-using Seed = std::uint64_t;
-using Indices = std::vector<std::size_t>;
-
-// What is to be fuzzed. A case is made from its seed, the same at each call, and has parts (points,
-// mostly) that can be left out.
-class Subject
-{
-public:
-  virtual ~Subject() = default;
-  virtual std::size_t number_of_parts(Seed seed) const = 0;
-  // Runs the case with these parts. Returns what is wrong; nothing if all is well. May throw.
-  virtual std::string check(Seed seed, const Indices& parts, Tally& tally) const = 0;
-  virtual std::string description(Seed seed, const Indices& parts) const = 0;
-};
-
-inline Indices all_parts(std::size_t n)
-{
-  Indices parts(n);
-  for (std::size_t i = 0; i < n; ++i)
-    parts[i] = i;
-  return parts;
-}
+// In memory that child processes see too.
+inline volatile std::sig_atomic_t* stop_flag = nullptr;
 
 class Campaign
 {
@@ -94,24 +78,25 @@ public:
     if (m_is_one_case)
       return repeat();
     const auto start = Clock::now();
-    m_end = start + std::chrono::duration_cast<Clock::duration>(
-                        std::chrono::duration<double>(60 * m_minutes));
+    m_end = start + std::chrono::milliseconds(std::int64_t(60000 * m_minutes));
     std::size_t failures = 0;
     m_shared->seed = m_first;
-    while (Clock::now() < m_end && failures < m_max_failures) {
+    stop_flag = &m_shared->stops;
+    for (const int signal : {SIGINT, SIGTERM})
+      std::signal(signal, [](int) { *stop_flag = 1; });
+    while (goes_on() && failures < m_max_failures) {
       const std::string failure = in_child(seconds_per_case, [this] { return run_cases(); });
       if (failure.empty())
         break;
       ++failures;
-      report(failure, std::chrono::duration<double>(Clock::now() - start).count());
+      report(failure, seconds_since(start));
       ++m_shared->seed;
     }
     m_shared->tally.print();
     std::printf("%llu cases from seed %llu on in %.0f s, %zu failures; the longest took %.1f s of "
                 "CPU time, seed %llu\n",
                 static_cast<unsigned long long>(m_shared->cases),
-                static_cast<unsigned long long>(m_first),
-                std::chrono::duration<double>(Clock::now() - start).count(), failures,
+                static_cast<unsigned long long>(m_first), seconds_since(start), failures,
                 m_shared->longest, static_cast<unsigned long long>(m_shared->longest_seed));
     return failures == 0 && m_shared->cases > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
   }
@@ -123,6 +108,7 @@ private:
   // What parent and child both see.
   struct Shared
   {
+    volatile std::sig_atomic_t stops = 0;
     Seed seed = 0;
     std::uint64_t cases = 0;
     double longest = 0;
@@ -150,6 +136,15 @@ private:
       throw std::invalid_argument("unknown option " + name);
   }
 
+  static double seconds_since(Clock::time_point start)
+  {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  Indices whole(Seed seed) const { return all_parts(m_subject.number_of_parts(seed)); }
+
+  bool goes_on() const { return Clock::now() < m_end && m_shared->stops == 0; }
+
   // --- in this process ---------------------------------------------------------------------------
 
   std::string check(Seed seed, const Indices& parts)
@@ -163,7 +158,7 @@ private:
 
   int repeat()
   {
-    const Indices parts = m_kept.empty() ? all_parts(m_subject.number_of_parts(m_first)) : m_kept;
+    const Indices parts = m_kept.empty() ? whole(m_first) : m_kept;
     std::printf("%s\n", m_subject.description(m_first, parts).c_str());
     std::fflush(stdout);
     const std::string failure = check(m_first, parts);
@@ -175,11 +170,11 @@ private:
   // Until the end, or the first failure.
   std::string run_cases()
   {
-    for (; Clock::now() < m_end; ++m_shared->seed) {
+    for (; goes_on(); ++m_shared->seed) {
       limit_time(seconds_per_case);
       const std::clock_t start = std::clock();
       const Seed seed = m_shared->seed;
-      const std::string failure = check(seed, all_parts(m_subject.number_of_parts(seed)));
+      const std::string failure = check(seed, whole(seed));
       ++m_shared->cases;
       const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
       if (seconds > m_shared->longest) {
@@ -216,7 +211,8 @@ private:
       std::exit(EXIT_SUCCESS); // with the sanitizers: looks for leaks
     }
     int status = 0;
-    waitpid(child, &status, 0);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+      ;
     if (WIFSIGNALED(status))
       return WTERMSIG(status) == SIGPROF
                  ? "endless loop: more than " + std::to_string(seconds) + " s"
@@ -229,7 +225,7 @@ private:
   void report(const std::string& failure, double seconds)
   {
     const Seed seed = m_shared->seed;
-    const Indices all = all_parts(m_subject.number_of_parts(seed));
+    const Indices all = whole(seed);
     std::printf("FAILURE after %llu cases and %.1f s: %s\nall %zu parts: %s\n",
                 static_cast<unsigned long long>(m_shared->cases), seconds, failure.c_str(),
                 all.size(), m_subject.description(seed, {}).c_str());
@@ -268,9 +264,7 @@ private:
         } else
           first += run;
       }
-      if (Clock::now() >= end)
-        break;
-      if (run == 1 && !is_smaller)
+      if (Clock::now() >= end || (run == 1 && !is_smaller))
         break;
       run = run == 1 ? 1 : (run + 1) / 2;
     }

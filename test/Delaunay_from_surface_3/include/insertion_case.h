@@ -7,7 +7,7 @@
 
 // One call of the package with all that may surround it, made from a seed.
 
-#include "fuzz_campaign.h"
+#include "fuzz_subject.h"
 #include "hostile_points.h"
 
 #include <cfenv>
