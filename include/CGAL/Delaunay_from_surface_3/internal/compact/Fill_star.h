@@ -14,16 +14,15 @@
 // way. The table is small, never cleared, and stays in the cache: the idea is HXT's (Marot, Pellerin,
 // Remacle 2019). Large zones sort their edges instead.
 //
-// Cost: O(B); O(B log B) for large zones.
+// Cost: O(B).
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Conflict_zone.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <limits>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -59,8 +58,9 @@ public:
     } else if (n <= max_table_facets) {
       fill_by_table<side>(complex, zone, p);
     } else {
+      const Id first_label = m_base;
       make_cells(complex, zone, p, [](Id, Id, Id, Id) {});
-      link_by_sorting(complex, zone);
+      link_by_sorting(complex, zone, Id(m_base - first_label));
     }
     complex.vertex(p).cell = zone.cells[0];
   }
@@ -135,27 +135,48 @@ private:
     m_base = 1;
   }
 
-  void link_by_sorting(Complex& complex, const Zone& zone)
+  // Edges in lexicographic order, by counting: the two cells at an edge then come one after the other.
+  void link_by_sorting(Complex& complex, const Zone& zone, std::size_t number_of_labels)
   {
     m_edges.clear();
     for (std::size_t i = 0; i < zone.number_of_facets; ++i)
       for (unsigned k = 0; k < 3; ++k) {
         const Id* const corners = zone.facets[i].corners;
-        const std::uint64_t a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
-        m_edges.emplace_back((std::min)(a, b) << 32 | (std::max)(a, b),
-                             Complex::link(zone.cells[i], k + 1));
+        const auto [lower, upper] = std::minmax(corners[(k + 1) % 3], corners[(k + 2) % 3]);
+        m_edges.push_back({lower, upper, Complex::link(zone.cells[i], k + 1)});
       }
-    std::sort(m_edges.begin(), m_edges.end());
+    sort_edges(&Edge::upper, number_of_labels);
+    sort_edges(&Edge::lower, number_of_labels);
     for (std::size_t e = 0; e + 1 < m_edges.size(); e += 2) {
-      const Id s = m_edges[e].second, t = m_edges[e + 1].second;
+      const Id s = m_edges[e].link, t = m_edges[e + 1].link;
       complex.cell(s >> 2).links[s & 3] = t;
       complex.cell(t >> 2).links[t & 3] = s;
     }
   }
 
+  // Of the star's boundary: its ends, as labels, and the facet of a new cell that contains it.
+  struct Edge
+  {
+    Id lower, upper, link;
+  };
+
+  // Stable.
+  void sort_edges(Id Edge::*end, std::size_t number_of_labels)
+  {
+    m_first.assign(number_of_labels + 1, 0);
+    for (const Edge& e : m_edges)
+      ++m_first[e.*end + 1];
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_sorted.resize(m_edges.size());
+    for (const Edge& e : m_edges)
+      m_sorted[m_first[e.*end]++] = e;
+    m_edges.swap(m_sorted);
+  }
+
   std::vector<Id> m_table;
   Id m_base = 1;
-  std::vector<std::pair<std::uint64_t, Id>> m_edges;
+  std::vector<Edge> m_edges, m_sorted;
+  std::vector<std::size_t> m_first;
 };
 
 } // namespace internal

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Measures how the default keeps up with plain CGAL where an order of insertion can go wrong: solids
+// as CAD makes them, in three numberings and with coordinates rounded in four ways, and surfaces that
+// are degenerate, wrong or of quadratic size. Times in turn, and counts. Writes JSON.
+
+#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
+#include <Delaunay_from_surface_3_surfaces/cad.h>
+#include <Delaunay_from_surface_3_surfaces/degenerate.h>
+#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+#include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
+#include <Delaunay_from_surface_3_surfaces/renumber.h>
+#include <Delaunay_from_surface_3_surfaces/sphere.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace po = boost::program_options;
+namespace DFS = CGAL::Delaunay_from_surface_3;
+using comparison::Json;
+using comparison::rounded;
+using surfaces::Indexed_surface;
+using Triangulation = CGAL::Delaunay_triangulation_3<CGAL::Epick>;
+using Mesh = CGAL::Surface_mesh<Indexed_surface::Point_3>;
+
+constexpr std::uint64_t seed = 2024;
+
+struct Case
+{
+  std::string family, kind, coordinates;
+  Indexed_surface surface;
+};
+
+const std::vector<std::string> roundings = {"as computed", "float", "3 decimals", "6 decimals"};
+
+void round_coordinates(Indexed_surface& surface, std::size_t way)
+{
+  if (way == 1)
+    surfaces::round_to_float(surface);
+  if (way >= 2)
+    surfaces::round_to_decimals(surface, way == 2 ? 3 : 6);
+}
+
+using Measure = std::function<void(const Case&)>;
+
+void for_cad_solids(std::size_t n, const Measure& measure)
+{
+  const std::vector<std::string> numberings = {"by profile", "by ring", "shuffled"};
+  std::size_t way = 0;
+  for (const surfaces::Cad_family& family : surfaces::cad_families())
+    for (std::size_t k = 0; k < numberings.size(); ++k, ++way) {
+      Indexed_surface surface = family.make(n, seed, surfaces::Numbering(k));
+      round_coordinates(surface, way % roundings.size());
+      measure({family.name, numberings[k], roundings[way % roundings.size()], surface});
+    }
+}
+
+void for_other_surfaces(std::size_t n, const Measure& measure)
+{
+  const std::size_t quadratic = (std::min)(n, std::size_t(2000));
+  const auto computed = roundings[0];
+  measure({"genus 3", "", computed, surfaces::genus_surface(3, n, 0.05, seed)});
+  measure({"sphere with noise", "", computed, surfaces::sphere(n, 0.01, seed)});
+  measure({"grid torus", "", computed, surfaces::grid_torus(n)});
+  measure({"terrain", "", computed, surfaces::terrain(n, seed)});
+  measure({"thin plate", "", computed, surfaces::thin_plate(n, 0.01)});
+  measure({"sphere, exactly", "integers", computed, surfaces::integer_sphere(n)});
+  measure({"nearly flat", "noise of 1e-12", computed, surfaces::nearly_flat(n, 1e-12, seed)});
+  measure({"star", "hub is vertex 0", computed, surfaces::star(n, seed)});
+  measure({"faces at random", "", computed, surfaces::faces_at_random(n, seed)});
+  measure({"two lines", "quadratic", computed, surfaces::two_lines(quadratic)});
+}
+
+struct Watch : CGAL::Default_surface_insertion_visitor_3
+{
+  DFS::Insertion_counts counts;
+  bool order_was_replaced = false;
+  void order_is_replaced(const std::string&) { order_was_replaced = true; }
+  template <class Target, class Hints>
+  void insertion_ends(const Target& target, const Hints&)
+  {
+    counts = target.counts();
+  }
+};
+
+// As a mesh where it is one, else as a soup.
+class Insertion
+{
+public:
+  explicit Insertion(const Indexed_surface& surface)
+    : m_surface(surface)
+  {
+    namespace PMP = CGAL::Polygon_mesh_processing;
+    m_is_mesh = PMP::is_polygon_soup_a_polygon_mesh(surface.faces);
+    if (m_is_mesh)
+      m_mesh = surfaces::to_mesh<Mesh>(surface);
+  }
+
+  void by_default(Triangulation& tr, Watch& watch) const
+  {
+    const auto np = CGAL::parameters::visitor(std::ref(watch));
+    if (m_is_mesh)
+      CGAL::insert_surface_vertices_3(tr, m_mesh, np);
+    else
+      CGAL::insert_surface_points_3(tr, m_surface.points, m_surface.faces, np);
+  }
+
+  void by_plain_cgal(Triangulation& tr) const
+  {
+    tr.insert(m_surface.points.begin(), m_surface.points.end());
+  }
+
+private:
+  const Indexed_surface& m_surface;
+  Mesh m_mesh;
+  bool m_is_mesh;
+};
+
+// Of the sorted values, the largest that lies below their true median in 95 of 100 cases, by the
+// binomial distribution; the smallest if there are fewer than five.
+double lower_limit(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  double share = 0, binomial = std::pow(0.5, double(values.size()));
+  std::size_t k = 0;
+  for (; k < values.size() && share + binomial <= 0.05; ++k) {
+    share += binomial;
+    binomial *= double(values.size() - k) / double(k + 1);
+  }
+  return values[k == 0 ? 0 : k - 1];
+}
+
+Json measure_case(const Case& c, std::size_t repetitions)
+{
+  const Insertion insertion(c.surface);
+  std::vector<double> ratios, plain, by_default;
+  Watch watch;
+  bool is_equal = true;
+  for (std::size_t r = 0; r < repetitions; ++r) {
+    Triangulation expected, tr;
+    plain.push_back(comparison::time_of([&] { insertion.by_plain_cgal(expected); }).cpu);
+    by_default.push_back(comparison::time_of([&] { insertion.by_default(tr, watch); }).cpu);
+    ratios.push_back(plain.back() / by_default.back());
+    is_equal = is_equal && (r > 0 || tr == expected);
+  }
+  if (!is_equal)
+    throw std::runtime_error(c.family + ": not equal to plain CGAL");
+  const double n = double(c.surface.points.size());
+  return {{"family", c.family},
+          {"kind", c.kind},
+          {"coordinates", c.coordinates},
+          {"points", c.surface.points.size()},
+          {"median_plain_cpu", rounded(comparison::median(plain))},
+          {"median_default_cpu", rounded(comparison::median(by_default))},
+          {"median_ratio", rounded(comparison::median(ratios), 1e3)},
+          {"lower_limit_of_ratio", rounded(lower_limit(ratios), 1e3)},
+          {"cells_destroyed", rounded(double(watch.counts.cells_destroyed) / n, 1e2)},
+          {"cells_tested_to_start", rounded(double(watch.counts.cells_tested_to_start) / n, 1e2)},
+          {"order_was_replaced", watch.order_was_replaced}};
+}
+
+struct Options
+{
+  std::vector<std::size_t> sizes = {3000, 20000, 200000};
+  std::size_t repetitions = 9;
+  std::string output = "orders.json";
+};
+
+Options read_options(int argc, char** argv)
+{
+  Options o;
+  po::options_description options("Measures the default beside plain CGAL where an order of "
+                                  "insertion can go wrong.\n\nOptions");
+  auto add = options.add_options();
+  add("help,h", "say this and stop");
+  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."), "numbers of vertices");
+  add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn");
+  add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
+  po::variables_map values;
+  po::store(po::parse_command_line(argc, argv, options), values);
+  po::notify(values);
+  if (values.count("help")) {
+    std::cout << options;
+    std::exit(EXIT_SUCCESS);
+  }
+  return o;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  const Options options = read_options(argc, argv);
+  Json report = {{"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
+  report["machine"]["load_before"] = comparison::load_average();
+  report["command"] = "measure_orders";
+  for (int i = 1; i < argc; ++i)
+    report["command"] = report["command"].get<std::string>() + " " + argv[i];
+  report["repetitions"] = options.repetitions;
+  report["results"] = Json::array();
+  const Measure measure = [&](const Case& c) {
+    Json result = measure_case(c, options.repetitions);
+    std::cerr << result.dump() << "\n";
+    report["results"].push_back(std::move(result));
+  };
+  for (const std::size_t n : options.sizes) {
+    for_cad_solids(n, measure);
+    for_other_surfaces(n, measure);
+  }
+  std::ofstream(options.output) << std::setw(1) << report << "\n";
+} catch (const std::exception& e) {
+  std::cerr << "measure_orders: " << e.what() << "\n";
+  return EXIT_FAILURE;
+}
