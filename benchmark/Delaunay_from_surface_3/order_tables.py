@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Puts what measure_orders and check_meshes wrote as tables on the manual's page on orders; needs nothing but Python.
+
+  order_tables.py results/orders*.json --tables
+  order_tables.py results/orders*.json --manual Orders.txt [--check]
+
+Blocks: one table for each size, a summary of all, the meshes of libcgal-demo, machine, and commands.
+"""
+
+import argparse
+import json
+import math
+
+import manual_tables
+from manual_tables import cell, commands_of, machine_of, table
+
+
+def geometric_mean(values):
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def is_cad(row):
+    return row["kind"] in ("by profile", "by ring", "shuffled")
+
+
+def size_of(row, sizes):
+    return min(sizes, key=lambda n: abs(math.log(n / row["points"])))
+
+
+def order_row(row):
+    kind = ", ".join(filter(None, [row["kind"], row["coordinates"] if is_cad(row) else ""]))
+    return [row["family"], kind, row["points"], f'{row["median_ratio"]:.2f}', f'{row["lower_limit_of_ratio"]:.2f}',
+            f'{row["cells_destroyed"]:.1f}', f'{row["cells_tested_to_start"]:.1f}',
+            "yes" if row["order_was_replaced"] else ""]
+
+
+ORDER_TITLES = ["surface", "numbering and coordinates, or what it is", "points", "ratio", "lower limit", "destroyed",
+                "tested to start", "order replaced"]
+SUMMARY_TITLES = ["surfaces", "number", "geometric mean", "least", "least lower limit", "share ≥ 1.5"]
+
+
+def summary_row(name, rows):
+    ratios = [row["median_ratio"] for row in rows]
+    least = min(row["lower_limit_of_ratio"] for row in rows)
+    share = sum(r >= 1.5 for r in ratios) / len(ratios)
+    return [name, len(rows), f"{geometric_mean(ratios):.2f}", f"{min(ratios):.2f}", f"{least:.2f}", f"{100 * share:.0f} %"]
+
+
+def blocks_of_orders(report, sizes):
+    rows = report["results"]
+    of_size = {n: [row for row in rows if size_of(row, sizes) == n] for n in sizes}
+    kinds = [("solids as CAD makes them", True), ("other surfaces", False)]
+    summary = [summary_row(f"{name}, {n}", [row for row in of_size[n] if is_cad(row) == cad])
+               for n in sizes for name, cad in kinds]
+    blocks = {f"orders_{n}": table(ORDER_TITLES, [[cell(v) for v in order_row(row)] for row in of_size[n]], 2)
+              for n in sizes}
+    blocks["summary"] = table(SUMMARY_TITLES, [[cell(v) for v in row] for row in summary])
+    blocks["machine"] = (f'{machine_of(report)}. {report["repetitions"]} repetitions. '
+                         f'Load average before the run: {report["machine"]["load_before"]:.1f}.')
+    return blocks
+
+
+def block_of_meshes(report, least_vertices):
+    large = [r for r in report["meshes"] if r.get("ratio") and r["vertices"] >= least_vertices]
+    rows = [[r["mesh"], r["vertices"], f'{r["ratio"]:.2f}'] for r in sorted(large, key=lambda r: r["ratio"])]
+    ratios = [r["ratio"] for r in large]
+    head = (f'{len(report["meshes"])} meshes, {report["summary"]["equal"]} of them equal and '
+            f'{report["summary"]["error"]} refused with an error. Of those with {least_vertices} vertices or more: '
+            f'{len(ratios)} meshes, geometric mean {geometric_mean(ratios):.2f}, least {min(ratios):.2f}, below 1: '
+            f'{sum(r < 1 for r in ratios)}, above 2: {100 * sum(r > 2 for r in ratios) / len(ratios):.0f} %.')
+    return head + "\n\n" + table(["mesh", "vertices", "ratio"], [[cell(v) for v in row] for row in rows])
+
+
+def all_blocks(reports):
+    """{name: text} of all that the manual shows."""
+    orders = [r for r in reports if "results" in r]
+    blocks = {}
+    for report in orders:
+        blocks.update(blocks_of_orders(report, (3000, 20000, 200000)))
+        blocks["command"] = commands_of(report)
+    for report in reports:
+        if "meshes" in report:
+            blocks["meshes"] = block_of_meshes(report, 3000)
+    return blocks
+
+
+def read(file_name):
+    with open(file_name, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_orders and check_meshes wrote")
+    manual_tables.add_options(parser)
+    arguments = parser.parse_args()
+    manual_tables.serve(arguments, all_blocks([read(name) for name in arguments.files]))
+
+
+if __name__ == "__main__":
+    main()
