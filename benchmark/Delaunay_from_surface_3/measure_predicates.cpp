@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Measures the stages of the compact kernel's sphere test, each on points that it decides, next to
+// CGAL's predicates and to integers of Boost.Multiprecision. Writes JSON.
+
+#include <Delaunay_from_surface_3_comparison/machine.h>
+
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/exact_signs.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Delaunay_from_surface_3;
+using namespace CGAL::Delaunay_from_surface_3::internal;
+using nlohmann::ordered_json;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Random = std::mt19937_64;
+using Coordinates = std::array<double, 3>;
+
+// A positively oriented cell, and p.
+struct Test
+{
+  std::array<Coordinates, 5> points;
+  std::array<const double*, 4> vertices() const
+  {
+    return {points[0].data(), points[1].data(), points[2].data(), points[3].data()};
+  }
+  const double* p() const { return points[4].data(); }
+};
+
+struct Family
+{
+  std::string name;
+  std::function<Coordinates(Random&)> make_point;
+};
+
+double unit(Random& r)
+{
+  return std::ldexp(double(r() >> 11), -53);
+}
+
+double either_sign(Random& r, double d)
+{
+  return (r() & 1) != 0 ? d : -d;
+}
+
+Coordinates on_sphere(Random& r)
+{
+  const double z = 2 * unit(r) - 1, a = 6.283185307179586 * unit(r), s = std::sqrt(1 - z * z);
+  return {.5 * s * std::cos(a), .5 * s * std::sin(a), .5 * z};
+}
+
+// What decides them: in that order, the stages behind the first filter.
+const Family families[] = {
+    {"cube",
+     [](Random& r) {
+       return Coordinates{unit(r), unit(r), unit(r)};
+     }},
+    {"small integers, corners of a box",
+     [](Random& r) {
+       return Coordinates{either_sign(r, .5), either_sign(r, .25), either_sign(r, .125)};
+     }},
+    {"doubles, corners of a box",
+     [](Random& r) {
+       return Coordinates{either_sign(r, .1), either_sign(r, .3), either_sign(r, .7)};
+     }},
+    {"doubles on a sphere", on_sphere},
+    {"doubles on a sphere, and residues",
+     [](Random& r) {
+       Coordinates p = on_sphere(r);
+       p[r() % 3] = 1e-12 * unit(r);
+       return p;
+     }},
+    {"a box, wide numbers",
+     [](Random& r) {
+       return Coordinates{either_sign(r, .1), either_sign(r, .3), either_sign(r, .7e-15)};
+     }},
+};
+
+Kernel::Point_3 point(const Coordinates& c)
+{
+  return {c[0], c[1], c[2]};
+}
+
+std::vector<Test> make_tests(const Family& family, std::size_t n)
+{
+  Random random(1);
+  std::vector<Test> tests;
+  for (std::size_t tries = 0; tests.size() < n && tries < 1000 * n; ++tries) {
+    Test t;
+    for (Coordinates& c : t.points)
+      c = family.make_point(random);
+    const auto orientation = CGAL::orientation(point(t.points[0]), point(t.points[1]),
+                                               point(t.points[2]), point(t.points[3]));
+    if (orientation == CGAL::COPLANAR ||
+        std::find(t.points.begin(), t.points.begin() + 4, t.points[4]) != t.points.begin() + 4)
+      continue;
+    if (orientation == CGAL::NEGATIVE)
+      std::swap(t.points[0], t.points[1]);
+    tests.push_back(t);
+  }
+  if (tests.size() < n)
+    throw std::runtime_error("no tests of " + family.name);
+  return tests;
+}
+
+// The least processor time of all repetitions. `sign` is called with each test.
+template <class Sign>
+double nanoseconds(const std::vector<Test>& tests, std::size_t repetitions, const Sign& sign)
+{
+  volatile int sum = 0;
+  double best = 1e300;
+  for (std::size_t r = 0; r < repetitions; ++r) {
+    const std::clock_t start = std::clock();
+    for (int k = 0; k < 20; ++k)
+      for (const Test& t : tests)
+        sum = sum + sign(t);
+    best = (std::min)(best, double(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return std::round(1e10 * best / (20. * double(tests.size()))) / 10;
+}
+
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+
+// As wide as the determinant of integers of one digit.
+using Boost_integer = boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<320, 320, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked, void>,
+    boost::multiprecision::et_off>;
+
+int sign_by_boost(const Test& t)
+{
+  const auto vertices = t.vertices();
+  const Integer_differences<4> differences(vertices.data(), t.p());
+  if (!differences.can_be_scaled())
+    return 0;
+  Row<Fixed_integer<2>> digits[4];
+  differences.set_rows(digits);
+  std::array<Row<Boost_integer>, 4> r;
+  for (std::size_t k = 0; k < 4; ++k)
+    r[k] = {digits[k].x.digits[0], digits[k].y.digits[0], digits[k].z.digits[0]};
+  return Sphere_cofactors<Boost_integer>(r[0], r[1], r[2], r[3])
+      .lifted(r[0], r[1], r[2], r[3])
+      .sign();
+}
+
+#endif
+
+ordered_json measure(const Family& family, std::size_t repetitions)
+{
+  const std::vector<Test> tests = make_tests(family, 1000);
+  const bool is_fused = has_fused_products();
+  std::array<std::size_t, NUMBER_OF_EXACT_STAGES> stages = {};
+  std::size_t first = 0, perturbed = 0;
+  const auto first_sign = [](const Test& t) {
+    return sphere_sign(row(t.points[0].data(), t.p()), row(t.points[1].data(), t.p()),
+                       row(t.points[2].data(), t.p()), row(t.points[3].data(), t.p()));
+  };
+  const auto exact = [&](const Test& t) {
+    return exact_sphere_sign(t.vertices().data(), t.p(), is_fused);
+  };
+  for (const Test& t : tests) {
+    first += first_sign(t) != 0;
+    ++stages[exact(t).stage];
+    perturbed += exact(t).is_perturbed;
+  }
+  const Perturbed_predicates<Kernel> predicates{Kernel()};
+  ordered_json json = {
+      {"points", family.name},
+      {"decided_by_first_filter", double(first) / 1000},
+      {"decided_by_stages_behind",
+       {{"half_digit", double(stages[HALF_DIGIT]) / 1000},
+        {"one_digit", double(stages[ONE_DIGIT]) / 1000},
+        {"double_double", double(stages[DOUBLE_DOUBLE]) / 1000},
+        {"two_digits", double(stages[TWO_DIGITS]) / 1000},
+        {"kernel", double(stages[KERNEL]) / 1000}}},
+      {"perturbed", double(perturbed) / 1000},
+      {"ns_first_filter", nanoseconds(tests, repetitions, first_sign)},
+      {"ns_double_double", nanoseconds(tests, repetitions,
+                                       [&](const Test& t) {
+                                         const auto v = t.vertices();
+                                         return is_fused ? fused_close_sphere_sign(v.data(), t.p())
+                                                         : close_sphere_sign(v.data(), t.p());
+                                       })},
+      {"ns_double_double_without_fma",
+       nanoseconds(tests, repetitions,
+                   [](const Test& t) { return close_sphere_sign(t.vertices().data(), t.p()); })},
+      {"ns_stages_behind",
+       nanoseconds(tests, repetitions, [&](const Test& t) { return exact(t).sign; })},
+      {"ns_cgal_perturbed", nanoseconds(tests, repetitions, [&](const Test& t) {
+         const auto v = t.vertices();
+         return int(predicates.is_in_sphere(v[0], v[1], v[2], v[3], t.p()));
+       })}};
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
+  if (stages[HALF_DIGIT] + stages[ONE_DIGIT] == tests.size())
+    json["ns_boost_integer"] = nanoseconds(tests, repetitions, sign_by_boost);
+#endif
+  return json;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    if (argc > 3)
+      throw std::runtime_error("usage: measure_predicates [OUTPUT.json [REPETITIONS]]");
+    const std::string output = argc > 1 ? argv[1] : "predicates.json";
+    const std::size_t repetitions = argc > 2 ? std::stoul(argv[2]) : 20;
+    ordered_json json = {
+        {"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
+    for (const Family& family : families)
+      json["sphere_tests"].push_back(measure(family, repetitions));
+    std::ofstream file(output);
+    file << std::setw(2) << json << '\n';
+    if (!file.flush())
+      throw std::runtime_error("cannot write " + output);
+    std::cout << std::setw(2) << json << '\n';
+  } catch (const std::exception& e) {
+    std::cerr << "measure_predicates: " << e.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}
