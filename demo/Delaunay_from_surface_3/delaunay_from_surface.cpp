@@ -160,7 +160,9 @@ int main(int argc, char* argv[])
     return exit_code;
   } catch (const std::bad_alloc&) {
     return fail("there is not enough memory");
-  } catch (const std::exception& error) {
+  } catch (const std::runtime_error& error) {
     return fail(error.what());
+  } catch (const std::exception& error) {
+    return fail(std::string("this should not happen, please report it: ") + error.what());
   }
 }

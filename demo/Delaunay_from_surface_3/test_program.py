@@ -159,6 +159,7 @@ class Output(ProgramCase):
     def test_what_it_refuses(self):
         self.refuses(r"torus\.vtk: unknown extension", TORUS, "--output", "torus.vtk")
         self.refuses(r"nowhere/torus\.vtu: cannot be written", TORUS, "--output", "nowhere/torus.vtu")
+        self.refuses(r"n+\.vtu: cannot be written: File name too long", TORUS, "--output", 300 * "n" + ".vtu")
         (self.folder / "folder.vtu").mkdir()
         self.refuses(r"folder\.vtu: cannot be written", TORUS, "--output", "folder.vtu")
         # An error leaves the older output alone and nothing new behind.
@@ -196,6 +197,7 @@ class Refusals(ProgramCase):
         self.refuses(r"missing\.off: No such file", "missing.off")
         self.refuses(r"new\?line\.off: No such file", "new\nline.off")
         self.refuses(r"\.: unknown extension", ".")
+        self.refuses(r"n+\.off: File name too long", 300 * "n" + ".off")
         (self.folder / "folder.off").mkdir()
         self.refuses(r"folder\.off: is a directory", "folder.off")
         self.write("points.xyz", "0 0 0")

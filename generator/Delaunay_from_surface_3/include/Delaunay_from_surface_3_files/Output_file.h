@@ -28,10 +28,14 @@ public:
     : m_name(name)
     , m_place(name)
   {
-    std::error_code error;
-    if (std::filesystem::exists(m_place, error)) {
-      m_place = std::filesystem::canonical(m_place); // a link stays, and its file is replaced
-      if (!std::filesystem::is_regular_file(m_place))
+    std::error_code error; // what cannot be asked for cannot be written
+    const bool is_there = std::filesystem::exists(m_place, error);
+    if (is_there)
+      m_place = std::filesystem::canonical(m_place, error); // a link stays, its file is replaced
+    if (error)
+      fail(error.value());
+    if (is_there) {
+      if (!std::filesystem::is_regular_file(m_place, error))
         throw std::runtime_error(name + ": cannot be written: it exists and is not a plain file");
       errno = 0;
       if (!std::ofstream(m_place, std::ios::app))

@@ -37,9 +37,11 @@ inline std::string content_of(const std::string& file_name)
   const std::string extension = file_extension(file_name);
   if (extension != "off" && extension != "ply" && extension != "obj" && extension != "stl")
     throw std::runtime_error(file_name + ": unknown extension; .off, .ply, .obj and .stl are read");
-  if (std::filesystem::is_directory(file_name))
+  std::error_code ignored; // what cannot be asked for cannot be opened
+  const std::filesystem::file_status status = std::filesystem::status(file_name, ignored);
+  if (std::filesystem::is_directory(status))
     throw std::runtime_error(file_name + ": is a directory");
-  if (std::filesystem::exists(file_name) && !std::filesystem::is_regular_file(file_name))
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw std::runtime_error(file_name + ": is not a plain file");
   errno = 0;
   std::ifstream file(file_name, std::ios::binary);
