@@ -61,6 +61,7 @@ inline const Category categories[] = {
     {"cluster far away", cluster_far_away},
     {"clusters", clusters},
     {"hub and ring", hub_and_ring},
+    {"sphere and its centre", sphere_and_its_centre},
     {"moment curve", moment_curve},
     {"two skew lines", two_skew_lines},
     {"parts of two categories", mixed},

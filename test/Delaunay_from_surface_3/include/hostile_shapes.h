@@ -171,6 +171,16 @@ inline Points hub_and_ring(Random& r, std::size_t n)
   return points;
 }
 
+// Near the centre of a sphere the stars and conflict zones are as large as the set too, in any order.
+inline Points sphere_and_its_centre(Random& r, std::size_t n)
+{
+  Points points = r.one_in(2) ? sphere(r, n) : integer_sphere(r, n);
+  const double size = std::ldexp(1., r.between(-60, -3));
+  for (std::size_t i = 0; i < n / 8; ++i)
+    points[i] = times(cube(r, 1), size).front();
+  return points;
+}
+
 // --- quadratic ---------------------------------------------------------------------------------
 
 inline Points moment_curve(Random& r, std::size_t n)
