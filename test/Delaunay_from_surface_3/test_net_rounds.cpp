@@ -2,14 +2,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surface_net_rounds: the rounds are nets, hints come before what they serve, graphs on which nets do
-// not shrink are ordered all the same, and no more cells are destroyed than with random rounds.
+// Surface_net_rounds: the rounds are random nets, starting places come before what they serve, in
+// an earlier round or just before, graphs on which nets do not shrink are ordered all the same, and
+// no more cells are destroyed than with random rounds.
 
 #define BOOST_TEST_MODULE test_net_rounds
 #include <boost/test/included/unit_test.hpp>
 
 #include "named_surfaces.h"
 #include "points_and_graphs.h"
+
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
@@ -19,14 +22,17 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
+#include <CGAL/squared_distance_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
@@ -60,10 +66,16 @@ DFS::Insertion_order checked_net_plan(const std::vector<Point>& points, const Gr
               std::adjacent_find(plan.round_ends.begin(), plan.round_ends.end()) ==
                   plan.round_ends.end()));
   BOOST_TEST(plan.round_ends.back() == n);
+  if (plan.starting_places.empty()) // those of Geometric_rounds
+    return plan;
   BOOST_TEST_REQUIRE(plan.starting_places.size() == n);
-  std::size_t late = 0;
-  for (std::size_t k = 1; k < n; ++k)
-    late += plan.starting_places[k] >= k;
+  // Those of the coarsest level start at the place before, and so may those of a large cluster.
+  std::size_t late = 0, begin_of_round = 0, round = 0;
+  for (std::size_t k = 1; k < n; ++k) {
+    if (k == plan.round_ends[round])
+      begin_of_round = plan.round_ends[round++];
+    late += plan.starting_places[k] >= begin_of_round && plan.starting_places[k] != k - 1;
+  }
   BOOST_TEST(late == 0u);
   BOOST_TEST(plan.starting_places[0] == 0u);
   return plan;
@@ -126,10 +138,74 @@ BOOST_AUTO_TEST_CASE(finest_round_is_beside_a_maximal_independent_set)
   BOOST_TEST(inner_edges == 0u);
   BOOST_TEST(std::count(is_covered.begin(), is_covered.end(), true) ==
              std::ptrdiff_t(surface.points.size()));
-  std::size_t strangers = 0; // a point of the last round starts at a neighbour
-  for (std::size_t k = net_size; k < plan.order.size(); ++k)
-    strangers += !edge(plan.order[k], plan.order[plan.starting_places[k]], graph).second;
+  // A point of the last round starts at a neighbour in the net, the nearest of them up to rounding.
+  std::size_t strangers = 0, far = 0;
+  for (std::size_t k = net_size; k < plan.order.size(); ++k) {
+    const std::size_t v = plan.order[k], start = plan.order[plan.starting_places[k]];
+    strangers += !edge(v, start, graph).second;
+    const double distance = CGAL::squared_distance(surface.points[v], surface.points[start]);
+    for (auto [u, end] = adjacent_vertices(v, graph); u != end; ++u)
+      far += is_in_net[*u] &&
+             CGAL::squared_distance(surface.points[v], surface.points[*u]) < 0.999999 * distance;
+  }
   BOOST_TEST(strangers == 0u);
+  BOOST_TEST(far == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(random_blocks_are_permutations)
+{
+  using DFS::internal::Random_blocks;
+  const auto order = [](std::size_t n, std::uint64_t seed) {
+    std::vector<std::size_t> result;
+    Random_blocks(n, seed).for_each([&](std::size_t v) { result.push_back(v); });
+    return result;
+  };
+  const std::size_t block = Random_blocks::largest_block;
+  for (const std::size_t n : {std::size_t(0), std::size_t(1), std::size_t(2), std::size_t(3),
+                              std::size_t(1000), block - 1, block, block + 1, 3 * block + 5}) {
+    std::vector<std::size_t> sorted = order(n, 7);
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<std::size_t> all(n);
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    BOOST_TEST((sorted == all));
+    BOOST_TEST((order(n, 7) == order(n, 7)));
+    if (n >= 1000)
+      BOOST_TEST((order(n, 7) != order(n, 8)));
+  }
+  BOOST_TEST(order(3 * block, 7)[0] / block != order(3 * block, 7)[block] / block);
+}
+
+BOOST_AUTO_TEST_CASE(the_seed_alone_decides)
+{
+  const surfaces::Indexed_surface surface = surfaces::genus_surface(1, 4000, 0.05);
+  const Graph graph = graph_of(surface);
+  const auto order = [&](unsigned int seed) {
+    return DFS::Surface_net_rounds(seed)(surface.points, Kernel(), graph,
+                                         get(boost::vertex_index, graph))
+        .order;
+  };
+  BOOST_TEST((order(1) == order(1)));
+  BOOST_TEST((order(1) != order(2)));
+}
+
+// Wherever the hub stands in the numbering: it comes first, and its fan is in spatial order.
+BOOST_AUTO_TEST_CASE(hubs_come_before_their_fans)
+{
+  for (const bool is_last : {false, true}) {
+    surfaces::Indexed_surface star = surfaces::star(3000, 5);
+    if (is_last) {
+      std::swap(star.points.front(), star.points.back());
+      for (surfaces::Indexed_surface::Face& face : star.faces)
+        for (std::size_t& v : face)
+          v = v == 0 ? 2999 : v == 2999 ? 0 : v;
+    }
+    const DFS::Insertion_order plan = checked_net_plan(star.points, graph_of(star));
+    BOOST_TEST(plan.order.front() == (is_last ? 2999u : 0u));
+    std::size_t from_previous = 0;
+    for (std::size_t k = 2; k < 3000; ++k)
+      from_previous += plan.starting_places[k] == k - 1;
+    BOOST_TEST(from_previous > 2500u);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(graphs_on_which_nets_do_not_shrink)
@@ -155,6 +231,21 @@ BOOST_AUTO_TEST_CASE(graphs_on_which_nets_do_not_shrink)
     add_edge(n - 1, i, star_from_leaf);
   BOOST_TEST(checked_net_plan(points, star_from_leaf).round_ends.size() <= random_rounds + 1);
   checked_net_plan(points, random);
+}
+
+// Then the surface says nothing, and random rounds are better.
+BOOST_AUTO_TEST_CASE(graphs_whose_edges_join_points_that_are_not_near)
+{
+  for (const std::size_t n : {3000, 20000}) {
+    const surfaces::Indexed_surface surface = surfaces::faces_at_random(n, 17);
+    const DFS::Insertion_order plan =
+        plan_of<DFS::Surface_net_rounds>(surface.points, graph_of(surface));
+    const DFS::Insertion_order random =
+        plan_of<DFS::Geometric_rounds>(surface.points, graph_of(surface));
+    BOOST_TEST((plan.order == random.order));
+    BOOST_TEST((plan.round_ends == random.round_ends));
+    BOOST_TEST(plan.starting_places.empty());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(small_sets)

@@ -5,8 +5,8 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_ORDER_CASES_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_ORDER_CASES_H
 
-// The surfaces on which orders of insertion are judged by what they cost. Their seeds and sizes were
-// fixed before any order was tuned, and orders are tuned on others.
+// The surfaces on which orders of insertion are judged by what they cost. Their seeds and sizes
+// were fixed before any order was tuned, and orders are tuned on others.
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
@@ -28,6 +28,7 @@ struct Order_case
 {
   std::string name;
   std::function<surfaces::Indexed_surface()> make;
+  bool is_start_bounded = true;
 };
 
 // Of every kind of coordinates in turn: as computed, of single precision, with 3 and 6 decimals.
@@ -84,7 +85,9 @@ inline std::vector<Order_case> other_order_cases()
       {"nearly flat", [] { return surfaces::nearly_flat(n, 1e-12, 13); }},
       {"star whose hub is vertex 0", [] { return surfaces::star(n, 13); }},
       {"faces at random", [] { return surfaces::faces_at_random(n, 13); }},
-      {"two lines", [] { return surfaces::two_lines(1000); }},
+      // An insertion destroys 250 cells whatever the order, so that 30 tests to start count for
+      // little; and half of the points have their nearest neighbours on the other line.
+      {"two lines", [] { return surfaces::two_lines(1000); }, false},
   };
 }
 

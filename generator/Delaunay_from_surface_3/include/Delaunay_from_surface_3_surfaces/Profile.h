@@ -16,8 +16,8 @@
 
 namespace surfaces {
 
-/// A planar domain that CAD would extrude: an outer loop, counterclockwise, and holes, clockwise, one
-/// after the other in `points`. No two loops meet.
+/// A planar domain that CAD would extrude: an outer loop, counterclockwise, and holes, clockwise,
+/// one after the other in `points`. No two loops meet.
 struct Profile
 {
   using Point_2 = Indexed_surface::Kernel::Point_2;

@@ -15,10 +15,11 @@
 
 namespace surfaces {
 
-// Surfaces that mislead an order made from them, or whose triangulation is large whatever the order.
+// Surfaces that mislead an order made from them, or whose triangulation is large whatever the
+// order.
 
-/// A hub, vertex 0, and a fan of triangles around it: `n` - 1 points at random directions and distances
-/// between 0.9 and 1 from the hub. \pre `n >= 3`
+/// A hub, vertex 0, and a fan of triangles around it: `n` - 1 points at random directions and
+/// distances between 0.9 and 1 from the hub. \pre `n >= 3`
 inline Indexed_surface star(std::size_t n, std::uint64_t seed)
 {
   if (n < 3)
@@ -56,8 +57,8 @@ inline Indexed_surface faces_at_random(std::size_t n, std::uint64_t seed)
   return surface;
 }
 
-/// `n` points on two lines askew, joined by a band of triangles: every two neighbours of one line form a
-/// cell with every two of the other, n^2 / 4 altogether. \pre `n >= 4`
+/// `n` points on two lines askew, joined by a band of triangles: every two neighbours of one line
+/// form a cell with every two of the other, n^2 / 4 altogether. \pre `n >= 4`
 inline Indexed_surface two_lines(std::size_t n)
 {
   if (n < 4)

@@ -21,9 +21,9 @@
 
 namespace surfaces {
 
-/// How CAD numbers vertices: along the profile that was extruded or turned, one copy after the other;
-/// along the way that each of its points takes, one point after the other; or as something else left
-/// them.
+/// How CAD numbers vertices: along the profile that was extruded or turned, one copy after the
+/// other; along the way that each of its points takes, one point after the other; or as something
+/// else left them.
 enum class Numbering { BY_PROFILE, BY_RING, SHUFFLED };
 
 /// A closed solid of about `n` points as CAD kernels make them. The seed draws its proportions.

@@ -44,9 +44,10 @@ inline void add_hole(Profile& profile, double x, double y, double radius, std::s
   profile.end_loop();
 }
 
-/// A NACA airfoil of four digits with chord 1 and a closed trailing edge: `camber` and `thickness` in
-/// shares of the chord, the largest camber at `position` (Jacobs, Ward, Pinkerton: The characteristics
-/// of 78 related airfoil sections, NACA Report 460, 1933). 2 `half` points, dense at both edges.
+/// A NACA airfoil of four digits with chord 1 and a closed trailing edge: `camber` and `thickness`
+/// in shares of the chord, the largest camber at `position` (Jacobs, Ward, Pinkerton: The
+/// characteristics of 78 related airfoil sections, NACA Report 460, 1933). 2 `half` points, dense
+/// at both edges.
 inline Profile airfoil(std::size_t half, double camber, double position, double thickness)
 {
   const auto surface_point = [=](double x, double side) {

@@ -30,8 +30,8 @@ inline void renumber(Indexed_surface& surface, const std::vector<std::size_t>& o
       v = new_number[v];
 }
 
-/// The points come as the rows of a table, `width` in each, and perhaps more; they are numbered column
-/// by column instead, then the others.
+/// The points come as the rows of a table, `width` in each, and perhaps more; they are numbered
+/// column by column instead, then the others.
 inline void number_by_columns(Indexed_surface& surface, std::size_t width)
 {
   const std::size_t rows = surface.points.size() / width;

@@ -11,10 +11,10 @@
 
 namespace surfaces {
 
-/// A closed solid with `layers` copies of a profile, the walls of quadrangles cut in two, and planar
-/// faces at both ends. `position(k, layer)` is where the k-th point of the profile is; a map that keeps
-/// its orientation when looked at against the direction of the layers. The points are numbered layer by
-/// layer. \pre `layers >= 2`
+/// A closed solid with `layers` copies of a profile, the walls of quadrangles cut in two, and
+/// planar faces at both ends. `position(k, layer)` is where the k-th point of the profile is; a map
+/// that keeps its orientation when looked at against the direction of the layers. The points are
+/// numbered layer by layer. \pre `layers >= 2`
 template <class Position>
 Indexed_surface swept(const Profile& profile, std::size_t layers, const Position& position)
 {
@@ -36,9 +36,9 @@ Indexed_surface swept(const Profile& profile, std::size_t layers, const Position
   return surface;
 }
 
-/// A closed solid with `rings` rings of `segments` points and a hub at each end that a fan of triangles
-/// joins to the last ring. `position(segment, ring)`; the points are numbered ring by ring, then the two
-/// hubs. \pre `segments >= 3`, `rings >= 1`
+/// A closed solid with `rings` rings of `segments` points and a hub at each end that a fan of
+/// triangles joins to the last ring. `position(segment, ring)`; the points are numbered ring by
+/// ring, then the two hubs. \pre `segments >= 3`, `rings >= 1`
 template <class Position>
 Indexed_surface turned(std::size_t segments, std::size_t rings, const Position& position,
                        const Indexed_surface::Point_3& first_hub,

@@ -5,11 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_NET_HIERARCHY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_NET_HIERARCHY_H
 
-// Nets of a graph, each a maximal independent set of the one before, with the cluster of every net
-// vertex: itself and the neighbours that chose it.
+// Nets of a graph, each a maximal independent set of the one before, with the clusters of their
+// vertices.
 //
-// A graph is given by the neighbours of each vertex that have smaller numbers: each edge once, at the
-// end that is looked at last.
+// A graph is given by the neighbours of each vertex that have smaller numbers: each edge once, at
+// the end that is looked at last.
 //
 // Invariant: a level's vertices are numbered in the order in which those of the level below are, so
 // that a mesh that is coherent in memory gives levels that are. No search through the graph: where
@@ -18,7 +18,9 @@
 // shrink by a constant factor (4 to 5) and their edges with them: linear altogether. On other
 // graphs a level may keep nearly all its vertices; such a level ends the hierarchy.
 
+#include <CGAL/Delaunay_from_surface_3/internal/plan/random_net.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -30,38 +32,6 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-// Lists of numbers, one after the other: that of i is items[first[i]], …, items[first[i+1] - 1].
-template <class Index>
-struct Lists
-{
-  Large_vector<Index> first;
-  Large_vector<Index> items;
-
-  std::size_t size() const { return first.size() - 1; }
-  const Index* begin(std::size_t i) const { return items.data() + first[i]; }
-  const Index* end(std::size_t i) const { return items.data() + first[i + 1]; }
-};
-
-// Puts item_of(k) into the list list_of(k), k = 0, …, m-1, of n lists: a counting sort.
-template <class Index, class ListOf, class ItemOf>
-Lists<Index> in_lists(std::size_t n, std::size_t m, const ListOf& list_of, const ItemOf& item_of)
-{
-  Lists<Index> lists;
-  lists.first.assign(n + 2, 0);
-  for (std::size_t k = 0; k < m; ++k)
-    ++lists.first[list_of(k) + 2];
-  for (std::size_t i = 2; i < lists.first.size(); ++i)
-    lists.first[i] += lists.first[i - 1];
-  lists.items.resize(m);
-  // first[i + 1] runs from the begin to the end of the list i
-  for (std::size_t k = 0; k < m; ++k) {
-    prefetch(lists.items.data() + lists.first[list_of((std::min)(k + 16, m - 1)) + 1]);
-    lists.items[lists.first[list_of(k) + 1]++] = item_of(k);
-  }
-  lists.first.pop_back();
-  return lists;
-}
 
 // An edge of a graph whose vertices are numbered: the larger number, and the smaller.
 template <class Index>
@@ -98,48 +68,27 @@ Lists<Index> lower_neighbors(const Graph& graph, VertexIndexMap index_map, std::
   return lower_neighbors(numbered, n);
 }
 
-// A net and who belongs to whom.
-template <class Index>
-struct Net
-{
-  Large_vector<Index> cluster_of; // by vertex: the number of its cluster
-  std::size_t number_of_clusters = 0;
-};
-
-// A maximal independent set, chosen greedily in the order of the numbers: a vertex joins the net
-// unless a neighbour is in it already; then it joins the cluster of that neighbour, whose number is
-// the smaller. Clusters are numbered as their net vertices are. One pass over the lists, in the order
-// in which they lie in memory; all that is looked up beyond them is a byte and a number of each
-// neighbour.
-template <class Index>
-Net<Index> net_of(const Lists<Index>& lower)
-{
-  Net<Index> net;
-  net.cluster_of.resize(lower.size());
-  std::vector<char> is_in_net(lower.size(), false);
-  for (std::size_t v = 0; v < lower.size(); ++v) {
-    const Index* const end = lower.end(v);
-    const Index* const center =
-        std::find_if(lower.begin(v), end, [&](Index u) { return is_in_net[u] != 0; });
-    is_in_net[v] = center == end;
-    net.cluster_of[v] = center == end ? Index(net.number_of_clusters++) : net.cluster_of[*center];
-  }
-  return net;
-}
-
-// The members of every cluster in ascending order. Its net vertex is the first: those who join it
-// come later.
+// The members of every cluster, its net vertex first, the others in ascending order.
 template <class Index>
 Lists<Index> members(const Net<Index>& net)
 {
-  return in_lists<Index>(
-      net.number_of_clusters, net.cluster_of.size(),
+  Lists<Index> lists = in_lists<Index>(
+      net.centers.size(), net.cluster_of.size(),
       [&](std::size_t v) { return std::size_t(net.cluster_of[v]); },
       [](std::size_t v) { return Index(v); });
+  for (std::size_t c = 0; c < lists.size(); ++c) {
+    Index* const first = lists.items.data() + lists.first[c];
+    Index* k = first;
+    while (*k != net.centers[c])
+      ++k;
+    std::copy_backward(first, k, k + 1);
+    *first = net.centers[c];
+  }
+  return lists;
 }
 
-// The graph of the clusters: two are neighbours if members of theirs are. An edge is met from each of
-// its clusters at most once, so that it is there twice at most.
+// The graph of the clusters: two are neighbours if members of theirs are. An edge is met from each
+// of its clusters at most once, so that it is there twice at most.
 template <class Index>
 Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cluster_of,
                         const Lists<Index>& clusters)
@@ -176,18 +125,27 @@ struct Net_hierarchy
   std::vector<Large_vector<Index>> points;
   std::size_t number_of_coarsest;
 
-  // Nets of the graph with these lower neighbours until at most `enough` vertices are left, or a net keeps more than the share
-  // `stall` of them.
-  Net_hierarchy(Lists<Index> lower, std::size_t enough, double stall)
+  // Nets of the graph with these lower neighbours until at most `enough` vertices are left, or a
+  // net keeps more than the share `stall` of them. `distance(i, j)` is one of vertices of the
+  // graph.
+  template <class Distance>
+  Net_hierarchy(Lists<Index> lower, std::size_t enough, double stall, unsigned int seed,
+                const Distance& distance)
     : points(1)
     , number_of_coarsest(lower.size())
   {
+    Split_mix random(seed);
     while (number_of_coarsest > enough) {
-      const Net<Index> net = net_of(lower);
-      if (double(net.number_of_clusters) > stall * double(number_of_coarsest))
+      const std::size_t level = points.size() - 1;
+      const Net<Index> net = net_of(lower, random(), [&](std::size_t v, std::size_t u) {
+        return distance(point(level, v), point(level, u));
+      });
+      if (double(net.centers.size()) > stall * double(number_of_coarsest))
         break;
       clusters.push_back(members(net));
-      points.push_back(net_points());
+      points.push_back(net.centers);
+      for (Index& c : points.back())
+        c = Index(point(level, c));
       lower = contracted(lower, net.cluster_of, clusters.back());
       number_of_coarsest = lower.size();
     }
@@ -198,17 +156,6 @@ struct Net_hierarchy
   std::size_t point(std::size_t level, std::size_t v) const
   {
     return level == 0 ? v : points[level][v];
-  }
-
-private:
-  // The points of the clusters made last.
-  Large_vector<Index> net_points() const
-  {
-    const Lists<Index>& finest = clusters.back();
-    Large_vector<Index> result(finest.size());
-    for (std::size_t c = 0; c < result.size(); ++c)
-      result[c] = Index(point(points.size() - 1, *finest.begin(c)));
-    return result;
   }
 };
 

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_RANDOM_NET_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_RANDOM_NET_H
+
+// A net of a graph, that is a maximal independent set, with the cluster of every net vertex: itself
+// and the neighbours that are nearer to it than to other net vertices beside them.
+//
+// The net is the greedy one in a random order of the vertices. In the order of the numbers it would
+// be as regular as the numbering, and CAD numbers along profiles and rings: whole rings would come
+// one after the other. The order is random by blocks of successive numbers, and random inside each,
+// which keeps memory together and destroys no more cells than one that is random throughout. Hubs
+// come before all others: the middle of a fan is better there before the fan than after it. Chains
+// of vertices of which each waits for the one before have logarithmic length in random orders
+// (Blelloch, Fineman, Shun: Greedy sequential maximal independent set and matching are parallel on
+// average, SPAA 2012; Fischer, Noever: Tight analysis of parallel randomized greedy MIS, SODA
+// 2018).
+//
+// Cost: linear in vertices and edges. Every edge is stored at one of its ends only, at which it is
+// seen from both: a vertex asks those in its list, and tells them when it joins.
+
+#include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/Lists.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Random numbers that depend on the seed alone, with any library: splitmix64 (Steele, Lea, Flood:
+// Fast splittable pseudorandom number generators, OOPSLA 2014).
+class Split_mix
+{
+public:
+  explicit Split_mix(std::uint64_t seed)
+    : m_state(seed)
+  {
+  }
+
+  std::uint64_t operator()()
+  {
+    std::uint64_t x = m_state += 0x9e3779b97f4a7c15;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+  }
+
+  template <class Iterator>
+  void shuffle(Iterator first, Iterator last)
+  {
+    using std::swap;
+    for (auto n = static_cast<std::uint64_t>(last - first); n > 1; --n)
+      swap(first[n - 1], first[((*this)() >> 32) * n >> 32]); // for n up to 2^32
+  }
+
+private:
+  std::uint64_t m_state;
+};
+
+// The numbers 0, …, n-1 in an order that is random by blocks and inside them. The blocks share one
+// permutation, each with a twist of its own. What belongs to a block of a graph fits into a cache.
+class Random_blocks
+{
+public:
+  static constexpr std::size_t largest_block = std::size_t(1) << 15;
+
+  Random_blocks(std::size_t n, std::uint64_t seed)
+    : m_n(n)
+  {
+    std::size_t size = 1;
+    while (size < n && size < largest_block)
+      size *= 2;
+    Split_mix random(seed);
+    m_inner.resize(size);
+    std::iota(m_inner.begin(), m_inner.end(), std::uint16_t(0));
+    random.shuffle(m_inner.begin(), m_inner.end());
+    for (std::size_t first = 0; first < n; first += size)
+      m_blocks.push_back({first, random() % size, random() % size});
+    random.shuffle(m_blocks.begin(), m_blocks.end());
+  }
+
+  // Calls visit(v) for every number.
+  template <class Visit>
+  void for_each(const Visit& visit) const
+  {
+    const std::size_t mask = m_inner.size() - 1;
+    for (const Block& block : m_blocks)
+      for (std::size_t k = 0; k <= mask; ++k) {
+        const std::size_t v = block.first + (m_inner[(k + block.shift) & mask] ^ block.flip);
+        if (v < m_n)
+          visit(v);
+      }
+  }
+
+private:
+  struct Block
+  {
+    std::size_t first, shift, flip;
+  };
+
+  std::size_t m_n;
+  std::vector<Block> m_blocks;
+  std::vector<std::uint16_t> m_inner; // as many as a block has, a power of 2
+};
+
+template <class Index>
+struct Net
+{
+  Large_vector<Index> centers;    // by cluster: its net vertex, in ascending order
+  Large_vector<Index> cluster_of; // by vertex: the number of its cluster
+};
+
+// The vertices with more than three times as many edges as the others have on average, in random
+// order.
+template <class Index>
+std::vector<Index> hubs(const Lists<Index>& lower, std::uint64_t seed)
+{
+  const std::size_t n = lower.size();
+  Large_vector<Index> degree(n);
+  for (std::size_t v = 0; v < n; ++v)
+    degree[v] = Index(lower.end(v) - lower.begin(v));
+  for (const Index u : lower.items)
+    ++degree[u];
+  const Index most = Index(3 * 2 * lower.items.size() / n);
+  std::vector<Index> result;
+  for (std::size_t v = 0; v < n; ++v)
+    if (degree[v] > most)
+      result.push_back(Index(v));
+  Split_mix(seed).shuffle(result.begin(), result.end());
+  return result;
+}
+
+// Tells which vertices are in the greedy net of the graph with these lower neighbours.
+template <class Index>
+std::vector<char> random_net(const Lists<Index>& lower, std::uint64_t seed)
+{
+  enum State : char { UNSEEN, IN_NET, BESIDE };
+  std::vector<char> state(lower.size(), UNSEEN);
+  const auto decide = [&](std::size_t v) {
+    if (state[v] != UNSEEN)
+      return;
+    const Index *const first = lower.begin(v), *const last = lower.end(v);
+    if (std::any_of(first, last, [&](Index u) { return state[u] == IN_NET; })) {
+      state[v] = BESIDE;
+      return;
+    }
+    for (const Index* u = first; u != last; ++u)
+      state[*u] = BESIDE;
+    state[v] = IN_NET; // at last: there may be a loop at v
+  };
+  for (const Index v : hubs(lower, seed))
+    decide(v);
+  Random_blocks(lower.size(), seed).for_each(decide);
+  for (char& s : state)
+    s = s == IN_NET;
+  return state;
+}
+
+// The net and its clusters. `distance(v, u)` is asked for neighbours, one of which is in the net.
+template <class Index, class Distance>
+Net<Index> net_of(const Lists<Index>& lower, std::uint64_t seed, const Distance& distance)
+{
+  const std::size_t n = lower.size();
+  const std::vector<char> is_in_net = random_net(lower, seed);
+  Net<Index> net;
+  net.cluster_of.resize(n);
+  for (std::size_t v = 0; v < n; ++v)
+    if (is_in_net[v]) {
+      net.cluster_of[v] = Index(net.centers.size());
+      net.centers.push_back(Index(v));
+    }
+  const double largest = (std::numeric_limits<float>::max)();
+  Large_vector<float> nearest(n, (std::numeric_limits<float>::infinity)());
+  const auto offer = [&](std::size_t v, std::size_t center) {
+    const float d = float((std::min)(distance(v, center), largest));
+    if (d < nearest[v]) {
+      nearest[v] = d;
+      net.cluster_of[v] = net.cluster_of[center];
+    }
+  };
+  for (std::size_t v = 0; v < n; ++v)
+    for (const Index *u = lower.begin(v), *end = lower.end(v); u != end; ++u)
+      if (is_in_net[v]) {
+        if (*u != v)
+          offer(*u, v);
+      } else if (is_in_net[*u])
+        offer(v, *u);
+  return net;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_RANDOM_NET_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the order of the default costs, in counts: on every family of surfaces it destroys few more
+// cells than plain CGAL's order does in the same kernel, and its starting places are not much worse
+// than the nearest neighbour on the surface that is already inserted.
+
+#define BOOST_TEST_MODULE test_order_costs
+#include <boost/test/included/unit_test.hpp>
+
+#include "order_cases.h"
+
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
+
+namespace {
+
+using DFS::internal::Index_graph;
+using Target = DFS::Compact_delaunay_3<Triangulation>;
+
+// Of one point on average.
+struct Cost
+{
+  double destroyed, tested_to_start;
+};
+
+template <template <class, class> class Hints>
+Cost cost(const std::vector<Point>& points, const Index_graph& graph,
+          const DFS::Insertion_order& plan)
+{
+  const std::vector<Point> s = DFS::internal::permuted(points, plan.order);
+  const std::vector<std::size_t> numbers = DFS::internal::inverse(plan.order);
+  Index_graph subgraph;
+  if (Hints<Target, Index_graph>::uses_subgraph)
+    subgraph = DFS::internal::index_graph(DFS::Full_graph(), graph, get(boost::vertex_index, graph),
+                                          numbers);
+  Triangulation tr;
+  Target target(tr, s);
+  Hints<Target, Index_graph> hints(target, subgraph, plan);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    target.insert(i, target.locate(i, hints.start(i)), hints);
+  const double n = double(s.size());
+  return {double(target.counts().cells_destroyed) / n,
+          double(target.counts().cells_tested_to_start) / n};
+}
+
+template <class Plan>
+DFS::Insertion_order plan_of(const std::vector<Point>& points, const Index_graph& graph)
+{
+  return Plan(1)(points, Kernel(), graph, get(boost::vertex_index, graph));
+}
+
+void check(const std::vector<tests::Order_case>& cases)
+{
+  for (const tests::Order_case& a_case : cases)
+    BOOST_TEST_CONTEXT(a_case.name)
+    {
+      const surfaces::Indexed_surface surface = a_case.make();
+      const std::vector<Point>& points = surface.points;
+      const Index_graph graph = DFS::internal::soup_graph(surface.faces, points.size()).graph;
+      const auto nets = plan_of<DFS::Surface_net_rounds>(points, graph);
+      const Cost plain = cost<DFS::Previous_hint_3>(
+          points, graph, plan_of<DFS::Spatial_sort_order>(points, graph));
+      const Cost planned = cost<DFS::Planned_hints_3>(points, graph, nets);
+      const Cost neighbor = cost<DFS::Neighbor_hints_3>(points, graph, nets);
+      BOOST_TEST_MESSAGE(a_case.name << ": cells destroyed per point: nets " << planned.destroyed
+                                     << ", plain CGAL's order " << plain.destroyed
+                                     << "; tested to start: planned " << planned.tested_to_start
+                                     << ", at a neighbour " << neighbor.tested_to_start
+                                     << ", plain CGAL's order " << plain.tested_to_start);
+      BOOST_TEST(planned.destroyed <= 1.15 * plain.destroyed);
+      if (a_case.is_start_bounded)
+        BOOST_TEST(planned.tested_to_start <= 2 * neighbor.tested_to_start);
+    }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(cad_solids)
+{
+  check(tests::cad_order_cases());
+}
+
+BOOST_AUTO_TEST_CASE(structured_degenerate_and_misleading_surfaces)
+{
+  check(tests::other_order_cases());
+}
