@@ -29,6 +29,7 @@
 
 #include <boost/graph/adjacency_list.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -133,11 +134,12 @@ BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes)
       check_equal(points);
     }
   }
-  std::vector<Point> far, flat, mixed;
+  std::vector<Point> far, flat, flatter, mixed;
   CGAL::Random random(4);
   for (const Point& p : unit) {
     far.emplace_back(p.x() + 1e8, p.y() - 1e8, p.z() + 1e8);
-    flat.emplace_back(p.x(), p.y(), 1e-310 * p.z()); // denormal
+    flat.emplace_back(p.x(), p.y(), 1e-300 * p.z());
+    flatter.emplace_back(p.x(), p.y(), 1e-310 * p.z()); // denormal: half of it need be no number
     const double s = std::ldexp(1., random.get_int(-80, 80));
     mixed.emplace_back(s * p.x(), random.get_bool() ? 0. : -0., s * p.z());
     mixed.emplace_back(p.x(), s * p.y(), p.z());
@@ -145,6 +147,9 @@ BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes)
   check_equal(far);
   check_equal(flat);
   check_equal(mixed);
+  Triangulation tr;
+  BOOST_TEST(reason_for_fallback(tr, flatter) == "the coordinates are of too different size");
+  BOOST_TEST((tr == Triangulation(flatter.begin(), flatter.end())));
 }
 
 BOOST_AUTO_TEST_CASE(large_cavities)
@@ -235,6 +240,40 @@ BOOST_AUTO_TEST_CASE(more_cells_than_ids)
   CGAL::insert_points_along_graph_3(widest, most, Graph(most.size()),
                                     Traits<DFS::Geometric_rounds, Compact_with_16_bits>());
   BOOST_TEST((widest == Triangulation(most.begin(), most.end())));
+}
+
+// What the check after an insertion sees.
+BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
+{
+  using Complex = DFS::internal::Compact_complex<std::uint32_t>;
+  using Exact = DFS::internal::Perturbed_predicates<Kernel>;
+  const std::vector<std::array<double, 3>> points = {
+      {{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{.3, .3, .3}}};
+  const Exact exact{Kernel()};
+  const auto built = [&](const std::function<void(Complex&)>& spoil) {
+    Complex complex(points.size(), [&](std::size_t i) { return points[i]; });
+    complex.start({1, 2, 3, 4});
+    DFS::internal::Compact_triangulation<std::uint32_t, Exact> triangulation(exact, complex);
+    triangulation.insert(5, triangulation.locate(5, 0).cell, [](const auto*, const auto*) {});
+    spoil(complex);
+    return triangulation.is_valid();
+  };
+  std::uint32_t c = 0; // a finite cell
+  BOOST_TEST(built([&](Complex& complex) { c = complex.vertex(5).cell; }));
+  BOOST_TEST(!built([&](Complex& complex) { complex.cell(c).links[1] ^= 1; }));
+  BOOST_TEST(!built([&](Complex& complex) { complex.cell(c).links[2] = 4 * 1000; }));
+  BOOST_TEST(
+      !built([&](Complex& complex) { std::swap(complex.cell(c).v[1], complex.cell(c).v[2]); }));
+  BOOST_TEST(!built([&](Complex& complex) { complex.cell(c).v[0] |= Complex::dead; }));
+  BOOST_TEST(!built([&](Complex& complex) {
+    complex.vertex(5).cell = complex.cell(c).links[0] >> 2; // which has not that vertex …
+    complex.vertex(5).cell += complex.vertex(5).cell == 0;  // … nor has cell 1
+  }));
+  BOOST_TEST(!built([&](Complex& complex) {
+    complex.vertex(1).coordinates[0] = .4; // now in the sphere of a cell
+    complex.vertex(1).coordinates[1] = .4;
+    complex.vertex(1).coordinates[2] = .4;
+  }));
 }
 
 BOOST_AUTO_TEST_CASE(labels_start_again_when_ids_run_out)
