@@ -61,11 +61,11 @@ install_missing() {
 
 run_install() { as_root env DEBIAN_FRONTEND=noninteractive "$@" -q -o DPkg::Lock::Timeout=300; }
 
-# Compilations at a time: one for each core, and 2 GB of memory for each.
+# Compilations at a time: one for each core, and 3 GB of memory for each.
 number_of_jobs() {
   local cores gigabytes
   cores=$(nproc)
-  gigabytes=$(awk '/^MemAvailable:/ { print int($2 / 2000000) }' /proc/meminfo)
+  gigabytes=$(awk '/^MemAvailable:/ { print int($2 / 3000000) }' /proc/meminfo)
   if [ "$gigabytes" -lt 1 ]; then gigabytes=1; fi
   echo $((cores < gigabytes ? cores : gigabytes))
 }
