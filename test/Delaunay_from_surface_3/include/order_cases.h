@@ -28,7 +28,7 @@ struct Order_case
 {
   std::string name;
   std::function<surfaces::Indexed_surface()> make;
-  bool is_start_bounded = true;
+  bool is_quadratic = false;
 };
 
 // Of every kind of coordinates in turn: as computed, of single precision, with 3 and 6 decimals.
@@ -74,6 +74,7 @@ inline std::vector<Order_case> other_order_cases()
 {
   const std::size_t n = 12000;
   return {
+      {"smooth torus", [] { return surfaces::genus_surface(1, n, 0, 13); }},
       {"genus 3", [] { return surfaces::genus_surface(3, n, 0.05, 13); }},
       {"sphere in rings", [] { return surfaces::sphere(n); }},
       {"sphere with noise", [] { return surfaces::sphere(n, 0.01, 13); }},
@@ -86,8 +87,9 @@ inline std::vector<Order_case> other_order_cases()
       {"star whose hub is vertex 0", [] { return surfaces::star(n, 13); }},
       {"faces at random", [] { return surfaces::faces_at_random(n, 13); }},
       // An insertion destroys 250 cells whatever the order, so that 30 tests to start count for
-      // little; and half of the points have their nearest neighbours on the other line.
-      {"two lines", [] { return surfaces::two_lines(1000); }, false},
+      // little; half of the points have their nearest neighbours on the other line. The budget does
+      // not hold either, and no order would help.
+      {"two lines", [] { return surfaces::two_lines(1000); }, true},
   };
 }
 
