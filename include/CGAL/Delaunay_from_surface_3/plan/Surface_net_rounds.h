@@ -72,8 +72,9 @@ public:
   /// the number of vertices at which nets end.
   static constexpr std::size_t coarsest = 64;
 
-  /// the budget: on surfaces nets destroy 9 to 31 cells for each point, 40 on a torus of 60,000 points
-  /// without noise, and on adversarial ones any number. An order that takes more than this is left.
+  /// the budget: on surfaces nets destroy 9 to 31 cells for each point, 40 on a torus of 60,000
+  /// points without noise, and on adversarial ones any number. An order that takes more than this
+  /// is left.
   static constexpr std::size_t cells_per_point = 64;
 
   /// the size from which the inside of a cluster is sorted in space.
@@ -135,9 +136,9 @@ private:
     return x * x + y * y + z * z;
   }
 
-  // Does the graph join points that are near? On a surface the squared distance of a vertex from its
-  // net vertex grows from level to level as the number of vertices falls, and in a volume as its
-  // power 2/3; where edges join points at random it stays the same.
+  // Does the graph join points that are near? On a surface the squared distance of a vertex from
+  // its net vertex grows from level to level as the number of vertices falls, and in a volume as
+  // its power 2/3; where edges join points at random it stays the same.
   template <class Point, class Nets>
   static bool joins_near_points(const std::vector<Point>& points, const Nets& nets)
   {
