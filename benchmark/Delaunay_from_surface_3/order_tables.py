@@ -50,8 +50,8 @@ def summary_row(name, rows):
     return [name, len(rows), f"{geometric_mean(ratios):.2f}", f"{min(ratios):.2f}", f"{least:.2f}", f"{100 * share:.0f} %"]
 
 
-def blocks_of_orders(report, sizes):
-    rows = report["results"]
+def blocks_of_orders(reports, sizes):
+    rows = [row for report in reports for row in report["results"]]
     of_size = {n: [row for row in rows if size_of(row, sizes) == n] for n in sizes}
     kinds = [("solids as CAD makes them", True), ("other surfaces", False)]
     summary = [summary_row(f"{name}, {n}", [row for row in of_size[n] if is_cad(row) == cad])
@@ -59,8 +59,9 @@ def blocks_of_orders(report, sizes):
     blocks = {f"orders_{n}": table(ORDER_TITLES, [[cell(v) for v in order_row(row)] for row in of_size[n]], 2)
               for n in sizes}
     blocks["summary"] = table(SUMMARY_TITLES, [[cell(v) for v in row] for row in summary])
-    blocks["machine"] = (f'{machine_of(report)}. {report["repetitions"]} repetitions. '
-                         f'Load average before the run: {report["machine"]["load_before"]:.1f}.')
+    loads = ", ".join(f'{report["machine"]["load_before"]:.1f}' for report in reports)
+    blocks["machine"] = f"{machine_of(reports[0])}. Load average before the runs: {loads}."
+    blocks["command"] = commands_of(*reports)
     return blocks
 
 
@@ -77,11 +78,7 @@ def block_of_meshes(report, least_vertices):
 
 def all_blocks(reports):
     """{name: text} of all that the manual shows."""
-    orders = [r for r in reports if "results" in r]
-    blocks = {}
-    for report in orders:
-        blocks.update(blocks_of_orders(report, (3000, 20000, 200000)))
-        blocks["command"] = commands_of(report)
+    blocks = blocks_of_orders([r for r in reports if "results" in r], (3000, 20000, 200000))
     for report in reports:
         if "meshes" in report:
             blocks["meshes"] = block_of_meshes(report, 3000)

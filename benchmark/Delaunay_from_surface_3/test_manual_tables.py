@@ -50,6 +50,9 @@ class Manual_tables(unittest.TestCase):
     def test_subgraphs(self):
         self.check("bounded_degree_subgraphs.txt", "subgraph_tables.py", "subgraph_*.json")
 
+    def test_orders(self):
+        self.check("Orders.txt", "order_tables.py", "orders*.json", "demo_meshes.json")
+
 
 if __name__ == "__main__":
     unittest.main()
