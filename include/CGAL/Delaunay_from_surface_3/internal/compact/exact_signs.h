@@ -276,9 +276,9 @@ inline Exact_sign exact_beyond_sign(const double* const* vertices, const double*
 
 inline Exact_sign exact_sphere_sign(const double* const* vertices, const double* p, bool is_fused)
 {
-  if (const int sign = Exact_sphere::filtered_sign(vertices, p, is_fused))
-    return {sign, false, DOUBLE_DOUBLE};
-  return {0, false, KERNEL};
+  const int sign =
+      is_fused ? fused_close_sphere_sign(vertices, p) : close_sphere_sign(vertices, p);
+  return {sign, false, sign != 0 ? DOUBLE_DOUBLE : KERNEL};
 }
 
 inline Exact_sign exact_beyond_sign(const double* const*, const double*)
