@@ -406,5 +406,6 @@ BOOST_AUTO_TEST_CASE(a_seed_determines_everything)
     BOOST_TEST((finite_points(by_default) == finite_points(unnamed)));
   };
   check(CGAL::Tracing_traits_3(), true);
-  check(CGAL::Surface_insertion_traits_3(), false); // nets leave nothing to draw on a surface
+  check(CGAL::Surface_insertion_traits_3(), true);
+  check(CGAL::Plain_insertion_traits_3(), false);
 }

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <type_traits>
 
 namespace comparison {
@@ -184,9 +185,15 @@ Json counts_of_kernel(const Mesh& mesh, unsigned int seed)
                 {"two_digits", per_point(decided[TWO_DIGITS])},
                 {"kernel", per_point(decided[KERNEL])}};
   };
+  // What the first filter left open, and what all of them did.
+  const auto& decided = counts.sphere_tests_by_stage;
+  const std::size_t open = std::accumulate(std::begin(decided), std::end(decided), std::size_t(0));
+  const std::size_t last = decided[CGAL::Delaunay_from_surface_3::KERNEL];
   return {{"kernel",
            {{"cells_tested_to_start", per_point(counts.cells_tested_to_start)},
             {"sphere_tests", per_point(counts.sphere_tests)},
+            {"first_filter_failures", per_point(open)},
+            {"second_filter_failures", per_point(last)},
             {"sphere_tests_by_stage", by_stage(counts.sphere_tests_by_stage)},
             {"facet_tests_by_stage", by_stage(counts.facet_tests_by_stage)},
             {"perturbed", per_point(counts.perturbed)}}},
