@@ -38,7 +38,8 @@ public:
   }
 
 private:
-  // In destroyed cells: three steps of a walk take the time of one (instructions, elephant).
+  // In destroyed cells. That three steps of a walk count as one is an estimate: a step makes one test,
+  // a destroyed cell two or three, and it is replaced as well.
   static double work(const Insertion_counts& counts)
   {
     return double(counts.cells_destroyed) + double(counts.cells_tested_to_start) / 3;
