@@ -276,8 +276,7 @@ inline Exact_sign exact_beyond_sign(const double* const* vertices, const double*
 
 inline Exact_sign exact_sphere_sign(const double* const* vertices, const double* p, bool is_fused)
 {
-  const int sign =
-      is_fused ? fused_close_sphere_sign(vertices, p) : close_sphere_sign(vertices, p);
+  const int sign = is_fused ? fused_close_sphere_sign(vertices, p) : close_sphere_sign(vertices, p);
   return {sign, false, sign != 0 ? DOUBLE_DOUBLE : KERNEL};
 }
 
