@@ -15,12 +15,12 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper to the letter (\cgalCite{choi-dtsm-02}, Fig.\ 1): random order, rounds
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1): random order, rounds
 that end at N_h, traces of a spanning subgraph of bounded degree, and the history DAG for Q. It is
 here to study the theorem, not to save time: it takes several times the memory of the others, and is
 slower.
 
-O(n log* n) expected time under the assumptions of the paper. Not with `Fast_location`.
+Not with `Fast_location`.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

@@ -21,7 +21,7 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-is the plan of the paper to the letter (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1): a uniformly random
+is the plan of the paper (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1): a uniformly random
 order, and rounds that end at N_h = ⌈n / log⁽ʰ⁾ n⌉ (log to base 2, iterated h times) for h = 1, …,
 log* n, and at n. Here log* n is the largest h with log⁽ʰ⁾ n ≥ 1. Where two round ends coincide, or
 one is not less than n, the empty round is dropped.
