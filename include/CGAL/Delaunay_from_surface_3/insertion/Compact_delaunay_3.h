@@ -109,7 +109,7 @@ public:
   const std::optional<std::string>& obstacle() const { return m_obstacle; }
 
   /// returns the number of points.
-  std::size_t size() const { return m_points.size(); }
+  std::size_t size() const { return m_vertices.size(); }
 
   /// returns the vertex at point `i`; none if the point is not inserted yet.
   Vertex vertex(std::size_t i) const { return m_vertices[i]; }
@@ -202,6 +202,11 @@ public:
 
   /// returns what the insertions did.
   const Insertion_counts& counts() const { return m_kernel.counts(); }
+
+protected:
+  // For a target that hands the cells over in another way. It may give up the points that were to be
+  // inserted once it is constructed: their coordinates are in the complex.
+  Complex& complex() { return m_complex; }
 
 private:
   template <class Gt>

@@ -25,6 +25,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -154,6 +155,7 @@ public:
   // For the export, which reads cells in ascending order and once.
   void release_cells_before(std::size_t c) { m_cells.release_front(c); }
   void deallocate_cells() { m_cells.deallocate(); }
+  Page_array<Cell> take_cells() { return std::move(m_cells); }
   void deallocate_vertices() { m_vertices.deallocate(); }
 
 private:

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -28,6 +29,31 @@ public:
   Page_array(const Page_array&) = delete;
   Page_array& operator=(const Page_array&) = delete;
   ~Page_array() { deallocate(); }
+
+  // Takes the memory of another, also one of a larger type whose objects hold nothing but such elements.
+  template <class U>
+  explicit Page_array(Page_array<U>&& other)
+  {
+    static_assert(sizeof(U) % sizeof(T) == 0, "elements fill those of the other");
+    m_capacity = other.m_capacity * (sizeof(U) / sizeof(T));
+    m_released = other.m_released;
+    m_data = reinterpret_cast<T*>(other.m_data);
+    other.m_data = nullptr;
+    other.m_capacity = other.m_released = 0;
+  }
+  Page_array(Page_array&& other) noexcept { swap(other); }
+  Page_array& operator=(Page_array&& other) noexcept
+  {
+    Page_array(std::move(other)).swap(*this);
+    return *this;
+  }
+
+  void swap(Page_array& other) noexcept
+  {
+    std::swap(m_data, other.m_data);
+    std::swap(m_capacity, other.m_capacity);
+    std::swap(m_released, other.m_released);
+  }
 
   T* data() { return m_data; }
   const T* data() const { return m_data; }
@@ -62,6 +88,19 @@ public:
 #endif
   }
 
+  // Those from the k-th on are not read any more.
+  void release_back(std::size_t k)
+  {
+#if defined(__linux__)
+    const std::size_t begin = (k * sizeof(T) + large_page - 1) / large_page * large_page;
+    const std::size_t end = m_capacity * sizeof(T) / large_page * large_page;
+    if (begin < end && has_large_pages(m_capacity * sizeof(T)))
+      madvise(reinterpret_cast<char*>(m_data) + begin, end - begin, MADV_DONTNEED);
+#else
+    (void)k;
+#endif
+  }
+
   void deallocate()
   {
     if (m_data != nullptr)
@@ -71,6 +110,9 @@ public:
   }
 
 private:
+  template <class U>
+  friend class Page_array;
+
   T* m_data = nullptr;
   std::size_t m_capacity = 0;
   std::size_t m_released = 0;
