@@ -204,9 +204,11 @@ public:
   const Insertion_counts& counts() const { return m_kernel.counts(); }
 
 protected:
+  /// \cond
   // For a target that hands the cells over in another way. It may give up the points that were to be
   // inserted once it is constructed: their coordinates are in the complex.
   Complex& complex() { return m_complex; }
+  /// \endcond
 
 private:
   template <class Gt>

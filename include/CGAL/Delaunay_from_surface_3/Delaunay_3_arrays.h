@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DELAUNAY_3_ARRAYS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DELAUNAY_3_ARRAYS_H
+
+#include <CGAL/Delaunay_from_surface_3/internal/support/Page_array.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Ref
+
+is a 3D Delaunay triangulation as numbers, and holds no object of CGAL: what
+`delaunay_3_arrays()` returns.
+
+\code{.cpp}
+const auto arrays = CGAL::delaunay_3_arrays(points);
+for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c) {
+  const auto [a, b, d, e] = arrays.vertices(c);          // indices into points, positively oriented
+  for (int i = 0; i < 4; ++i)
+    if (!arrays.is_infinite(arrays.neighbors(c)[i])) {}  // the tetrahedron opposite to vertex i
+}
+\endcode
+
+Cells come as tetrahedra first, then, from number `number_of_simplices()` on, as infinite cells: one
+for each facet of the convex hull. The last vertex of an infinite cell is `none`; the facet of the
+others is such that points beyond it make a positive tetrahedron in the place of `none`. Neighbour i
+shares the facet opposite to vertex i. Of points that coincide, the one with the smallest index is
+the vertex.
+
+If all points lie in a plane, on a line, or coincide, the dimension d is 2, 1 or 0. A cell then has
+d + 1 vertices and neighbours; the entries that are left over are `none`. In a plane the triangles
+have one orientation, in dimension 0 there are no neighbours.
+
+\tparam Index a signed integer type of 32 or 64 bits
+
+<b>Memory</b>: 32 bytes per cell with `std::int32_t`, and 4 per point.
+*/
+template <class Index = std::int32_t>
+class Delaunay_3_arrays
+{
+  static_assert(std::numeric_limits<Index>::is_integer && std::numeric_limits<Index>::is_signed,
+                "an index can be -1");
+
+public:
+  /// stands for the infinite vertex, or for what there is none of.
+  static constexpr Index none = -1;
+
+  /// is made of nothing: the dimension is -1.
+  Delaunay_3_arrays() = default;
+
+  /// \cond
+  using Entries = Delaunay_from_surface_3::internal::Page_array<Index>;
+
+  // Each cell: four vertices, four neighbours.
+  Delaunay_3_arrays(int dimension, std::size_t number_of_simplices, std::size_t number_of_cells,
+                    Entries&& cells, std::vector<Index>&& vertices_of_points)
+    : m_dimension(dimension)
+    , m_number_of_simplices(number_of_simplices)
+    , m_number_of_cells(number_of_cells)
+    , m_vertices(std::move(cells))
+    , m_vertices_of_points(std::move(vertices_of_points))
+  {
+    m_vertices.release_back(m_stride * m_number_of_cells);
+  }
+  /// \endcond
+
+  /// \name Numbers
+  ///@{
+
+  /// returns 3, less if all points lie in a plane, and -1 if there are none.
+  int dimension() const { return m_dimension; }
+
+  /// returns the number of points that were given.
+  std::size_t number_of_points() const { return m_vertices_of_points.size(); }
+
+  /// returns the number of different points. Linear.
+  std::size_t number_of_vertices() const
+  {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < number_of_points(); ++i)
+      count += vertex_of_point(i) == Index(i);
+    return count;
+  }
+
+  /// returns the number of tetrahedra, or of simplices of lower dimension.
+  std::size_t number_of_simplices() const { return m_number_of_simplices; }
+
+  /// returns the number of cells, infinite ones included.
+  std::size_t number_of_cells() const { return m_number_of_cells; }
+  ///@}
+
+  /// \name Cells
+  ///@{
+
+  /// returns the vertices of cell `c`: indices of points.
+  std::array<Index, 4> vertices(std::size_t c) const { return entries(vertices_data(), c); }
+
+  /// returns the neighbours of cell `c`. \pre they have not been dropped
+  std::array<Index, 4> neighbors(std::size_t c) const { return entries(neighbors_data(), c); }
+
+  /// returns whether `c` is an infinite cell, or `none`.
+  bool is_infinite(Index c) const { return c < 0 || std::size_t(c) >= m_number_of_simplices; }
+
+  /// returns the smallest index of a point equal to point `i`.
+  Index vertex_of_point(std::size_t i) const { return m_vertices_of_points[i]; }
+  ///@}
+
+  /// \name Arrays
+  /// Entry k of cell c stands at place `c * stride() + k`.
+  ///@{
+
+  /// returns the vertices of all cells.
+  const Index* vertices_data() const { return m_vertices.data(); }
+
+  /// returns the neighbours of all cells; null if they have been dropped.
+  const Index* neighbors_data() const
+  {
+    return m_has_neighbors ? (m_stride == 8 ? m_vertices.data() + 4 : m_neighbors.data()) : nullptr;
+  }
+
+  /// returns 8 at first, since vertices and neighbours of a cell lie side by side; else 4.
+  std::size_t stride() const { return m_stride; }
+
+  /// returns the vertex of each point.
+  const std::vector<Index>& vertices_of_points() const { return m_vertices_of_points; }
+  ///@}
+
+  /// \name Giving up
+  /// All are linear, and give the memory back.
+  ///@{
+
+  /// gives up the infinite cells: `none` is the neighbour in their place.
+  void drop_infinite_cells()
+  {
+    m_number_of_cells = m_number_of_simplices;
+    if (Index* const neighbors = const_cast<Index*>(neighbors_data()))
+      for (std::size_t c = 0; c < m_number_of_cells; ++c)
+        for (std::size_t k = 0; k < 4; ++k)
+          if (is_infinite(neighbors[c * m_stride + k]))
+            neighbors[c * m_stride + k] = none;
+    m_vertices.release_back(m_stride * m_number_of_cells);
+  }
+
+  /// gives up the neighbours; the vertices become one array without gaps.
+  void drop_neighbors()
+  {
+    close_gaps();
+    m_neighbors.deallocate();
+    m_has_neighbors = false;
+  }
+
+  /// makes vertices and neighbours two arrays without gaps. Needs 16 bytes per cell on the way.
+  void separate()
+  {
+    if (m_stride == 4)
+      return;
+    m_neighbors.reserve(4 * m_number_of_cells, 0);
+    for (std::size_t c = 0; c < m_number_of_cells; ++c)
+      std::copy_n(neighbors_data() + 8 * c, 4, m_neighbors.data() + 4 * c);
+    close_gaps();
+  }
+  ///@}
+
+private:
+  std::array<Index, 4> entries(const Index* data, std::size_t c) const
+  {
+    const Index* const e = data + c * m_stride;
+    return {e[0], e[1], e[2], e[3]};
+  }
+
+  void close_gaps()
+  {
+    Index* const data = m_vertices.data();
+    for (std::size_t c = 1; m_stride == 8 && c < m_number_of_cells; ++c)
+      std::copy_n(data + 8 * c, 4, data + 4 * c);
+    m_stride = 4;
+    m_vertices.release_back(4 * m_number_of_cells);
+  }
+
+  int m_dimension = -1;
+  std::size_t m_number_of_simplices = 0, m_number_of_cells = 0, m_stride = 8;
+  Entries m_vertices;  // and neighbours, as long as the stride is 8
+  Entries m_neighbors; // if the stride is 4
+  bool m_has_neighbors = true;
+  std::vector<Index> m_vertices_of_points;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DELAUNAY_3_ARRAYS_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ARRAYS_OF_TRIANGULATION_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ARRAYS_OF_TRIANGULATION_H
+
+// The arrays of a triangulation of CGAL's, of any dimension. Linear expected: handles are hashed.
+
+#include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+
+#include <boost/unordered_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Changes the order of a cell's entries such that entry k of d + 1 comes last, and the orientation stays.
+template <class Entry>
+void rotate_to_end(std::array<Entry, 4>& entries, int k, int dimension)
+{
+  if (k == dimension)
+    return;
+  std::swap(entries[std::size_t(k)], entries[std::size_t(dimension)]);
+  if (dimension > 1) { // two of those before it, too: the permutation is even
+    const std::size_t i = k == 0 ? 1 : 0,
+                      j = dimension == 2 ? std::size_t(k) : 3 - std::size_t(k) - i;
+    std::swap(entries[i], entries[j]);
+  }
+}
+
+// The numbers of a triangulation's vertices and cells.
+template <class Triangulation, class Index>
+class Numbered_triangulation
+{
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Cell_handle = typename Triangulation::Cell_handle;
+  using Arrays = Delaunay_3_arrays<Index>;
+
+public:
+  // `vertices` are those of all points.
+  Numbered_triangulation(const Triangulation& tr, const std::vector<Vertex_handle>& vertices)
+    : m_tr(tr)
+    , m_vertices(vertices)
+  {
+    m_vertex_numbers.reserve(tr.number_of_vertices() + 1);
+    m_vertex_numbers.emplace(tr.infinite_vertex(), Arrays::none);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      m_vertex_numbers.emplace(vertices[i], Index(i)); // unless an equal point has one
+    for (const bool is_infinite : {false, true}) {
+      for (auto c = tr.tds().cells_begin(); c != tr.tds().cells_end(); ++c)
+        if (tr.is_infinite(c) == is_infinite)
+          m_cells.push_back(c);
+      m_number_of_simplices = is_infinite ? m_number_of_simplices : m_cells.size();
+    }
+    m_cell_numbers.reserve(m_cells.size());
+    for (std::size_t c = 0; c < m_cells.size(); ++c)
+      m_cell_numbers.emplace(m_cells[c], Index(c));
+  }
+
+  Arrays arrays() const
+  {
+    typename Arrays::Entries cells;
+    cells.reserve(8 * m_cells.size(), 0);
+    for (std::size_t c = 0; c < m_cells.size(); ++c)
+      write_cell(m_cells[c], cells.data() + 8 * c);
+    std::vector<Index> vertices_of_points(m_vertices.size());
+    for (std::size_t i = 0; i < m_vertices.size(); ++i)
+      vertices_of_points[i] = m_vertex_numbers.at(m_vertices[i]);
+    return Arrays(m_tr.dimension(), m_number_of_simplices, m_cells.size(), std::move(cells),
+                  std::move(vertices_of_points));
+  }
+
+private:
+  void write_cell(Cell_handle c, Index* out) const
+  {
+    const int d = m_tr.dimension();
+    std::array<std::pair<Index, Index>, 4> entries; // a vertex and the neighbour opposite to it
+    entries.fill({Arrays::none, Arrays::none});
+    for (int i = 0; i <= d; ++i)
+      entries[std::size_t(i)] = {m_vertex_numbers.at(c->vertex(i)),
+                                 m_cell_numbers.at(c->neighbor(i))};
+    if (m_tr.is_infinite(c))
+      rotate_to_end(entries, c->index(m_tr.infinite_vertex()), d);
+    for (std::size_t i = 0; i < 4; ++i) {
+      out[i] = entries[i].first;
+      out[4 + i] = entries[i].second;
+    }
+  }
+
+  const Triangulation& m_tr;
+  const std::vector<Vertex_handle>& m_vertices;
+  boost::unordered_map<Vertex_handle, Index> m_vertex_numbers;
+  std::vector<Cell_handle> m_cells;
+  std::size_t m_number_of_simplices = 0;
+  boost::unordered_map<Cell_handle, Index> m_cell_numbers;
+};
+
+// vertices[i] is that of point i.
+template <class Index, class Triangulation>
+Delaunay_3_arrays<Index>
+arrays_of_triangulation(const Triangulation& tr,
+                        const std::vector<typename Triangulation::Vertex_handle>& vertices)
+{
+  if (vertices.empty())
+    return {};
+  return Numbered_triangulation<Triangulation, Index>(tr, vertices).arrays();
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ARRAYS_OF_TRIANGULATION_H

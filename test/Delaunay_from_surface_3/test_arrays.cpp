@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// delaunay_3_arrays() gives the cells of CGAL's triangulation, with neighbours and orientation.
+
+#define BOOST_TEST_MODULE test_arrays
+#include <boost/test/included/unit_test.hpp>
+
+#include "check_arrays.h"
+#include "named_surfaces.h"
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/delaunay_3_arrays.h>
+
+#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+using CGAL::delaunay_3_arrays;
+using tests::arrays::check_arrays;
+using tests::arrays::Point;
+using Faces = std::vector<std::array<int, 3>>;
+
+struct Reasons_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  std::vector<std::string> replaced, irregular;
+  std::size_t stop_before = std::size_t(-1), asked = 0, orders_replaced = 0;
+
+  void target_is_replaced(const std::string& reason) { replaced.push_back(reason); }
+  void surface_is_irregular(const std::string& reason) { irregular.push_back(reason); }
+  void order_is_replaced(const std::string&) { ++orders_replaced; }
+  bool go_further() { return asked++ != stop_before; }
+};
+
+// What was said while the arrays of the points were made, and checked.
+Reasons_visitor check_points(const std::vector<Point>& points)
+{
+  Reasons_visitor visitor;
+  check_arrays(delaunay_3_arrays(points, CGAL::parameters::visitor(std::ref(visitor))), points);
+  return visitor;
+}
+
+std::vector<Point> grid(int x, int y, int z)
+{
+  std::vector<Point> points;
+  for (int i = 0; i < x; ++i)
+    for (int j = 0; j < y; ++j)
+      for (int k = 0; k < z; ++k)
+        points.emplace_back(i, j, k);
+  return points;
+}
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
+
+// The nets with a budget that nothing keeps.
+struct Starved_nets : DFS::Surface_net_rounds
+{
+  static constexpr std::size_t cells_per_point = 1;
+  using DFS::Surface_net_rounds::Surface_net_rounds;
+};
+
+using Starved_traits =
+    CGAL::Surface_insertion_policies_3<DFS::Full_graph, Starved_nets, DFS::Planned_hints_3>;
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
+{
+  const auto surface = surfaces::genus_surface(1, 2000, 0.05);
+  Reasons_visitor visitor;
+  const auto make_order = [&](const auto& points, const auto& plan, const auto&) {
+    const auto soup = DFS::internal::soup_graph(surface.faces, points.size());
+    return plan(points, tests::arrays::Kernel(), soup.graph, get(boost::vertex_index, soup.graph));
+  };
+  check_arrays(DFS::internal::arrays_of_points<Starved_traits, std::int32_t>(
+                   surface.points, make_order, CGAL::parameters::visitor(std::ref(visitor))),
+               surface.points);
+  BOOST_TEST(visitor.orders_replaced == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(surfaces_with_and_without_faces)
+{
+  for (const auto& surfaces : {tests::ordinary_surfaces(1500), tests::degenerate_surfaces(700),
+                               tests::tiny_and_flat_surfaces()})
+    for (const tests::Named_surface& named : surfaces)
+      BOOST_TEST_CONTEXT(named.name)
+      {
+        const auto& [points, faces] = named.surface;
+        check_arrays(delaunay_3_arrays(points), points);
+        check_arrays(delaunay_3_arrays(points, faces, CGAL::parameters::random_seed(7)), points);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(wide_indices)
+{
+  const auto surface = surfaces::genus_surface(1, 500, 0.05);
+  check_arrays(delaunay_3_arrays<std::int64_t>(surface.points, surface.faces), surface.points);
+}
+
+BOOST_AUTO_TEST_CASE(every_dimension)
+{
+  BOOST_TEST(delaunay_3_arrays(std::vector<Point>()).dimension() == -1);
+  const std::array<int, 3> sides[] = {{1, 1, 1}, {2, 1, 1}, {9, 1, 1}, {1, 7, 5}, {4, 5, 3}};
+  const int dimensions[] = {0, 1, 1, 2, 3};
+  for (std::size_t k = 0; k < 5; ++k)
+    BOOST_TEST_CONTEXT("grid " << k)
+    {
+      std::vector<Point> points = grid(sides[k][0], sides[k][1], sides[k][2]);
+      const std::size_t n = points.size();
+      points.insert(points.end(), points.begin(), points.begin() + std::ptrdiff_t(n / 2 + 1));
+      std::reverse(points.begin(), points.end());
+      const Reasons_visitor visitor = check_points(points);
+      BOOST_TEST(delaunay_3_arrays(points).dimension() == dimensions[k]);
+      BOOST_TEST(visitor.replaced.size() == std::size_t(dimensions[k] < 3));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_of_too_different_size)
+{
+  std::vector<Point> points = grid(3, 3, 3);
+  points.emplace_back(1e-200, 1e-250, 1e300);
+  points.emplace_back(1e300, 1e-300, 5e-324);
+  BOOST_TEST(check_points(points).replaced.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(points_of_any_kind)
+{
+  const std::vector<Point> points = grid(3, 4, 2);
+  std::vector<std::array<double, 3>> numbers;
+  std::vector<std::array<float, 3>> floats;
+  std::vector<CGAL::Epeck::Point_3> exact;
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> simple;
+  for (const Point& p : points) {
+    numbers.push_back({p.x(), p.y(), p.z()});
+    floats.push_back({float(p.x()), float(p.y()), float(p.z())});
+    exact.emplace_back(p.x(), p.y(), p.z());
+    simple.emplace_back(p.x(), p.y(), p.z());
+  }
+  std::vector<const double*> pointers;
+  for (const auto& p : numbers)
+    pointers.push_back(p.data());
+  check_arrays(delaunay_3_arrays(numbers), points);
+  check_arrays(delaunay_3_arrays(floats), points);
+  check_arrays(delaunay_3_arrays(exact), points);
+  check_arrays(delaunay_3_arrays(simple), points);
+  check_arrays(delaunay_3_arrays(pointers), points);
+  std::vector<std::size_t> numbers_of_points(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    numbers_of_points[i] = i;
+  const auto map = boost::make_function_property_map<std::size_t>(
+      [&](std::size_t i) -> const Point& { return points[i]; });
+  check_arrays(delaunay_3_arrays(numbers_of_points, CGAL::parameters::point_map(map)), points);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_given_up)
+{
+  const std::vector<Point> points = grid(4, 4, 4);
+  const auto all = delaunay_3_arrays(points);
+  auto arrays = delaunay_3_arrays(points);
+  arrays.separate();
+  BOOST_TEST(arrays.stride() == 4u);
+  check_arrays(arrays, points);
+  for (const bool are_separate : {false, true}) {
+    auto finite = delaunay_3_arrays(points);
+    if (are_separate)
+      finite.separate();
+    finite.drop_infinite_cells();
+    BOOST_TEST_REQUIRE(finite.number_of_cells() == all.number_of_simplices());
+    std::size_t wrong = 0;
+    for (std::size_t c = 0; c < finite.number_of_cells(); ++c) {
+      wrong += finite.vertices(c) != all.vertices(c);
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto n = all.neighbors(c)[i];
+        wrong += finite.neighbors(c)[i] != (all.is_infinite(n) ? -1 : n);
+      }
+    }
+    finite.drop_neighbors();
+    BOOST_TEST(finite.neighbors_data() == nullptr);
+    for (std::size_t c = 0; c < finite.number_of_cells(); ++c)
+      wrong += finite.vertices(c) != all.vertices(c);
+    BOOST_TEST(wrong == 0u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(refusals_and_stops)
+{
+  std::vector<Point> points = grid(4, 4, 4);
+  BOOST_CHECK_THROW(delaunay_3_arrays(points, Faces{{0, 1, 64}}), CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(delaunay_3_arrays(points, Faces{{0, 1, -1}}), CGAL::Surface_input_error);
+  Reasons_visitor visitor;
+  visitor.stop_before = 30;
+  const auto arrays = delaunay_3_arrays(points, CGAL::parameters::visitor(std::ref(visitor)));
+  BOOST_TEST(arrays.dimension() == -1);
+  BOOST_TEST(arrays.number_of_cells() == 0u);
+  Reasons_visitor irregular;
+  check_arrays(delaunay_3_arrays(points, std::vector<std::vector<int>>{{0, 1, 2, 3}},
+                                 CGAL::parameters::visitor(std::ref(irregular))),
+               points);
+  BOOST_TEST(irregular.irregular.size() == 1u);
+  points[5] = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  BOOST_CHECK_THROW(delaunay_3_arrays(points), CGAL::Surface_input_error);
+}
+
+BOOST_AUTO_TEST_CASE(arrays_can_be_moved)
+{
+  using Arrays = CGAL::Delaunay_3_arrays<>;
+  static_assert(std::is_nothrow_move_constructible<Arrays>::value, "");
+  static_assert(!std::is_copy_constructible<Arrays>::value, "");
+  const std::vector<Point> points = grid(3, 3, 3);
+  Arrays arrays;
+  BOOST_TEST(arrays.number_of_points() == 0u);
+  arrays = delaunay_3_arrays(points);
+  const Arrays moved = std::move(arrays);
+  check_arrays(moved, points);
+}
