@@ -145,6 +145,15 @@ public:
   Insertion_counts counts() const;
 
   /*!
+  is called before the first round if the caller wants the vertices in the order of the input; a target that
+  cannot do this leaves the function out, and is then not used.
+
+  \param order the points in that order, a permutation of 0, …, n-1; equal points share the place of the
+  first of them. It lives until the target is destroyed.
+  */
+  void create_vertices_in_order(const std::vector<std::size_t>& order);
+
+  /*!
   is called once, after the last insertion. From then on the triangulation is complete.
   */
   void finish();

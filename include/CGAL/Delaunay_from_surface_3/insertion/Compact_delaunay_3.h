@@ -19,10 +19,11 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cstddef>
@@ -43,9 +44,11 @@ triangulation when it is finished; any vertex and cell base will do. The result 
 own insertion on every input: signs that floating point cannot certify come from the exact predicates
 of the geometric traits and CGAL's symbolic perturbation.
 
-It serves geometric traits whose numbers are `double` and whose predicates are filtered, such as
-`Exact_predicates_inexact_constructions_kernel`, empty triangulations, and points that do not all lie
-in one plane; `obstacle()` says what stands against it. The rounding mode must be to nearest.
+It serves geometric traits with exact predicates, such as
+`Exact_predicates_inexact_constructions_kernel`, `Exact_predicates_exact_constructions_kernel` and
+`Filtered_kernel<Simple_cartesian<float>>`, if all coordinates are doubles; empty triangulations; and
+points that do not all lie in one plane; `obstacle()` says what stands against it. The rounding mode
+must be to nearest.
 
 Memory: 32 bytes per cell and per point, and the size of an `Id` per point, while it inserts. The
 export gives the cells back as it goes.
@@ -61,7 +64,10 @@ template <class Triangulation, class Id>
 class Compact_delaunay_with_ids_3
 {
   using Geom_traits = typename Triangulation::Geom_traits;
-  using Predicates = internal::Perturbed_predicates<Geom_traits>;
+  // On doubles all exact predicates agree. Those that make points of doubles fastest are asked.
+  static constexpr bool has_doubles = std::is_same<typename Geom_traits::FT, double>::value;
+  using Predicates = internal::Perturbed_predicates<
+      std::conditional_t<has_doubles, Geom_traits, Exact_predicates_inexact_constructions_kernel>>;
   using Complex = internal::Compact_complex<Id>;
   using Kernel = internal::Compact_triangulation<Id, Predicates>;
 
@@ -84,11 +90,10 @@ public:
   /// bring predicates of their own are not: the filters here would go past them.
   static constexpr bool serves_geom_traits()
   {
-    return std::is_same<typename Geom_traits::FT, double>::value &&
-           std::is_same<typename Geom_traits::Point_3, Point>::value &&
+    return std::is_same<typename Geom_traits::Point_3, Point>::value &&
            internal::has_predicates_of_kernel<Geom_traits,
                                               typename Kernel_traits<Point>::Kernel>() &&
-           internal::rounds_every_operation && has_filtered_predicates<Geom_traits>(0);
+           internal::rounds_every_operation && internal::has_exact_predicates<Geom_traits>();
   }
 
   /// is to insert `points` into `tr`; keeps references to both. If nothing stands against it, four
@@ -96,8 +101,9 @@ public:
   Compact_delaunay_with_ids_3(Triangulation& tr, const std::vector<Point>& points)
     : m_tr(tr)
     , m_points(points)
-    , m_exact(tr.geom_traits())
-    , m_scale(internal::exact_scale(points))
+    , m_exact(traits_for_doubles(tr.geom_traits()))
+    , m_not_double(internal::first_not_double(points))
+    , m_scale(m_not_double == points.size() ? internal::exact_scale(points) : 0)
     , m_complex(is_ready() ? points.size() : 0, [this](std::size_t i) { return scaled(i); })
     , m_kernel(m_exact, m_complex)
     , m_vertices(points.size(), Vertex())
@@ -177,15 +183,23 @@ public:
     return insert_one_by_one(*this, first, last, hints, visitor);
   }
 
+  /// is to create the user's vertices in the order in which `order` first names them, a permutation of
+  /// 0, …, n-1, of which a reference is kept. Without it they come in the order of insertion.
+  void create_vertices_in_order(const std::vector<std::size_t>& order) { m_order = &order; }
+
   /// writes the triangulation into the user's.
   void finish()
   {
     using namespace Delaunay_from_surface_3::internal;
     CGAL_expensive_postcondition(m_kernel.is_valid());
-    m_handles = export_complex(m_tr, m_complex, [this](std::size_t v) -> const Point* {
+    const auto point = [this](std::size_t v) -> const Point* {
       const std::size_t i = Complex::point_of_vertex(v);
       return m_vertices[i] == v ? &m_points[i] : nullptr;
-    });
+    };
+    const auto in_order = [this](std::size_t k) {
+      return m_order == nullptr ? k : std::size_t(m_vertices[(*m_order)[k - 1]]);
+    };
+    m_handles = export_complex(m_tr, m_complex, point, in_order);
     fill_upper_levels(m_tr, m_handles);
   }
 
@@ -211,21 +225,18 @@ protected:
   /// \endcond
 
 private:
-  template <class Gt>
-  static constexpr bool has_filtered_predicates(typename Gt::Has_filtered_predicates_tag*)
+  static auto traits_for_doubles(const Geom_traits& gt)
   {
-    return Gt::Has_filtered_predicates_tag::value;
-  }
-  template <class Gt>
-  static constexpr bool has_filtered_predicates(...)
-  {
-    return false;
+    if constexpr (has_doubles)
+      return gt;
+    else
+      return Exact_predicates_inexact_constructions_kernel();
   }
 
   std::array<double, 3> scaled(std::size_t i) const
   {
-    const Point& p = m_points[i];
-    return {to_double(p.x()) * m_scale, to_double(p.y()) * m_scale, to_double(p.z()) * m_scale};
+    const std::array<double, 3> p = *internal::double_coordinates(m_points[i]);
+    return {p[0] * m_scale, p[1] * m_scale, p[2] * m_scale};
   }
 
   bool is_ready() const { return m_tr.number_of_vertices() == 0 && m_scale != 0; }
@@ -235,6 +246,8 @@ private:
   {
     if (m_tr.number_of_vertices() > 0)
       return "the triangulation is not empty";
+    if (m_not_double < m_points.size())
+      return "a coordinate of point " + std::to_string(m_not_double) + " is not a double";
     if (m_scale == 0)
       return "the coordinates are of too different size";
     const auto simplex =
@@ -253,12 +266,14 @@ private:
   Triangulation& m_tr;
   const std::vector<Point>& m_points;
   Predicates m_exact;
-  double m_scale; // 0: there is none
+  std::size_t m_not_double; // the first such point, or the number of points
+  double m_scale;           // 0: there is none
   Complex m_complex;
   Kernel m_kernel;
   std::vector<Vertex> m_vertices;
   std::optional<std::string> m_obstacle;
   std::vector<typename Triangulation::Vertex_handle> m_handles;
+  const std::vector<std::size_t>* m_order = nullptr;
 };
 
 /*!

@@ -5,9 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXACT_SCALE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXACT_SCALE_H
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -18,17 +19,19 @@ namespace internal {
 
 // The power of 2 that makes the largest coordinate in absolute value at least 1/2 and less than 1, as
 // near as the range of numbers allows. It multiplies all coordinates exactly; if there are some that
-// it would make too small for that, returns 0. Linear.
+// it would make too small for that, returns 0. All coordinates must be doubles. Linear.
 template <class Point>
 double exact_scale(const std::vector<Point>& points)
 {
   double largest = 0, least = (std::numeric_limits<double>::max)();
-  for (const Point& p : points)
-    for (const double c : {to_double(p.x()), to_double(p.y()), to_double(p.z())}) {
+  for (const Point& p : points) {
+    const std::array<double, 3> coordinates = *double_coordinates(p);
+    for (const double c : coordinates) {
       const double size = std::abs(c);
       largest = (std::max)(largest, size);
       least = size == 0 ? least : (std::min)(least, size);
     }
+  }
   int exponent = 0;
   std::frexp(largest, &exponent);
   const double scale = std::ldexp(1., (std::min)(-exponent, 1000));

@@ -66,21 +66,26 @@ Large_vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<I
 }
 
 // Fills `tr`, empty, and gives up the memory of `complex`. point(v) leads to the point of vertex v, or
-// to none if that vertex is in no cell. Returns the handles by vertex, that of the infinite vertex
-// first, and none where there is no vertex.
-template <class Triangulation, class Id, class PointOf>
+// to none if that vertex is in no cell. The vertices are made in the order in which in_order(1), … first
+// names them. Returns the handles by vertex, that of the infinite vertex first, and none where there is
+// no vertex.
+template <class Triangulation, class Id, class PointOf, class In_order>
 std::vector<typename Triangulation::Vertex_handle>
-export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& point)
+export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& point,
+               const In_order& in_order)
 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
   auto& tds = tr.tds();
   std::vector<Vertex_handle> vertices(complex.vertices_end());
   vertices[0] = tr.infinite_vertex();
-  for (std::size_t v = 1; v < vertices.size(); ++v)
-    if (const auto* const p = point(v)) {
+  for (std::size_t k = 1; k < vertices.size(); ++k) {
+    const std::size_t v = in_order(k);
+    const auto* const p = vertices[v] == Vertex_handle() ? point(v) : nullptr;
+    if (p != nullptr) {
       vertices[v] = tds.create_vertex();
       vertices[v]->set_point(*p);
     }
+  }
   Large_vector<Id> cell_of(vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v)
     cell_of[v] = complex.vertex(v).cell;

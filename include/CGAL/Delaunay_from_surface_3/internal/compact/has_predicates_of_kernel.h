@@ -7,6 +7,9 @@
 
 // What the filters of the compact kernel rely on at compile time.
 
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/tags.h>
+
 #include <cfloat>
 #include <type_traits>
 #include <utility>
@@ -38,6 +41,25 @@ constexpr bool has_predicates_of_kernel()
                       decltype(std::declval<K>().coplanar_orientation_3_object())>::value &&
          std::is_same<decltype(std::declval<Gt>().compare_xyz_3_object()),
                       decltype(std::declval<K>().compare_xyz_3_object())>::value;
+}
+
+// Whether the predicates are exact: filtered, or on exact numbers.
+template <class GeomTraits, class = void>
+struct Has_filtered_predicates : std::false_type
+{
+};
+template <class GeomTraits>
+struct Has_filtered_predicates<GeomTraits,
+                               std::void_t<typename GeomTraits::Has_filtered_predicates_tag>>
+  : std::bool_constant<GeomTraits::Has_filtered_predicates_tag::value>
+{
+};
+
+template <class GeomTraits>
+constexpr bool has_exact_predicates()
+{
+  using Is_exact = typename Algebraic_structure_traits<typename GeomTraits::FT>::Is_exact;
+  return Has_filtered_predicates<GeomTraits>::value || std::is_same<Is_exact, Tag_true>::value;
 }
 
 } // namespace internal
