@@ -6,18 +6,21 @@
 #define CGAL_DELAUNAY_3_ARRAYS_H
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_into_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/graph/adjacency_list.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <type_traits>
@@ -61,8 +64,12 @@ Delaunay_3_arrays<Index> arrays_of_points(const PointRange& points, const MakeOr
       choose_parameter(get_parameter(np, internal_np::point_map), Coordinates_map<Item>());
   const auto seed =
       static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0));
-  auto&& visitor = visitor_of(choose_parameter<Default_surface_insertion_visitor_3>(
-      get_parameter(np, internal_np::visitor)));
+  check_named_parameters<internal_np::point_t, internal_np::random_seed_t, internal_np::visitor_t>(
+      np);
+  auto&& visitor =
+      visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
+                            get_parameter(np, internal_np::visitor)),
+                        std::size_t(std::distance(std::begin(points), std::end(points))));
 
   const Rounding_to_nearest rounding;
   Visitor_in_mode_of_caller<std::remove_reference_t<decltype(visitor)>> observer(visitor, rounding);
@@ -114,7 +121,7 @@ below
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told what is going on, and can stop it: the arrays are then empty. It
       is copied unless it is passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable as that of `insert_points_3()`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
@@ -133,9 +140,10 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
       points,
       [](const auto& read, const auto& plan, const auto&) {
         using Triangulation = Delaunay_from_surface_3::internal::Array_triangulation;
-        const boost::adjacency_list<> no_graph; // the plan looks at the points alone
+        const Delaunay_from_surface_3::internal::Lower_neighbor_graph
+            no_graph; // nor is one looked at
         return plan(read, Triangulation::Geom_traits(), no_graph,
-                    get(boost::vertex_index, no_graph));
+                    Delaunay_from_surface_3::internal::Identity_index_map());
       },
       np);
 }
@@ -169,8 +177,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
         const Soup_graph soup = soup_graph(faces, read.size());
         if (soup.irregularity)
           visitor.surface_is_irregular(*soup.irregularity);
-        return plan(read, Array_triangulation::Geom_traits(), soup.graph,
-                    get(boost::vertex_index, soup.graph));
+        return plan(read, Array_triangulation::Geom_traits(), soup.graph, Identity_index_map());
       },
       np);
 }

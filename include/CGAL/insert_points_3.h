@@ -6,39 +6,61 @@
 #define CGAL_INSERT_POINTS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Point_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/property_map.h>
-
-#include <boost/graph/adjacency_list.hpp>
 
 #include <cstddef>
-#include <iterator>
-#include <optional>
-#include <vector>
 
 namespace CGAL {
+
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Without a graph: the traits look at the points alone.
+template <class Triangulation, class Range, class NamedParameters>
+std::ptrdiff_t insert_range_of_points(Triangulation& tr, const Range& items,
+                                      const NamedParameters& np)
+{
+  return with_points_and_infos(tr, items, np, [&](const auto& points, const auto& infos) {
+    const Lower_neighbor_graph no_graph;
+    const Insertion_input input{points,          no_graph,        Identity_index_map(),
+                                no_irregularity, Identity_name(), infos};
+    return insert_surface<internal_np::point_t>(tr, input, Point_insertion_traits_3(), np);
+  });
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
 
 /*!
 \ingroup PkgDelaunayFromSurface3Ref
 
-inserts points into a Delaunay triangulation. The result equals what `tr.insert(first, last)` makes of
-them. What holds after refused input, a stop or an exception is what `insert_surface_vertices_3()` says.
+inserts points into a Delaunay triangulation: no surface and no graph is needed. The result equals what
+`tr.insert(first, last)` makes of them. What holds after refused input, a stop or an exception is what
+`insert_surface_vertices_3()` says.
+
+Pairs of a point and an info (`std::pair`, or the tuples of a `boost::zip_iterator`) give the vertices
+their info, if no `point_map` is given. Of points that are equal the one with the smallest index gives
+the vertex its point and info, in every mode. That differs from `tr.insert(first, last)`, where the last
+in its own order gives the info.
 
 <b>Complexity</b>: O(n log n) expected for the order of n points, plus what the insertions take.
 
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Parallel_tag`
 is served sequentially. `Gt` must have exact predicates.
-\tparam PointRange a range of points, or of items that `point_map` turns into points
+\tparam PointRange a range of points, of pairs of points and infos, or of items that `point_map` turns
+into points
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the points are inserted
 \param points the points
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below
+below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
@@ -53,23 +75,37 @@ below
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd
+  \cgalParamNBegin{preserve_order}
+    \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
+      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr` that
+      the compact triangulation of the traits can serve.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
       passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
+      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by returning
+      `false`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
     \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
-      `tr`. It is otherwise that of `insert_surface_vertices_3()`.}
-    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`}
+      `tr`, in ascending order of the indices. It is otherwise that of `insert_surface_vertices_3()`.}
+    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or a
+      callable with such a pair, or with an index and a handle}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
+`Delaunay_from_surface_3::vertex_info_range()`, with which the sequence then begins.
+
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
-\throws Surface_input_error if a coordinate is not a finite number; `tr` is then unchanged
+\throws Surface_input_error if a coordinate is not a finite number, the number of infos is not that of the
+points, or `preserve_order` cannot be had; `tr` is then unchanged
 
 \sa `insert_points_along_graph_3()`
 \sa `Point_insertion_traits_3`
@@ -80,18 +116,18 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                const PointRange& points,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using namespace Delaunay_from_surface_3::internal;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using Point = typename Delaunay_triangulation_3<Gt, Tds, Lp, Slds>::Point;
-  using Item = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
+  return Delaunay_from_surface_3::internal::insert_range_of_points(tr, points, np);
+}
 
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::point_map),
-                                          Identity_property_map<const Item>());
-  const boost::adjacency_list<> no_graph; // the traits look at the points alone
-  return insert_surface(tr, read_points<Point>(points, point_map), std::nullopt, no_graph,
-                        get(boost::vertex_index, no_graph), Point_insertion_traits_3(), np,
-                        [](std::size_t i) { return i; });
+/// \ingroup PkgDelaunayFromSurface3Ref
+/// does the same for the points in the range [`first`, `last`) of a model of `InputIterator`.
+template <class Gt, class Tds, class Lp, class Slds, class InputIterator,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator first,
+                               InputIterator last,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return Delaunay_from_surface_3::internal::insert_range_of_points(tr, make_range(first, last), np);
 }
 
 } // namespace CGAL

@@ -6,17 +6,14 @@
 #define CGAL_INSERT_SURFACE_POINTS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/property_map.h>
 
 #include <cstddef>
-#include <iterator>
-#include <vector>
 
 namespace CGAL {
 
@@ -28,11 +25,12 @@ the surface; the faces may be polygons, overlap, be oriented at random, or have 
 faces. The result, and what holds after a stop or an exception, are those of
 `insert_surface_vertices_3()`.
 
-<b>Complexity</b>: that of the parts of the traits, plus O(n + m log m) for n points and m edges.
+<b>Complexity</b>: that of the parts of the traits, plus O(n + m) for n points and m sides of faces.
 
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Parallel_tag`
 is served sequentially. `Gt` must have exact predicates.
-\tparam PointRange a range of points, or of items that `point_map` turns into points
+\tparam PointRange as that of `insert_points_3()`: points, pairs of points and infos, or items that
+`point_map` turns into points
 \tparam FaceRange a range of ranges of integers
 \tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -43,7 +41,7 @@ is served sequentially. `Gt` must have exact predicates.
 \param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
 out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below
+below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
@@ -58,24 +56,37 @@ below
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd
+  \cgalParamNBegin{preserve_order}
+    \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
+      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr` that
+      the compact triangulation of the traits can serve.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
       passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
+      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by returning
+      `false`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
     \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
-      `tr`. It is otherwise that of `insert_surface_vertices_3()`.}
-    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`}
+      `tr`, in ascending order of the indices. It is otherwise that of `insert_surface_vertices_3()`.}
+    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or a
+      callable with such a pair, or with an index and a handle}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
+`Delaunay_from_surface_3::vertex_info_range()`, with which the sequence then begins.
+
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
-\throws Surface_input_error if a coordinate is not a finite number or a face has an index out of
-range; `tr` is then unchanged
+\throws Surface_input_error if a coordinate is not a finite number, a face has an index out of range, the
+number of infos is not that of the points, or `preserve_order` cannot be had; `tr` is then unchanged
 
 \sa `insert_surface_vertices_3()`
 */
@@ -87,18 +98,12 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
                                        const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using Point = typename Delaunay_triangulation_3<Gt, Tds, Lp, Slds>::Point;
-  using Item = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
-
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::point_map),
-                                          Identity_property_map<const Item>());
-  const std::vector<Point> converted = read_points<Point>(points, point_map);
-  const Soup_graph soup = soup_graph(faces, converted.size());
-  return insert_surface(tr, converted, soup.irregularity, soup.graph,
-                        get(boost::vertex_index, soup.graph), traits, np,
-                        [](std::size_t i) { return i; });
+  return with_points_and_infos(tr, points, np, [&](const auto& converted, const auto& infos) {
+    const Soup_graph soup = soup_graph(faces, converted.size());
+    const Insertion_input input{converted,         soup.graph,      Identity_index_map(),
+                                soup.irregularity, Identity_name(), infos};
+    return insert_surface<internal_np::point_t>(tr, input, traits, np);
+  });
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref

@@ -59,7 +59,7 @@ inserts the vertices of a surface mesh into a Delaunay triangulation. The result
 
 The edges of the mesh are all that is used of its connectivity; faces that are not triangles,
 several components, boundaries and isolated vertices are no obstacle. Duplicate points share one
-vertex.
+vertex, to which the first of them in the order of `vertices(mesh)` gives its point and info.
 
 If `tr` is empty it is built aside and swapped in: refused input, a stop by the visitor or an
 exception leave it unchanged, and handles to its infinite vertex from before the call become
@@ -81,7 +81,7 @@ is served sequentially. `Gt` must have exact predicates.
 \param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
 out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below
+below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -105,26 +105,40 @@ below
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd
+  \cgalParamNBegin{preserve_order}
+    \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
+      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr` that
+      the compact triangulation of the traits can serve.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
       passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
+      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by returning
+      `false`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives a pair for every vertex of `mesh` inserted: the vertex and its
-      handle in `tr`. Duplicates are paired with the same handle. After a stop nothing is written if
-      `tr` was empty, else the vertices inserted so far.}
+    \cgalParamDescription{receives a pair for every vertex of `mesh` inserted, in their order: the vertex
+      and its handle in `tr`. Duplicates are paired with the same handle. After a stop nothing is written
+      if `tr` was empty, else the vertices inserted so far.}
     \cgalParamType{a model of `OutputIterator` accepting
-      `std::pair<boost::graph_traits<FaceGraph>::%vertex_descriptor, Vertex_handle>`}
+      `std::pair<boost::graph_traits<FaceGraph>::%vertex_descriptor, Vertex_handle>`, or a callable with
+      such a pair, or with a vertex and a handle}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
+`Delaunay_from_surface_3::vertex_info_range()`, with which the sequence then begins.
+
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
-\throws Surface_input_error if a coordinate is not a finite number, an index is negative or too
-large, or two vertices have the same index; `tr` is then unchanged
+\throws Surface_input_error if a coordinate is not a finite number, an index is negative or too large, two
+vertices have the same index, the number of infos is not that of the vertices, or `preserve_order` cannot
+be had; `tr` is then unchanged
 
 \sa `insert_surface_points_3()`
 \sa `insert_points_along_graph_3()`
@@ -149,10 +163,17 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
       vertices(mesh).begin(), vertices(mesh).end());
   const std::vector<std::size_t> dense =
       dense_indices(descriptors, sparse_map, std::vector<std::size_t>().max_size());
-  return insert_surface(tr, read_points<Point>(descriptors, point_map), irregularity_of_mesh(mesh),
-                        mesh,
-                        Dense_index_map<std::decay_t<decltype(sparse_map)>>(sparse_map, dense),
-                        traits, np, [&](std::size_t i) { return descriptors[i]; });
+  const std::vector<Point> points = read_points<Point>(descriptors, point_map);
+  const auto name_of = [&](std::size_t i) { return descriptors[i]; };
+  const Insertion_input input{
+      points,
+      mesh,
+      Dense_index_map<std::decay_t<decltype(sparse_map)>>(sparse_map, dense),
+      irregularity_of_mesh(mesh),
+      name_of,
+      No_infos()};
+  return insert_surface<internal_np::vertex_point_t, internal_np::vertex_index_t>(tr, input, traits,
+                                                                                  np);
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref

@@ -362,5 +362,5 @@ BOOST_AUTO_TEST_CASE(falls_back_and_says_so)
 
   CGAL::Delaunay_triangulation_3<CGAL::Simple_cartesian<double>> unfiltered;
   BOOST_TEST(reason_for_fallback(unfiltered, points) ==
-             "the coordinates are not doubles with filtered predicates");
+             "the predicates of the geometric traits are not the exact ones of a kernel");
 }

@@ -21,8 +21,6 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/spatial_sort.h>
 
-#include <boost/graph/adjacency_list.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -52,8 +50,8 @@ three times as many edges as the average come first: it is better to insert the 
 before the fan. The members of a cluster of more than `large_cluster` come in the order of
 `spatial_sort()`, and start at the point before if that is nearer than the net vertex.
 
-Where the edges join points that are not near each other, as a look at a thousand of them on two
-levels tells, `Geometric_rounds` orders the points, and no starting places are named.
+Where there are no edges, or they join points that are not near each other, as a look at a thousand of
+them on two levels tells, `Geometric_rounds` orders the points, and no starting places are named.
 
 A level that keeps more than 90 % of its vertices (isolated vertices, graphs with few edges) ends
 the hierarchy; what is left then, and the last few dozen vertices, are ordered by
@@ -97,6 +95,8 @@ public:
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
                              const Graph& graph, VertexIndexMap index_map) const
   {
+    if (num_edges(graph) == 0)
+      return fallback_plan()(points, gt, graph, index_map);
     const std::size_t larger = (std::max)(points.size(), std::size_t(num_edges(graph)));
     if (larger < (std::numeric_limits<std::uint32_t>::max)())
       return order<std::uint32_t>(points, gt, graph, index_map);

@@ -9,6 +9,7 @@
 // loop of Fig. 1 (insert_in_rounds.h).
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
@@ -18,15 +19,16 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The points in the order of insertion, the plan that says so and what it may cost, and T on their places. What is inserted
-// one after the other lies side by side; with the numbers of the mesh nearly every point and record
-// would miss the cache.
+// The points in the order of insertion, the plan that says so and what it may cost, and T on their places.
+// What is inserted one after the other lies side by side; with the numbers of the mesh nearly every point
+// and record would miss the cache.
 template <class Point>
 struct Planned_points
 {
@@ -35,6 +37,8 @@ struct Planned_points
   Insertion_order plan;
   Insertion_budget budget;
   Index_graph subgraph;
+  std::string obstacle;                // what is known to stand against the target of the traits
+  bool creates_in_input_order = false; // the vertices
 };
 
 // The vertices of the points, none where the work ended before; by place.
@@ -77,11 +81,35 @@ insert_into_wider_target(Triangulation& tr,
   }
 }
 
+[[noreturn]] inline void refuse_input_order(const std::string& obstacle)
+{
+  throw Surface_input_error("the vertices cannot be created in the order of the input: " +
+                            obstacle);
+}
+
+// Can the target create vertices in a given order?
+template <class Target, class = void>
+struct Creates_in_order : std::false_type
+{
+};
+template <class Target>
+struct Creates_in_order<Target,
+                        std::void_t<decltype(std::declval<Target&>().create_vertices_in_order(
+                            std::declval<const std::vector<std::size_t>&>()))>> : std::true_type
+{
+};
+
 template <class Traits, class Triangulation, class Target, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_planned(Target& target, const Planned_points<typename Triangulation::Point>& planned,
                Visitor& visitor)
 {
+  if (planned.creates_in_input_order) {
+    if constexpr (Creates_in_order<Target>::value)
+      target.create_vertices_in_order(planned.places);
+    else
+      refuse_input_order("that needs the compact triangulation, which the traits do not name");
+  }
   typename Traits::template Insertion_hints_3<Target, Index_graph> hints(target, planned.subgraph,
                                                                          planned.plan);
   const Insertion_outcome outcome =
@@ -99,8 +127,10 @@ insert_into_target(Triangulation& tr, const Planned_points<typename Triangulatio
     Target target(tr, planned.points);
     return insert_planned<Traits, Triangulation>(target, planned, visitor);
   } else {
-    std::string obstacle = "the coordinates are not doubles with filtered predicates";
-    if constexpr (Target::serves_geom_traits()) { // else it need not compile
+    std::string obstacle = planned.obstacle;
+    if constexpr (!Target::serves_geom_traits()) { // it need not compile
+      obstacle = "the predicates of the geometric traits are not the exact ones of a kernel";
+    } else if (obstacle.empty()) {
       try {
         Target target(tr, planned.points);
         if (!target.obstacle())
@@ -110,6 +140,8 @@ insert_into_target(Triangulation& tr, const Planned_points<typename Triangulatio
         return insert_into_wider_target<Target, Traits>(tr, planned, shortage, visitor);
       }
     }
+    if (planned.creates_in_input_order)
+      refuse_input_order(obstacle);
     visitor.target_is_replaced(obstacle);
     return insert_into_target<Triangulation_target_3<Triangulation>, Traits>(tr, planned, visitor);
   }

@@ -7,7 +7,7 @@
 
 // What all public functions share, from the named parameters to the loop of Choi 2002, Fig. 1:
 //   insert_surface        reads the parameters
-//   insert_and_write      builds aside what is empty, and writes the pairs of points and vertices
+//   insert_and_give       builds aside what is empty, and hands the vertices over
 //   insert_by_plan        makes the order and T, and begins anew in another order if that one is too dear
 //   insert_into_target    chooses the target (insert_into_target.h)
 //   insert_in_rounds      is the loop (insert_in_rounds.h)
@@ -15,19 +15,24 @@
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Visitor_in_mode_of_caller.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_plan.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_into_target.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/spanning_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/iterator.h>
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,74 +40,140 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
+// What a public function hands over: the points, checked; a graph on them; what the caller calls them, as a
+// function of their indices; and the infos that came with them.
+template <class Point, class Graph, class VertexIndexMap, class NameOf, class Infos>
+struct Insertion_input
+{
+  const std::vector<Point>& points;
+  const Graph& graph;
+  VertexIndexMap index_map;
+  std::optional<std::string> irregularity;
+  NameOf name_of;
+  Infos infos;
+};
+
+template <class Point, class Graph, class VertexIndexMap, class NameOf, class Infos>
+Insertion_input(const std::vector<Point>&, const Graph&, VertexIndexMap, std::optional<std::string>,
+                NameOf, Infos) -> Insertion_input<Point, Graph, VertexIndexMap, NameOf, Infos>;
+
+// Points that need not be a surface are not irregular.
+inline const std::optional<std::string> no_irregularity = std::nullopt;
+
+// What the caller asks of the order.
+struct Order_options
+{
+  unsigned int seed;
+  bool creates_in_input_order;
+};
+
+// Is the target one for exact numbers that may turn out to be doubles?
+template <class Target, class Geom_traits>
+constexpr bool looks_for_doubles()
+{
+  if constexpr (Target::serves_everything || std::is_same<typename Geom_traits::FT, double>::value)
+    return false;
+  else
+    return Target::serves_geom_traits();
+}
+
+// The order. If exact numbers are doubles it is made of doubles: that is faster, and it is the same. If
+// one of them is not, says which in `obstacle`.
+template <class Target, class Plan, class Triangulation, class Graph, class VertexIndexMap>
+Insertion_order order_of(const Plan& make_plan, const Triangulation& tr,
+                         const std::vector<typename Triangulation::Point>& points,
+                         const Graph& graph, VertexIndexMap index_map, std::string& obstacle)
+{
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Points = std::vector<Kernel::Point_3>;
+  if constexpr (looks_for_doubles<Target, typename Triangulation::Geom_traits>()) {
+    const std::size_t i = first_not_double(points);
+    if (i < points.size())
+      obstacle = "a coordinate of point " + std::to_string(i) + " is not a double";
+    else if constexpr (std::is_invocable<const Plan&, const Points&, const Kernel&, const Graph&,
+                                         VertexIndexMap>::value) {
+      Points doubles;
+      doubles.reserve(points.size());
+      for (const auto& p : points) {
+        const auto c = *double_coordinates(p);
+        doubles.emplace_back(c[0], c[1], c[2]);
+      }
+      return make_plan(doubles, Kernel(), graph, index_map);
+    }
+  }
+  (void)obstacle;
+  return make_plan(points, tr.geom_traits(), graph, index_map);
+}
+
 // Order, T, and the points in that order.
-template <class Hints, class Traits, class Triangulation, class Plan, class Graph,
-          class VertexIndexMap, class Visitor>
+template <class Target, class Hints, class Traits, class Triangulation, class Plan, class Input,
+          class Visitor>
 Planned_points<typename Triangulation::Point>
-plan_insertion(const Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
-               const Graph& graph, VertexIndexMap index_map, const Traits& traits,
+plan_insertion(const Triangulation& tr, const Input& input, const Traits& traits,
                const Plan& make_plan, Visitor& visitor)
 {
   using Phase = Surface_insertion_phase;
   Planned_points<typename Triangulation::Point> planned;
   visitor.phase_begins(Phase::PLAN);
-  planned.plan = make_plan(points, tr.geom_traits(), graph, index_map);
-  planned.places = check_plan(planned.plan, points.size());
-  planned.points = permuted(points, planned.plan.order);
+  planned.plan =
+      order_of<Target>(make_plan, tr, input.points, input.graph, input.index_map, planned.obstacle);
+  planned.places = check_plan(planned.plan, input.points.size());
+  planned.points = permuted(input.points, planned.plan.order);
   if constexpr (Has_budget<Plan>::value)
     planned.budget = Insertion_budget(Plan::cells_per_point);
   visitor.phase_begins(Phase::SUBGRAPH);
   if constexpr (Hints::uses_subgraph)
-    planned.subgraph = spanning_subgraph(traits.surface_subgraph_object(), graph, index_map,
-                                         planned.places, visitor);
+    planned.subgraph = spanning_subgraph(traits.surface_subgraph_object(), input.graph,
+                                         input.index_map, planned.places, visitor);
   return planned;
 }
 
 // Inserts by the plan; if that exceeds its budget, anew by the one that it names for this case. Returns
 // the vertices by point.
-template <class Traits, class Triangulation, class Plan, class Graph, class VertexIndexMap,
-          class Visitor>
+template <class Traits, class Triangulation, class Plan, class Input, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
-insert_by_plan(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
-               const Graph& graph, VertexIndexMap index_map, const Traits& traits,
-               const Plan& make_plan, Visitor& visitor)
+insert_by_plan(Triangulation& tr, const Input& input, const Traits& traits, const Plan& make_plan,
+               bool creates_in_input_order, Visitor& visitor)
 {
   using Target = typename Traits::template Insertion_target_3<Triangulation>;
   using Hints = typename Traits::template Insertion_hints_3<Target, Index_graph>;
 
   Inserted_points<typename Triangulation::Vertex_handle> inserted;
   {
-    const auto planned =
-        plan_insertion<Hints>(tr, points, graph, index_map, traits, make_plan, visitor);
+    auto planned = plan_insertion<Target, Hints>(tr, input, traits, make_plan, visitor);
+    planned.creates_in_input_order = creates_in_input_order;
     inserted = insert_into_target<Target, Traits>(tr, planned, visitor);
     inserted.vertices = permuted(inserted.vertices, planned.places);
   }
   if constexpr (Has_budget<Plan>::value)
     if (inserted.outcome == Insertion_outcome::OVER_BUDGET) {
       visitor.order_is_replaced("its insertions destroy or enter too many cells");
-      return insert_by_plan(tr, points, graph, index_map, traits, make_plan.fallback_plan(),
+      return insert_by_plan(tr, input, traits, make_plan.fallback_plan(), creates_in_input_order,
                             visitor);
     }
   return inserted;
 }
 
-// Inserts the points; at last `write` is given their vertices, by point. An empty triangulation is
-// built aside, as a copy that keeps its traits, its lock structure and what its infinite vertex holds:
-// it changes when nothing can fail any more.
-template <class Traits, class Triangulation, class Graph, class VertexIndexMap, class Visitor,
-          class Write>
-void insert_and_write(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
-                      const Graph& graph, VertexIndexMap index_map, const Traits& traits,
-                      unsigned int seed, Visitor& visitor, const Write& write)
+// Inserts the points; at last `give` is given their vertices, by point. An empty triangulation is built
+// aside, as a copy that keeps its traits, its lock structure and what its infinite vertex holds: it
+// changes when nothing can fail any more.
+template <class Traits, class Triangulation, class Input, class Visitor, class Give>
+void insert_and_give(Triangulation& tr, const Input& input, const Traits& traits,
+                     const Order_options& options, Visitor& visitor, const Give& give)
 {
   const Rounding_to_nearest rounding;
   Visitor_in_mode_of_caller<Visitor> observer(visitor, rounding);
-  const auto insert_into = [&](Triangulation& into, bool writes_after_stop) {
-    const auto inserted = insert_by_plan(into, points, graph, index_map, traits,
-                                         traits.insertion_plan_object(seed), observer);
+  const auto insert_into = [&](Triangulation& into, bool gives_after_stop) {
+    const std::size_t before = into.number_of_vertices();
+    const auto inserted =
+        insert_by_plan(into, input, traits, traits.insertion_plan_object(options.seed),
+                       options.creates_in_input_order, observer);
     const bool is_complete = inserted.outcome == Insertion_outcome::COMPLETE;
-    if (is_complete || writes_after_stop)
-      rounding.in_mode_of_caller([&] { write(inserted.vertices); });
+    if (is_complete || gives_after_stop) {
+      if (into.number_of_vertices() - before < input.points.size())
+        give_points(inserted.vertices, input.points);
+      rounding.in_mode_of_caller([&] { give(inserted.vertices); });
+    }
     observer.phase_begins(Surface_insertion_phase::DONE);
     return is_complete;
   };
@@ -115,46 +186,35 @@ void insert_and_write(Triangulation& tr, const std::vector<typename Triangulatio
   }
 }
 
-// A visitor in std::ref() serves as it is. Any other is copied, since its functions may change it;
-// get_parameter_reference() gives a reference to what is gone by then.
-template <class Visitor>
-Visitor visitor_of(const Visitor& visitor)
+// The parameters that all forms share: those of the order, the visitor, and what is done with the
+// vertices. `Known` are the tags of those that only this form has.
+template <class... Known, class Triangulation, class Input, class Traits, class NamedParameters>
+std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Traits& traits,
+                              const NamedParameters& np)
 {
-  return visitor;
-}
-
-template <class Visitor>
-Visitor& visitor_of(const std::reference_wrapper<Visitor>& visitor)
-{
-  return visitor;
-}
-
-// The parameters that all forms share: seed, visitor, and what is done with the vertices.
-template <class Triangulation, class Graph, class VertexIndexMap, class Traits,
-          class NamedParameters, class NameOf>
-std::ptrdiff_t insert_surface(Triangulation& tr,
-                              const std::vector<typename Triangulation::Point>& points,
-                              const std::optional<std::string>& irregularity, const Graph& graph,
-                              VertexIndexMap index_map, const Traits& traits,
-                              const NamedParameters& np, const NameOf& name_of)
-{
+  using namespace internal_np;
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  check_named_parameters<Known..., visitor_t, random_seed_t, preserve_order_t,
+                         vertex_to_vertex_output_iterator_t, Vertex_info_map_tag,
+                         Vertex_info_range_tag>(np);
 
-  auto&& visitor = visitor_of(choose_parameter<Default_surface_insertion_visitor_3>(
-      get_parameter(np, internal_np::visitor)));
-  const auto seed =
-      static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0));
+  const Order_options options = {
+      static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0)),
+      choose_parameter(get_parameter(np, internal_np::preserve_order), false)};
+  const auto infos = infos_of_caller(np, input.name_of, input.infos, input.points.size());
   auto out = choose_parameter(get_parameter(np, internal_np::vertex_to_vertex_output_iterator),
                               Emptyset_iterator());
+  auto&& visitor = visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
+                                         get_parameter(np, internal_np::visitor)),
+                                     input.points.size());
 
-  if (irregularity)
-    visitor.surface_is_irregular(*irregularity);
+  if (input.irregularity)
+    visitor.surface_is_irregular(*input.irregularity);
   const auto before = static_cast<std::ptrdiff_t>(tr.number_of_vertices());
-  insert_and_write(tr, points, graph, index_map, traits, seed, visitor, [&](const auto& vertices) {
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (vertices[i] != typename Triangulation::Vertex_handle())
-        *out++ = std::make_pair(name_of(i), vertices[i]);
+  insert_and_give(tr, input, traits, options, visitor, [&](const auto& vertices) {
+    give_infos(vertices, infos);
+    write_vertices(vertices, input.name_of, out);
   });
   return static_cast<std::ptrdiff_t>(tr.number_of_vertices()) - before;
 }

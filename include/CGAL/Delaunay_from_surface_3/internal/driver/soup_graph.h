@@ -6,11 +6,14 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_SOUP_GRAPH_H
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Net_hierarchy.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,7 +25,7 @@ namespace internal {
 
 struct Soup_graph
 {
-  Index_graph graph; // every edge once, from the smaller index to the larger
+  Lower_neighbor_graph graph;
   // None if all faces are triangles and no edge has more than two.
   std::optional<std::string> irregularity;
 };
@@ -37,38 +40,88 @@ void check_face(const IndexRange& face, std::size_t f, std::size_t number_of_poi
                                 std::to_string(number_of_points) + " points");
 }
 
-// The edges of the faces as a graph on the points: O(m log m) for m edges.
-template <class FaceRange>
-Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
+// The sides of all faces: every edge as often as there are faces that have it. Returns how many faces are
+// not triangles.
+template <class Index, class FaceRange>
+std::size_t read_sides(const FaceRange& faces, std::size_t number_of_points,
+                       Large_vector<Numbered_edge<Index>>& sides)
 {
-  std::vector<std::pair<std::size_t, std::size_t>> edges;
-  std::size_t f = 0, non_triangles = 0, non_manifold_edges = 0;
+  std::size_t f = 0, non_triangles = 0;
   for (const auto& face : faces) {
     check_face(face, f++, number_of_points);
-    const std::size_t k = std::size_t(std::distance(std::begin(face), std::end(face)));
+    const auto k = std::distance(std::begin(face), std::end(face));
     non_triangles += k != 3;
     if (k == 0)
       continue;
-    std::size_t s = std::size_t(*std::next(std::begin(face), std::ptrdiff_t(k - 1)));
+    auto s = Index(*std::next(std::begin(face), k - 1));
     for (const auto& index : face) {
-      const std::size_t t = std::size_t(index);
+      const auto t = Index(index);
       if (s != t)
-        edges.emplace_back(std::minmax(s, t));
+        sides.emplace_back(s, t);
       s = t;
     }
   }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 2; i < edges.size(); ++i)
-    non_manifold_edges += edges[i] == edges[i - 2] && (i < 3 || edges[i] != edges[i - 3]);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return non_triangles;
+}
 
-  Soup_graph soup = {
-      Index_graph(boost::edges_are_sorted, edges.begin(), edges.end(), number_of_points),
-      std::nullopt};
+// Keeps one of the equal items of each list. Returns how many items were there more than twice.
+template <class Index>
+std::size_t keep_one_of_each(Lists<Index>& lists)
+{
+  const std::size_t n = lists.size();
+  Large_vector<Index> place(
+      n, 0); // of an item among those kept, and 1; it counts if the list is its own
+  std::vector<unsigned char> times;
+  std::size_t kept = 0, more_than_twice = 0, first = 0;
+  for (std::size_t v = 0; v < n; ++v) {
+    const std::size_t begin = kept, end = lists.first[v + 1];
+    times.clear();
+    for (std::size_t k = first; k < end; ++k) {
+      const Index u = lists.items[k];
+      if (place[u] > begin) {
+        unsigned char& t = times[place[u] - 1 - begin];
+        more_than_twice += t == 2;
+        t += t < 3;
+      } else {
+        lists.items[kept] = u;
+        place[u] = Index(++kept);
+        times.push_back(1);
+      }
+    }
+    first = end;
+    lists.first[v + 1] = Index(kept);
+  }
+  lists.items.resize(kept);
+  return more_than_twice;
+}
+
+template <class Index, class FaceRange>
+Soup_graph soup_graph_with_ids(const FaceRange& faces, std::size_t number_of_points)
+{
+  Large_vector<Numbered_edge<Index>> sides;
+  sides.reserve(3 * std::size_t(std::distance(std::begin(faces), std::end(faces))));
+  const std::size_t non_triangles = read_sides(faces, number_of_points, sides);
+  Lists<Index> lists = lower_neighbors(sides, number_of_points);
+  const std::size_t non_manifold_edges = keep_one_of_each(lists);
+
+  Soup_graph soup = {Lower_neighbor_graph(std::move(lists)), std::nullopt};
   if (non_triangles + non_manifold_edges > 0)
     soup.irregularity = "faces that are not triangles: " + std::to_string(non_triangles) +
                         ", edges with more than two faces: " + std::to_string(non_manifold_edges);
   return soup;
+}
+
+// The edges of the faces as a graph on the points. Linear: the sides of the faces are sorted by counting.
+template <class FaceRange>
+Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
+{
+  constexpr std::size_t max_short = (std::numeric_limits<std::uint32_t>::max)();
+  std::size_t number_of_sides = 0;
+  for (const auto& face : faces)
+    number_of_sides += std::size_t(std::distance(std::begin(face), std::end(face)));
+  return (std::max)(number_of_points, number_of_sides) < max_short
+             ? soup_graph_with_ids<std::uint32_t>(faces, number_of_points)
+             : soup_graph_with_ids<std::uint64_t>(faces, number_of_points);
 }
 
 } // namespace internal

@@ -8,16 +8,15 @@
 // Everything that is asked of the input before the triangulation is touched.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -44,10 +43,8 @@ Point converted_point(const SourcePoint& p)
 }
 
 // Works for exact numbers too: an interval around a finite number has a finite end, and no NaN.
-template <class FT>
-bool is_finite_coordinate(const FT& x)
+inline bool holds_finite_number(const std::pair<double, double>& interval)
 {
-  const std::pair<double, double> interval = CGAL::to_interval(x);
   return interval.first <= (std::numeric_limits<double>::max)() &&
          interval.second >= std::numeric_limits<double>::lowest();
 }
@@ -55,12 +52,19 @@ bool is_finite_coordinate(const FT& x)
 template <class Point>
 void check_point(const Point& p, std::size_t i)
 {
-  const std::array<bool, 3> is_finite = {is_finite_coordinate(p.x()), is_finite_coordinate(p.y()),
-                                         is_finite_coordinate(p.z())};
+  const Coordinate_intervals intervals = coordinate_intervals(p);
   for (std::size_t c = 0; c < 3; ++c)
-    if (!is_finite[c])
+    if (!holds_finite_number(intervals[c]))
       throw Surface_input_error("vertex " + std::to_string(i) + ": its " + "xyz"[c] +
                                 " coordinate is not a finite number");
+}
+
+// Appends p, converted and checked.
+template <class Point, class SourcePoint>
+void append_checked(const SourcePoint& p, std::vector<Point>& points)
+{
+  points.push_back(converted_point<Point>(p));
+  check_point(points.back(), points.size() - 1);
 }
 
 // The points of `items`, converted and checked.
@@ -69,10 +73,8 @@ std::vector<Point> read_points(const Range& items, PointMap point_map)
 {
   std::vector<Point> points;
   points.reserve(std::size_t(std::distance(std::begin(items), std::end(items))));
-  for (const auto& item : items) {
-    points.push_back(converted_point<Point>(get(point_map, item)));
-    check_point(points.back(), points.size() - 1);
-  }
+  for (const auto& item : items)
+    append_checked(get(point_map, item), points);
   return points;
 }
 

@@ -18,6 +18,7 @@
 // shrink by a constant factor (4 to 5) and their edges with them: linear altogether. On other
 // graphs a level may keep nearly all its vertices; such a level ends the hierarchy.
 
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/random_net.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Lists.h>
@@ -66,6 +67,13 @@ Lists<Index> lower_neighbors(const Graph& graph, VertexIndexMap index_map, std::
     numbered.emplace_back(Index(get(index_map, source(*e, graph))),
                           Index(get(index_map, target(*e, graph))));
   return lower_neighbors(numbered, n);
+}
+
+// The same for a graph that has them.
+template <class Index>
+Lists<Index> lower_neighbors(const Lower_neighbor_graph& graph, Identity_index_map, std::size_t)
+{
+  return graph.lists<Index>();
 }
 
 // The members of every cluster, its net vertex first, the others in ascending order.

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Calls that must not compile: each gives one error, the message behind it. test_refused_code.py compiles
+// this file and looks for them.
+
+#include <CGAL/insert_points_3.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = K::Point_3;
+using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<int, K>;
+using Tds =
+    CGAL::Triangulation_data_structure_3<Vertex_base, CGAL::Delaunay_triangulation_cell_base_3<K>>;
+using Without_info = CGAL::Delaunay_triangulation_3<K>;
+using With_info = CGAL::Delaunay_triangulation_3<K, Tds>;
+namespace parameters = CGAL::parameters;
+
+void call(Without_info& without_info, With_info& with_info, const std::vector<Point>& points,
+          const std::vector<std::pair<Point, int>>& numbered,
+          const std::vector<std::pair<Point, std::string>>& named, const std::vector<int>& infos)
+{
+  // expected: this function does not know that named parameter
+  CGAL::insert_points_3(without_info, points, parameters::vertex_to_vertex_map(1));
+  // expected: infos need a vertex base with info
+  CGAL::insert_points_3(without_info, numbered);
+  // expected: these infos cannot be assigned to the info of the vertex base
+  CGAL::insert_points_3(with_info, named);
+  // expected: infos are given twice
+  CGAL::insert_points_3(with_info, numbered,
+                        CGAL::Delaunay_from_surface_3::vertex_info_range(infos));
+  // expected: a visitor is a model of SurfaceInsertionVisitor_3
+  CGAL::insert_points_3(without_info, points, parameters::visitor(1));
+}
