@@ -1,0 +1,296 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What each kind of user gains, from the points to the end of what they do with the triangulation: plain
+// CGAL and this package in turn. Writes JSON.
+
+#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
+#include <Delaunay_from_surface_3_surfaces/sphere.h>
+
+#include <CGAL/Advancing_front_surface_reconstruction.h>
+#include <CGAL/Alpha_shape_3.h>
+#include <CGAL/Alpha_shape_cell_base_3.h>
+#include <CGAL/Alpha_shape_vertex_base_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_with_circumcenter_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Filtered_kernel.h>
+#include <CGAL/Fixed_alpha_shape_3.h>
+#include <CGAL/Fixed_alpha_shape_cell_base_3.h>
+#include <CGAL/Fixed_alpha_shape_vertex_base_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/insert_points_3.h>
+#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
+
+#include <boost/program_options.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <iterator>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace po = boost::program_options;
+using comparison::Json;
+using comparison::rounded;
+using surfaces::Indexed_surface;
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = K::Point_3;
+using Numbered = std::vector<std::pair<Point, std::size_t>>;
+template <class Vb, class Cb = CGAL::Delaunay_triangulation_cell_base_3<K>>
+using Triangulation_of =
+    CGAL::Delaunay_triangulation_3<K, CGAL::Triangulation_data_structure_3<Vb, Cb>>;
+using Triangulation = CGAL::Delaunay_triangulation_3<K>;
+using With_levels = CGAL::Delaunay_triangulation_3<K, CGAL::Fast_location>;
+using With_info = Triangulation_of<CGAL::Triangulation_vertex_base_with_info_3<std::size_t, K>>;
+using With_circumcenters =
+    Triangulation_of<CGAL::Triangulation_vertex_base_3<K>,
+                     CGAL::Delaunay_triangulation_cell_base_with_circumcenter_3<K>>;
+using For_front = Triangulation_of<CGAL::Advancing_front_surface_reconstruction_vertex_base_3<K>,
+                                   CGAL::Advancing_front_surface_reconstruction_cell_base_3<K>>;
+using For_fixed_alpha = Triangulation_of<CGAL::Fixed_alpha_shape_vertex_base_3<K>,
+                                         CGAL::Fixed_alpha_shape_cell_base_3<K>>;
+using For_alpha =
+    Triangulation_of<CGAL::Alpha_shape_vertex_base_3<K>, CGAL::Alpha_shape_cell_base_3<K>>;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+class Table
+{
+public:
+  explicit Table(std::size_t repetitions)
+    : m_repetitions(repetitions)
+  {
+  }
+
+  // plain() and ours() return something to compare.
+  template <class Plain, class Ours>
+  void line(const std::string& consumer, std::size_t n, const Plain& plain, const Ours& ours)
+  {
+    std::vector<double> plain_cpu, ours_cpu, ratios;
+    for (std::size_t r = 0; r < m_repetitions; ++r) {
+      decltype(plain()) expected, found;
+      plain_cpu.push_back(comparison::time_of([&] { expected = plain(); }).cpu);
+      ours_cpu.push_back(comparison::time_of([&] { found = ours(); }).cpu);
+      ratios.push_back(plain_cpu.back() / ours_cpu.back());
+      if (expected != found)
+        throw std::runtime_error(consumer + ": not equal to plain CGAL");
+    }
+    m_lines.push_back({{"consumer", consumer},
+                       {"points", n},
+                       {"median_plain_cpu", rounded(comparison::median(plain_cpu))},
+                       {"median_ours_cpu", rounded(comparison::median(ours_cpu))},
+                       {"median_ratio", rounded(comparison::median(ratios), 1e3)}});
+    std::cerr << m_lines.back().dump() << "\n";
+  }
+
+  const Json& lines() const { return m_lines; }
+
+private:
+  std::size_t m_repetitions;
+  Json m_lines = Json::array();
+};
+
+template <class Tr>
+std::size_t cells(const Tr& tr)
+{
+  return tr.number_of_cells();
+}
+
+template <class Tr>
+void measure_points(Table& table, const std::string& consumer,
+                    const std::vector<typename Tr::Point>& points)
+{
+  table.line(
+      consumer, points.size(), [&] { return cells(Tr(points.begin(), points.end())); },
+      [&] {
+        Tr tr;
+        CGAL::insert_points_3(tr, points);
+        return cells(tr);
+      });
+}
+
+template <class Kernel>
+void measure_kernel(Table& table, const std::string& consumer, const std::vector<Point>& points)
+{
+  using FT = typename Kernel::FT;
+  std::vector<typename Kernel::Point_3> converted;
+  for (const Point& p : points)
+    converted.emplace_back(FT(float(p.x())), FT(float(p.y())), FT(float(p.z())));
+  measure_points<CGAL::Delaunay_triangulation_3<Kernel>>(table, consumer, converted);
+}
+
+void measure_input(Table& table, const Indexed_surface& surface)
+{
+  const std::vector<Point>& points = surface.points;
+  const std::size_t n = points.size();
+  const auto plain = [&] { return cells(Triangulation(points.begin(), points.end())); };
+  const Mesh mesh = surfaces::to_mesh<Mesh>(surface);
+  table.line("surface: mesh", n, plain, [&] {
+    Triangulation tr;
+    CGAL::insert_surface_vertices_3(tr, mesh);
+    return cells(tr);
+  });
+  table.line("surface: soup", n, plain, [&] {
+    Triangulation tr;
+    CGAL::insert_surface_points_3(tr, points, surface.faces);
+    return cells(tr);
+  });
+  table.line("surface: points alone, in the order of the input", n, plain, [&] {
+    Triangulation tr;
+    CGAL::insert_points_3(tr, points, CGAL::parameters::preserve_order(true));
+    return cells(tr);
+  });
+  Numbered numbered;
+  for (const Point& p : points)
+    numbered.emplace_back(p, numbered.size());
+  table.line(
+      "surface: pairs of points and infos", n,
+      [&] { return cells(With_info(numbered.begin(), numbered.end())); },
+      [&] {
+        With_info tr;
+        CGAL::insert_points_3(tr, numbered);
+        return cells(tr);
+      });
+}
+
+template <class Tr, class Shape>
+void measure_alpha_shape(Table& table, const std::string& consumer,
+                         const std::vector<Point>& points, double alpha)
+{
+  const auto interior = [](const Shape& shape) {
+    std::vector<typename Shape::Cell_handle> inside;
+    shape.get_alpha_shape_cells(std::back_inserter(inside), Shape::INTERIOR);
+    return inside.size();
+  };
+  table.line(
+      consumer, points.size(), [&] { return interior(Shape(points.begin(), points.end(), alpha)); },
+      [&] {
+        Tr tr;
+        CGAL::insert_points_3(tr, points);
+        return interior(Shape(tr, alpha));
+      });
+}
+
+std::size_t voronoi_vertices(const With_circumcenters& tr)
+{
+  std::size_t inside = 0;
+  for (auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
+    inside += CGAL::to_double(c->circumcenter(tr.geom_traits()).x()) < 1e6;
+  return inside;
+}
+
+void measure_on_top(Table& table, const std::vector<Point>& points, double alpha)
+{
+  const std::size_t n = points.size();
+  using Facets = std::vector<std::array<std::size_t, 3>>;
+  table.line(
+      "advancing front", n,
+      [&] {
+        Facets facets;
+        CGAL::advancing_front_surface_reconstruction(points.begin(), points.end(),
+                                                     std::back_inserter(facets));
+        return facets.size();
+      },
+      [&] {
+        Numbered numbered;
+        for (const Point& p : points)
+          numbered.emplace_back(p, numbered.size());
+        For_front tr;
+        CGAL::insert_points_3(tr, numbered);
+        CGAL::Advancing_front_surface_reconstruction<For_front> front(tr);
+        front.run();
+        Facets facets;
+        CGAL::AFSR::write_triple_indices(std::back_inserter(facets), front);
+        return facets.size();
+      });
+  measure_alpha_shape<For_fixed_alpha, CGAL::Fixed_alpha_shape_3<For_fixed_alpha>>(
+      table, "alpha shape, one alpha", points, alpha);
+  measure_alpha_shape<For_alpha, CGAL::Alpha_shape_3<For_alpha>>(table, "alpha shapes, all alphas",
+                                                                 points, alpha);
+  table.line(
+      "Voronoi vertices", n,
+      [&] { return voronoi_vertices(With_circumcenters(points.begin(), points.end())); },
+      [&] {
+        With_circumcenters tr;
+        CGAL::insert_points_3(tr, points);
+        return voronoi_vertices(tr);
+      });
+}
+
+std::vector<Point> points_in_cube(std::size_t n)
+{
+  std::mt19937_64 random(2024);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+    points.emplace_back(x, y, z);
+  }
+  return points;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  std::size_t n = 200000, repetitions = 5;
+  std::string output = "consumers.json";
+  po::options_description options("Measures what each kind of user gains.\n\nOptions");
+  auto add = options.add_options();
+  add("help,h", "say this and stop");
+  add("points,n", po::value(&n)->value_name("N"), "number of points");
+  add("repetitions,r", po::value(&repetitions)->value_name("N"), "of each, in turn");
+  add("output,o", po::value(&output)->value_name("FILE"), "where the JSON goes");
+  po::variables_map values;
+  po::store(po::parse_command_line(argc, argv, options), values);
+  po::notify(values);
+  if (values.count("help")) {
+    std::cout << options;
+    return EXIT_SUCCESS;
+  }
+
+  Json report = {{"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
+  report["machine"]["load_before"] = comparison::load_average();
+  report["command"] = "measure_consumers";
+  for (int i = 1; i < argc; ++i)
+    report["command"] = report["command"].get<std::string>() + " " + argv[i];
+  report["repetitions"] = repetitions;
+
+  Table table(repetitions);
+  const Indexed_surface surface = surfaces::genus_surface(3, n, 0.05, 2024);
+  measure_points<Triangulation>(table, "points in a cube", points_in_cube(n));
+  measure_points<Triangulation>(table, "points on a height field", surfaces::terrain(n).points);
+  measure_points<Triangulation>(table, "surface: points alone", surface.points);
+  measure_input(table, surface);
+  measure_points<With_levels>(table, "surface: points alone, Fast_location", surface.points);
+  measure_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(
+      table, "surface: points alone, exact constructions", surface.points);
+  measure_kernel<CGAL::Filtered_kernel<CGAL::Simple_cartesian<float>>>(
+      table, "surface: points alone, numbers of type float", surface.points);
+  const double alpha = 40. / double(n); // the square of a few edges' length
+  measure_on_top(table, surface.points, alpha);
+  report["results"] = table.lines();
+  std::ofstream(output) << std::setw(1) << report << "\n";
+} catch (const std::exception& e) {
+  std::cerr << "measure_consumers: " << e.what() << "\n";
+  return EXIT_FAILURE;
+}

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Alpha shapes of points: both of CGAL's classes take over a triangulation that is already built. They are
+// the same as from points that the classes insert themselves.
+
+#include <CGAL/insert_points_3.h>
+
+#include <CGAL/Alpha_shape_3.h>
+#include <CGAL/Alpha_shape_cell_base_3.h>
+#include <CGAL/Alpha_shape_vertex_base_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Fixed_alpha_shape_3.h>
+#include <CGAL/Fixed_alpha_shape_cell_base_3.h>
+#include <CGAL/Fixed_alpha_shape_vertex_base_3.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Timer.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = K::Point_3;
+
+template <class Vertex_base, class Cell_base>
+using Triangulation =
+    CGAL::Delaunay_triangulation_3<K, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>>;
+using Fixed_triangulation =
+    Triangulation<CGAL::Fixed_alpha_shape_vertex_base_3<K>, CGAL::Fixed_alpha_shape_cell_base_3<K>>;
+using General_triangulation =
+    Triangulation<CGAL::Alpha_shape_vertex_base_3<K>, CGAL::Alpha_shape_cell_base_3<K>>;
+using Fixed_alpha_shape = CGAL::Fixed_alpha_shape_3<Fixed_triangulation>;
+using Alpha_shape = CGAL::Alpha_shape_3<General_triangulation>;
+
+// The facets of the boundary, each as its corners in ascending order.
+template <class Shape>
+std::set<std::array<Point, 3>> boundary(const Shape& shape)
+{
+  std::set<std::array<Point, 3>> facets;
+  for (auto f = shape.finite_facets_begin(); f != shape.finite_facets_end(); ++f) {
+    const auto type = shape.classify(*f);
+    if (type != Shape::REGULAR && type != Shape::SINGULAR)
+      continue;
+    std::array<Point, 3> corners;
+    for (int k = 0; k < 3; ++k)
+      corners[std::size_t(k)] = f->first->vertex((f->second + 1 + k) % 4)->point();
+    std::sort(corners.begin(), corners.end());
+    facets.insert(corners);
+  }
+  return facets;
+}
+
+// Makes the shape both ways, and compares.
+template <class Triangulation, class Shape>
+bool is_same_shape(const std::vector<Point>& points, double alpha, const std::string& name)
+{
+  CGAL::Timer ours, plain;
+  ours.start();
+  Triangulation tr;
+  CGAL::insert_points_3(tr, points);
+  Shape shape(tr, alpha); // takes over what is in tr
+  ours.stop();
+  plain.start();
+  Shape plain_shape(points.begin(), points.end(), alpha);
+  plain.stop();
+  const auto facets = boundary(shape);
+  std::cout << name << ": " << facets.size() << " facets in " << ours.time()
+            << " s; plain CGAL: " << plain.time() << " s\n";
+  return facets == boundary(plain_shape);
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  const double alpha = argc > 2 ? std::atof(argv[2]) : 0.05; // the square of a radius
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> unused_faces;
+  if (!CGAL::IO::read_polygon_soup(file_name, points, unused_faces)) {
+    std::cerr << "Cannot read " << file_name << '\n';
+    return EXIT_FAILURE;
+  }
+  const bool is_same =
+      is_same_shape<Fixed_triangulation, Fixed_alpha_shape>(points, alpha, "one alpha") &&
+      is_same_shape<General_triangulation, Alpha_shape>(points, alpha, "all alphas");
+  return is_same ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A surface from points alone: CGAL's advancing front takes a Delaunay triangulation that is already
+// built. Its result is that of the function which inserts the points itself.
+
+#include <CGAL/insert_points_3.h>
+
+#include <CGAL/Advancing_front_surface_reconstruction.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Timer.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = K::Point_3;
+using Vertex_base = CGAL::Advancing_front_surface_reconstruction_vertex_base_3<K>;
+using Cell_base = CGAL::Advancing_front_surface_reconstruction_cell_base_3<K>;
+using Tds = CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>;
+using Triangulation = CGAL::Delaunay_triangulation_3<K, Tds>;
+using Facets = std::vector<std::array<std::size_t, 3>>;
+
+// In one order, each from its smallest index on.
+Facets sorted(Facets facets)
+{
+  for (auto& facet : facets)
+    std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+  std::sort(facets.begin(), facets.end());
+  return facets;
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> unused_faces;
+  if (!CGAL::IO::read_polygon_soup(file_name, points, unused_faces)) {
+    std::cerr << "Cannot read " << file_name << '\n';
+    return EXIT_FAILURE;
+  }
+
+  // The info of the vertices must be the indices of their points.
+  CGAL::Timer ours;
+  ours.start();
+  std::vector<std::pair<Point, std::size_t>> numbered;
+  for (const Point& p : points)
+    numbered.emplace_back(p, numbered.size());
+  Triangulation tr;
+  CGAL::insert_points_3(tr, numbered);
+  CGAL::Advancing_front_surface_reconstruction<Triangulation> front(tr);
+  front.run();
+  Facets facets;
+  CGAL::AFSR::write_triple_indices(std::back_inserter(facets), front);
+  ours.stop();
+
+  CGAL::Timer plain;
+  plain.start();
+  Facets plain_facets;
+  CGAL::advancing_front_surface_reconstruction(points.begin(), points.end(),
+                                               std::back_inserter(plain_facets));
+  plain.stop();
+
+  std::cout << points.size() << " points, " << facets.size() << " triangles in " << ours.time()
+            << " s; plain CGAL: " << plain_facets.size() << " in " << plain.time() << " s\n";
+  return sorted(facets) == sorted(plain_facets) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
