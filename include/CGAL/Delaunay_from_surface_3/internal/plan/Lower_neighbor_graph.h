@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/support/Lists.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -153,6 +154,11 @@ inline std::size_t target(const std::pair<std::size_t, std::size_t>& e, const Lo
 
 // Every vertex is its number.
 using Identity_index_map = boost::typed_identity_property_map<std::size_t>;
+
+inline Identity_index_map get(boost::vertex_index_t, const Lower_neighbor_graph&)
+{
+  return {};
+}
 
 } // namespace internal
 } // namespace Delaunay_from_surface_3
