@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(exact_numbers_that_are_no_doubles_are_not_served)
   // A double that is known as an interval only, until it is computed.
   points[9] = Kernel::Point_3(points[9].x() / 3 * 3, points[9].y(), points[9].z());
   BOOST_TEST(check_exact_numbers<Triangulation>(points) == "");
-  points[17] = Kernel::Point_3(points[17].x(), points[17].y() / 3, points[17].z());
+  points[17] = Kernel::Point_3(points[17].x(), Kernel::FT(1) / 3, points[17].z());
   BOOST_TEST(check_exact_numbers<Triangulation>(points) ==
              "a coordinate of point 17 is not a double");
 
