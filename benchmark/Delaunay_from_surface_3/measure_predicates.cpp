@@ -153,8 +153,9 @@ using Boost_integer = boost::multiprecision::number<
 int sign_by_boost(const Test& t)
 {
   const auto vertices = t.vertices();
-  const Integer_differences<4> differences(vertices.data(), t.p());
-  if (!differences.can_be_scaled())
+  const Exact_differences<4> exact_differences(vertices.data(), t.p());
+  const Integer_differences<4> differences(exact_differences);
+  if (!differences.has_one_digit())
     return 0;
   Row<Fixed_integer<2>> digits[4];
   differences.set_rows(digits);
@@ -201,12 +202,15 @@ ordered_json measure(const Family& family, std::size_t repetitions)
       {"ns_double_double", nanoseconds(tests, repetitions,
                                        [&](const Test& t) {
                                          const auto v = t.vertices();
-                                         return is_fused ? fused_close_sphere_sign(v.data(), t.p())
-                                                         : close_sphere_sign(v.data(), t.p());
+                                         return is_fused
+                                                    ? fused_close_sphere_sign({v.data(), t.p()})
+                                                    : close_sphere_sign({v.data(), t.p()});
                                        })},
       {"ns_double_double_without_fma",
        nanoseconds(tests, repetitions,
-                   [](const Test& t) { return close_sphere_sign(t.vertices().data(), t.p()); })},
+                   [](const Test& t) {
+                     return close_sphere_sign({t.vertices().data(), t.p()});
+                   })},
       {"ns_stages_behind",
        nanoseconds(tests, repetitions, [&](const Test& t) { return exact(t).sign; })},
       {"ns_cgal_perturbed", nanoseconds(tests, repetitions, [&](const Test& t) {

@@ -121,7 +121,8 @@ template <class Determinant>
 Exact_sign sign_from_two_digits(const double* const* v, const double* p)
 {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
-  const Integer_differences<Determinant::size> differences(v, p);
+  const Exact_differences<Determinant::size> exact_differences(v, p);
+  const Integer_differences<Determinant::size> differences(exact_differences);
   Row<Fixed_integer<4>> rows[Determinant::size];
   if (differences.can_be_scaled() && differences.set_rows(rows))
     return Determinant::sign(rows, TWO_DIGITS, v, p);
@@ -183,9 +184,9 @@ void check(Five f, const Record& apex, Tallies& tallies)
     std::swap(f[0], f[1]);
   const int sphere = exact_sphere(f);
   const double* const v[4] = {f[0].data(), f[1].data(), f[2].data(), f[3].data()};
-  tallies.second.count(close_sphere_sign(v, f[4].data()), sphere);
+  tallies.second.count(close_sphere_sign({v, f[4].data()}), sphere);
   if (has_fused_products())
-    tallies.second.count(fused_close_sphere_sign(v, f[4].data()), sphere);
+    tallies.second.count(fused_close_sphere_sign({v, f[4].data()}), sphere);
   if (std::none_of(v, v + 4, [&](const double* q) { return is_same_place(q, f[4].data()); })) {
     const auto perturbed = [&] { return perturbed_sphere(f); };
     tallies.exact.count(exact_sphere_sign(v, f[4].data(), false), sphere, perturbed);

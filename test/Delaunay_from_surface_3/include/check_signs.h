@@ -130,7 +130,8 @@ void check_widths(const std::string& name, const double* const* v, const double*
       throw std::runtime_error(name + width + (truth == 0 ? " misses a zero" : " sees a zero"));
     signs.must_say(name + width, said.sign, perturbed_truth);
   };
-  const Integer_differences<n> differences(v, p);
+  const Exact_differences<n> exact_differences(v, p);
+  const Integer_differences<n> differences(exact_differences);
   if (!differences.can_be_scaled())
     return;
   Row<Fixed_integer<1>> half[n];
@@ -190,9 +191,9 @@ inline void check_cell(Quintuple q, Checked_signs& signs)
   if (is_vertex(q, 4)) // found before any exact stage is asked
     return;
   const int perturbed = perturbed_side_of_sphere(q.v[0], q.v[1], q.v[2], q.v[3], q.p);
-  signs.may_say("double doubles", close_sphere_sign(v.data(), p), sphere);
+  signs.may_say("double doubles", close_sphere_sign({v.data(), p}), sphere);
   if (has_fused_products())
-    signs.may_say("fused double doubles", fused_close_sphere_sign(v.data(), p), sphere);
+    signs.may_say("fused double doubles", fused_close_sphere_sign({v.data(), p}), sphere);
   for (const bool is_fused : {false, has_fused_products()})
     check_exact("exact sphere", exact_sphere_sign(v.data(), p, is_fused), sphere, perturbed, signs);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER

@@ -71,19 +71,34 @@ struct Fused_products
   }
 };
 
+// The differences of N vertices and p, row by row; each is exactly high + low (Knuth 1969).
+template <int N>
+struct Exact_differences
+{
+  static constexpr int size = 3 * N;
+  double high[size], low[size];
+
+  Exact_differences(const double* const* vertices, const double* p)
+  {
+    double a[size], b[size]; // in a row, for vectors
+    CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
+    for (int k = 0; k < size; ++k) {
+      a[k] = vertices[k / 3][k % 3];
+      b[k] = p[k % 3];
+    }
+    for (int k = 0; k < size; ++k) {
+      high[k] = a[k] - b[k];
+      const double minus_b = high[k] - a[k];
+      low[k] = (a[k] - (high[k] - minus_b)) - (b[k] + minus_b);
+    }
+  }
+};
+
 // The number high + low, with |low| at most half an ulp of high.
 template <class Products>
 struct Double_double
 {
   double high, low;
-
-  // a - b, exactly.
-  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Double_double difference(double a, double b)
-  {
-    const double high = a - b;
-    const double minus_b = high - a;
-    return {high, (a - (high - minus_b)) - (b + minus_b)};
-  }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE friend Double_double operator+(const Double_double& s,
                                                                             const Double_double& t)
@@ -118,14 +133,15 @@ private:
 };
 
 template <class Products>
-CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int close_sphere_sign_with(const double* const* vertices,
-                                                                      const double* p)
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int
+close_sphere_sign_with(const Exact_differences<4>& differences)
 {
   using Number = Double_double<Products>;
+  const auto number = [&](int k) { return Number{differences.high[k], differences.low[k]}; };
   Row<Number> r[4];
+  CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
   for (int k = 0; k < 4; ++k)
-    r[k] = {Number::difference(vertices[k][0], p[0]), Number::difference(vertices[k][1], p[1]),
-            Number::difference(vertices[k][2], p[2])};
+    r[k] = {number(3 * k), number(3 * k + 1), number(3 * k + 2)};
   const Sphere_cofactors<Number> cofactors(r[0], r[1], r[2], r[3]);
   const double m =
       (std::max)((std::max)(r[0].w.high, r[1].w.high), (std::max)(r[2].w.high, r[3].w.high));
@@ -135,21 +151,21 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int close_sphere_sign_with(const doub
 }
 
 // Of a positively oriented cell.
-inline int close_sphere_sign(const double* const* vertices, const double* p)
+inline int close_sphere_sign(const Exact_differences<4>& differences)
 {
 #if defined(__FMA__) || defined(__aarch64__)
-  return close_sphere_sign_with<Fused_products>(vertices, p);
+  return close_sphere_sign_with<Fused_products>(differences);
 #else
-  return close_sphere_sign_with<Split_products>(vertices, p);
+  return close_sphere_sign_with<Split_products>(differences);
 #endif
 }
 
 #if defined(__GNUC__) && defined(__x86_64__)
 // The same, to be called if the machine has fma.
-__attribute__((target("fma"))) inline int fused_close_sphere_sign(const double* const* vertices,
-                                                                  const double* p)
+__attribute__((target("fma"))) inline int
+fused_close_sphere_sign(const Exact_differences<4>& differences)
 {
-  return close_sphere_sign_with<Fused_products>(vertices, p);
+  return close_sphere_sign_with<Fused_products>(differences);
 }
 
 inline bool has_fused_products()
@@ -157,9 +173,9 @@ inline bool has_fused_products()
   return __builtin_cpu_supports("fma");
 }
 #else
-inline int fused_close_sphere_sign(const double* const* vertices, const double* p)
+inline int fused_close_sphere_sign(const Exact_differences<4>& differences)
 {
-  return close_sphere_sign(vertices, p);
+  return close_sphere_sign(differences);
 }
 
 inline bool has_fused_products()

@@ -30,12 +30,6 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-#if defined(__clang__)
-#define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("unroll")
-#else
-#define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("GCC unroll 16")
-#endif
-
 __extension__ using Double_digit = __int128;
 
 constexpr int digit_bits = 60;

@@ -28,6 +28,13 @@ namespace internal {
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE inline
 #endif
 
+// Before loops over the few numbers of a test, which the compiler shall write out.
+#if defined(__clang__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("unroll")
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("GCC unroll 16")
+#endif
+
 // What makes an ordinary number of a finished sum. Most are; those of Fixed_integer.h are not.
 template <class Number>
 CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Number carried(const Number& sum)
