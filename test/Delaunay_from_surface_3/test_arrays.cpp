@@ -123,6 +123,7 @@ BOOST_AUTO_TEST_CASE(every_dimension)
   BOOST_TEST(delaunay_3_arrays(std::vector<Point>()).dimension() == -1);
   const std::array<int, 3> sides[] = {{1, 1, 1}, {2, 1, 1}, {9, 1, 1}, {1, 7, 5}, {4, 5, 3}};
   const int dimensions[] = {0, 1, 1, 2, 3};
+  const std::size_t simplices[] = {1, 1, 8, 48};
   for (std::size_t k = 0; k < 5; ++k)
     BOOST_TEST_CONTEXT("grid " << k)
     {
@@ -131,7 +132,10 @@ BOOST_AUTO_TEST_CASE(every_dimension)
       points.insert(points.end(), points.begin(), points.begin() + std::ptrdiff_t(n / 2 + 1));
       std::reverse(points.begin(), points.end());
       const Reasons_visitor visitor = check_points(points);
-      BOOST_TEST(delaunay_3_arrays(points).dimension() == dimensions[k]);
+      const auto arrays = delaunay_3_arrays(points);
+      BOOST_TEST(arrays.dimension() == dimensions[k]);
+      if (k < 4)
+        BOOST_TEST(arrays.number_of_simplices() == simplices[k]);
       BOOST_TEST(visitor.replaced.size() == std::size_t(dimensions[k] < 3));
     }
 }

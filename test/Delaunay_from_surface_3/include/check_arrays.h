@@ -42,8 +42,10 @@ inline Cells cells_of_cgal(const std::vector<Point>& points,
 {
   const Triangulation tr(points.begin(), points.end());
   Cells cells;
-  for (auto c = tr.tds().cells_begin(); c != tr.tds().cells_end(); ++c) {
-    Cell cell = {-1, -1, -1, -1};
+  for (auto c = tr.tds().raw_cells_begin(); c != tr.tds().raw_cells_end(); ++c) {
+    if (points.empty())
+      break; // one cell of nothing
+    Cell cell = {-1, -1, -1, -1}; // "raw" in every dimension
     for (int i = 0; i <= tr.dimension(); ++i)
       if (!tr.is_infinite(c->vertex(i)))
         cell[std::size_t(i)] = first_of_equal.at(c->vertex(i)->point());

@@ -35,6 +35,25 @@ void rotate_to_end(std::array<Entry, 4>& entries, int k, int dimension)
   }
 }
 
+// Calls f with every cell of a triangulation of any dimension, infinite ones included. Below dimension 3
+// its iterator of cells is empty: there cells are facets, edges, or vertices.
+template <class Triangulation, class F>
+void for_each_cell(const Triangulation& tr, const F& f)
+{
+  if (tr.dimension() == 3)
+    for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+      f(typename Triangulation::Cell_handle(c));
+  else if (tr.dimension() == 2)
+    for (auto facet = tr.all_facets_begin(); facet != tr.all_facets_end(); ++facet)
+      f(facet->first);
+  else if (tr.dimension() == 1)
+    for (auto edge = tr.all_edges_begin(); edge != tr.all_edges_end(); ++edge)
+      f(edge->first);
+  else
+    for (auto v = tr.all_vertices_begin(); v != tr.all_vertices_end(); ++v)
+      f(v->cell());
+}
+
 // The numbers of a triangulation's vertices and cells.
 template <class Triangulation, class Index>
 class Numbered_triangulation
@@ -45,7 +64,8 @@ class Numbered_triangulation
 
 public:
   // `vertices` are those of all points.
-  Numbered_triangulation(const Triangulation& tr, const std::vector<Vertex_handle>& vertices)
+  Numbered_triangulation(const Triangulation& tr, const std::vector<Vertex_handle>& vertices,
+                         bool has_neighbors)
     : m_tr(tr)
     , m_vertices(vertices)
   {
@@ -54,13 +74,14 @@ public:
     for (std::size_t i = 0; i < vertices.size(); ++i)
       m_vertex_numbers.emplace(vertices[i], Index(i)); // unless an equal point has one
     for (const bool is_infinite : {false, true}) {
-      for (auto c = tr.tds().cells_begin(); c != tr.tds().cells_end(); ++c)
-        if (tr.is_infinite(c) == is_infinite)
+      for_each_cell(tr, [&](Cell_handle c) {
+        if (has_infinite_vertex(c) == is_infinite)
           m_cells.push_back(c);
+      });
       m_number_of_simplices = is_infinite ? m_number_of_simplices : m_cells.size();
     }
-    m_cell_numbers.reserve(m_cells.size());
-    for (std::size_t c = 0; c < m_cells.size(); ++c)
+    m_cell_numbers.reserve(has_neighbors ? m_cells.size() : 0);
+    for (std::size_t c = 0; has_neighbors && c < m_cells.size(); ++c)
       m_cell_numbers.emplace(m_cells[c], Index(c));
   }
 
@@ -78,6 +99,14 @@ public:
   }
 
 private:
+  bool has_infinite_vertex(Cell_handle c) const
+  {
+    for (int i = 0; i <= m_tr.dimension(); ++i)
+      if (m_tr.is_infinite(c->vertex(i)))
+        return true;
+    return false;
+  }
+
   void write_cell(Cell_handle c, Index* out) const
   {
     const int d = m_tr.dimension();
@@ -85,8 +114,9 @@ private:
     entries.fill({Arrays::none, Arrays::none});
     for (int i = 0; i <= d; ++i)
       entries[std::size_t(i)] = {m_vertex_numbers.at(c->vertex(i)),
-                                 m_cell_numbers.at(c->neighbor(i))};
-    if (m_tr.is_infinite(c))
+                                 m_cell_numbers.empty() ? Arrays::none
+                                                        : m_cell_numbers.at(c->neighbor(i))};
+    if (has_infinite_vertex(c))
       rotate_to_end(entries, c->index(m_tr.infinite_vertex()), d);
     for (std::size_t i = 0; i < 4; ++i) {
       out[i] = entries[i].first;
@@ -102,15 +132,19 @@ private:
   boost::unordered_map<Cell_handle, Index> m_cell_numbers;
 };
 
-// vertices[i] is that of point i.
+// vertices[i] is that of point i. Neighbours take most of the time: they can be left out.
 template <class Index, class Triangulation>
 Delaunay_3_arrays<Index>
 arrays_of_triangulation(const Triangulation& tr,
-                        const std::vector<typename Triangulation::Vertex_handle>& vertices)
+                        const std::vector<typename Triangulation::Vertex_handle>& vertices,
+                        bool has_neighbors = true)
 {
-  if (vertices.empty())
-    return {};
-  return Numbered_triangulation<Triangulation, Index>(tr, vertices).arrays();
+  Delaunay_3_arrays<Index> arrays;
+  if (!vertices.empty())
+    arrays = Numbered_triangulation<Triangulation, Index>(tr, vertices, has_neighbors).arrays();
+  if (!has_neighbors)
+    arrays.drop_neighbors();
+  return arrays;
 }
 
 } // namespace internal
