@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_RANGES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_RANGES_H
+
+// What Python hands over, as ranges: NumPy's arrays of usual types are read where they are.
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <boost/iterator/iterator_facade.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace python {
+
+namespace py = pybind11;
+
+// item(0), …, item(n - 1).
+template <class Item>
+class Indexed_range
+{
+  using Value = std::decay_t<decltype(std::declval<const Item&>()(std::size_t()))>;
+
+public:
+  class iterator
+    : public boost::iterator_facade<iterator, Value, boost::random_access_traversal_tag, Value,
+                                    std::ptrdiff_t>
+  {
+  public:
+    iterator() = default;
+    iterator(const Item& item, std::size_t i)
+      : m_item(&item)
+      , m_i(i)
+    {
+    }
+
+  private:
+    friend class boost::iterator_core_access;
+    Value dereference() const { return (*m_item)(m_i); }
+    bool equal(const iterator& other) const { return m_i == other.m_i; }
+    void increment() { ++m_i; }
+    void decrement() { --m_i; }
+    void advance(std::ptrdiff_t d) { m_i += std::size_t(d); }
+    std::ptrdiff_t distance_to(const iterator& other) const
+    {
+      return std::ptrdiff_t(other.m_i) - std::ptrdiff_t(m_i);
+    }
+
+    const Item* m_item = nullptr;
+    std::size_t m_i = 0;
+  };
+  using const_iterator = iterator;
+
+  Indexed_range(std::size_t n, Item item)
+    : m_size(n)
+    , m_item(std::move(item))
+  {
+  }
+  iterator begin() const { return iterator(m_item, 0); }
+  iterator end() const { return iterator(m_item, m_size); }
+  std::size_t size() const { return m_size; }
+
+private:
+  std::size_t m_size;
+  Item m_item;
+};
+
+// A matrix of any strides with entries of type Wide or Narrow.
+template <class Wide, class Narrow>
+class Matrix_view
+{
+public:
+  explicit Matrix_view(const py::array& array)
+    : m_data(static_cast<const char*>(array.data()))
+    , m_row_stride(array.strides(0))
+    , m_column_stride(array.strides(1))
+    , m_is_wide(array.itemsize() == sizeof(Wide))
+  {
+  }
+
+  Wide operator()(std::size_t row, std::size_t column) const
+  {
+    const char* const entry =
+        m_data + std::ptrdiff_t(row) * m_row_stride + std::ptrdiff_t(column) * m_column_stride;
+    return m_is_wide ? read<Wide>(entry) : Wide(read<Narrow>(entry));
+  }
+
+private:
+  template <class Entry>
+  static Entry read(const char* place) // which need not be aligned
+  {
+    Entry entry;
+    std::memcpy(&entry, place, sizeof(entry));
+    return entry;
+  }
+
+  const char* m_data;
+  std::ptrdiff_t m_row_stride, m_column_stride;
+  bool m_is_wide;
+};
+
+inline std::string shape_of(const py::array& array)
+{
+  return std::string(py::str(array.attr("shape")));
+}
+
+// An array whose entries are `kind`s of 4 or 8 bytes; others are converted if they are of `kinds`.
+inline py::array array_of(const std::string& name, const py::object& object,
+                          const std::string& kinds, const std::string& what, const char* converted)
+{
+  const py::array array = py::array::ensure(object);
+  if (!array)
+    throw py::type_error(name + ": expected an array of " + what);
+  const char kind = array.dtype().kind();
+  if (kinds.find(kind) == std::string::npos)
+    throw py::type_error(name + ": expected " + what + ", got entries of type " +
+                         std::string(py::str(array.dtype())));
+  const bool is_native = array.dtype().attr("isnative").cast<bool>();
+  const bool is_usual =
+      kind == kinds[0] && is_native && (array.itemsize() == 4 || array.itemsize() == 8);
+  return is_usual ? array : py::array(array.attr("astype")(converted));
+}
+
+// Of shape (n, 3).
+inline py::array array_of_points(const py::object& object)
+{
+  const py::array array = array_of("points", object, "fiu", "numbers", "float64");
+  if (array.ndim() != 2 || array.shape(1) != 3)
+    throw py::value_error("points: expected an array of shape (n, 3), got " + shape_of(array));
+  return array;
+}
+
+// The points of such an array, one after the other.
+inline auto points_of(const py::array& array)
+{
+  return Indexed_range(std::size_t(array.shape(0)),
+                       [view = Matrix_view<double, float>(array)](std::size_t i) {
+                         return std::array<double, 3>{view(i, 0), view(i, 1), view(i, 2)};
+                       });
+}
+
+// Calls f(faces) with a range of ranges of indices.
+template <class F>
+auto with_faces(const py::object& object, const F& f)
+{
+  if (py::isinstance<py::array>(object)) {
+    const py::array array = array_of("faces", object, "iu", "integers", "int64");
+    if (array.ndim() != 2)
+      throw py::value_error("faces: expected an array of shape (m, k), got " + shape_of(array));
+    const Matrix_view<std::int64_t, std::int32_t> view(array);
+    const auto k = std::size_t(array.shape(1));
+    return f(Indexed_range(std::size_t(array.shape(0)), [=](std::size_t row) {
+      return Indexed_range(k, [=](std::size_t column) { return view(row, column); });
+    }));
+  }
+  std::vector<std::vector<std::int64_t>> faces;
+  try {
+    for (const py::handle face : object) {
+      faces.emplace_back();
+      for (const py::handle index : face)
+        faces.back().push_back(
+            py::int_(py::reinterpret_borrow<py::object>(index.attr("__index__")()))
+                .cast<std::int64_t>());
+    }
+  } catch (const py::error_already_set&) {
+    throw py::type_error("faces: face " + std::to_string(faces.size()) +
+                         ": expected sequences of integers");
+  } catch (const py::cast_error&) {
+    throw py::value_error("faces: face " + std::to_string(faces.size() - 1) +
+                          ": an index is too large");
+  }
+  return f(faces);
+}
+
+} // namespace python
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_RANGES_H
