@@ -3,21 +3,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The program delaunay_from_surface: from a surface in a file to the Delaunay triangulation of its
-// vertices in another. --help says what it can do.
+// vertices in another. help.txt says what it can do.
 
+#include "Messages.h"
 #include "Options.h"
 #include "Progress_visitor.h"
+#include "Report.h"
 #include "Stopwatch.h"
 #include "Surface.h"
 #include "compare_with_plain.h"
 #include "insertion_statistics.h"
 #include "read_surface.h"
-#include "report.h"
 #include "surface_statistics.h"
-#include "write_simplices.h"
+#include "write_output.h"
 
-#include <Delaunay_from_surface_3_files/Output_file.h>
-#include <Delaunay_from_surface_3_files/file_extension.h>
+#include <Delaunay_from_surface_3_files/Remove_on_signal.h>
 #include <Delaunay_from_surface_3_files/one_line.h>
 
 #include <CGAL/Surface_insertion_traits_3.h>
@@ -34,9 +34,6 @@
 #include <string>
 #include <vector>
 
-using files::file_extension;
-using files::Output_file;
-
 const int exit_different = 2;
 
 std::string kind_of(const Surface& surface)
@@ -46,7 +43,7 @@ std::string kind_of(const Surface& surface)
   return surface.faces.empty() ? "points without faces" : "polygon soup";
 }
 
-void report_input(const Options& options, const Surface& surface)
+void report_input(const Options& options, const Surface& surface, Report& report)
 {
   report("input", options.input);
   report("surface", kind_of(surface));
@@ -57,16 +54,16 @@ void report_input(const Options& options, const Surface& surface)
 }
 
 // What is good to know and no error.
-void note_what_is_odd(const Options& options, const Surface& surface)
+void note_what_is_odd(const Options& options, const Surface& surface, Messages& messages)
 {
   if (surface.faces.empty())
-    std::cerr << "note: " << options.input << ": there are no faces, its points are taken alone\n";
+    messages.note(options.input + ": there are no faces, its points are taken alone");
   else if (!surface.is_manifold)
-    std::cerr << "note: " << options.input
-              << ": not a consistently oriented manifold mesh, taken as a polygon soup\n";
+    messages.note(options.input +
+                  ": not a consistently oriented manifold mesh, taken as a polygon soup");
 }
 
-void report_result(const Surface& surface, const Triangulation& tr)
+void report_result(const Surface& surface, const Triangulation& tr, Report& report)
 {
   report("dimension", tr.dimension());
   report("vertices", tr.number_of_vertices());
@@ -75,66 +72,74 @@ void report_result(const Surface& surface, const Triangulation& tr)
   report("cells", tr.number_of_cells());
 }
 
-void write(Output_file& output, const Options& options, const Simplices& simplices)
-{
-  if (file_extension(options.output) == "vtu")
-    write_vtu(output.stream(), simplices);
-  else
-    write_medit(output.stream(), simplices);
-  output.finish();
-  static const char* const names[] = {"vertices", "edges", "triangles", "tetrahedra"};
-  report("written", std::to_string(simplices.size()) + " " + names[simplices.dimension] + " to " +
-                        options.output);
-}
-
 template <class Traits>
-int run(const Options& options, const Surface& surface, std::optional<Output_file>& output,
-        const Traits& traits)
+int run(const Options& options, const Surface& surface, Output& output, Report& report,
+        Messages& messages, const Traits& traits)
 {
   Triangulation tr;
-  std::vector<Triangulation::Vertex_handle> vertices;
+  Vertices vertices;
   Seconds seconds;
   try {
     seconds = time_of([&] {
-      Progress_visitor visitor(surface.points.size());
+      Progress_visitor visitor(surface.points.size(), messages);
       vertices = insert_and_watch(tr, surface, traits, options.seed, visitor);
     });
   } catch (const CGAL::Surface_input_error& error) {
     throw std::runtime_error(options.input + ": " + error.what());
   }
-  note_what_is_odd(options, surface);
-  report("CPU seconds", decimals(seconds.cpu, 6));
-  report_result(surface, tr);
-  if (output)
-    write(*output, options, simplices_of(tr, vertices));
+  note_what_is_odd(options, surface, messages);
+  messages.clear();
+  report("CPU seconds", seconds.cpu, 6);
+  report_result(surface, tr, report);
+  if (!options.output.empty()) {
+    messages.step("writing " + options.output);
+    write(options, surface, tr, vertices, output, report);
+    messages.clear();
+  }
 
   bool is_equal = true;
   if (options.compare)
-    is_equal = compare_with_plain(surface, traits, options.seed, options.repetitions, tr);
+    is_equal = compare_with_plain(surface, traits, options.seed, options.repetitions, tr, report,
+                                  messages);
   if (options.stats) {
-    report_surface(surface, tr, vertices);
-    report_seconds(surface, traits, options.seed);
-    report_predicates(surface, traits, options.seed);
+    messages.step("counting");
+    report_surface(surface, tr, vertices, report);
+    report_seconds(surface, traits, options.seed, report);
+    report_insertions(surface, traits, options.seed, report);
+    messages.clear();
   }
   return is_equal ? EXIT_SUCCESS : exit_different;
 }
 
+int run(const Options& options, Report& report, Messages& messages)
+{
+  Output output(options);
+  messages.step("reading " + options.input);
+  const Surface surface = read_surface(options.input, options.from);
+  check_that_inside_is_meaningful(options, surface);
+  messages.clear();
+  report_input(options, surface, report);
+  if (options.traits == "tracing")
+    return run(options, surface, output, report, messages, CGAL::Tracing_traits_3());
+  if (options.traits == "plain")
+    return run(options, surface, output, report, messages, CGAL::Plain_insertion_traits_3());
+  return run(options, surface, output, report, messages, CGAL::Surface_insertion_traits_3());
+}
+
+// Results go where the tetrahedra do not.
 int run(const Options& options)
 {
-  std::optional<Output_file> output;
-  if (!options.output.empty()) {
-    const std::string extension = file_extension(options.output);
-    if (extension != "vtu" && extension != "mesh")
-      throw std::runtime_error(options.output + ": unknown extension; .vtu and .mesh are written");
-    output.emplace(options.output);
-  }
-  const Surface surface = read_surface(options.input);
-  report_input(options, surface);
-  if (options.traits == "tracing")
-    return run(options, surface, output, CGAL::Tracing_traits_3());
-  if (options.traits == "plain")
-    return run(options, surface, output, CGAL::Plain_insertion_traits_3());
-  return run(options, surface, output, CGAL::Surface_insertion_traits_3());
+  std::ostream& out = options.output == "-" ? std::cerr : std::cout;
+  Report report(out, options.json    ? Report::Style::JSON
+                     : options.quiet ? Report::Style::NONE
+                                     : Report::Style::TEXT);
+  Messages messages(options.quiet     ? Messages::Volume::QUIET
+                    : options.verbose ? Messages::Volume::VERBOSE
+                                      : Messages::Volume::NORMAL);
+  files::remove_files_on_signal();
+  const int exit_code = run(options, report, messages);
+  report.finish();
+  return exit_code;
 }
 
 // One clear line, whatever went wrong.

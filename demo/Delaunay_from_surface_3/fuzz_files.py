@@ -76,6 +76,8 @@ def seeds():
         ("ply", ply("<", "int", "ushort", "i3Hi")),
         ("obj", text(["# comment", "o name", *("v " + p for p in points), "vt 0 0", "vn 0 0 1",
                       *("f " + " ".join(f"{i + 1}/1/1" for i in f) for f in FACES), "f -1 -2 -3"])),
+        ("obj", text(["v " + p for p in points])), ("xyz", text(["# comment", *(p + " 0 0 1" for p in points)])),
+        ("pts", text([str(len(POINTS)), *(p + " -1200 255 0 0" for p in points), "2", *points[:2]])),
         ("stl", stl_text()),
         ("stl", b"binary".ljust(80) + struct.pack("<I", len(FACES)) + triangles)]
 
@@ -156,7 +158,8 @@ def main():
                 data = MUTATIONS[name](data, generator)
             file = Path(folder) / f"{seed}-{i}.{extension}"
             file.write_bytes(data)
-            run = subprocess.run([PROGRAM, file, "--compare", "--repetitions", "1"], capture_output=True, text=True,
+            output = Path(folder) / f"output.{generator.choice(('vtu', 'vtk', 'msh', 'mesh', 'cgal'))}"
+            run = subprocess.run([PROGRAM, file, "--compare", "--repetitions", "1", "--output", output], capture_output=True, text=True,
                                  errors="replace", env=environment, preexec_fn=limits)
             counts[extension, "taken" if run.returncode == 0 else "refused"] += 1
             counts.update(names)
@@ -167,6 +170,7 @@ def main():
                 (keep / file.name).write_bytes(data)
                 print(f"FAILED: {keep / file.name} ({', '.join(names)}): {problem}\n{run.stderr[:2000]}", flush=True)
             file.unlink()
+            output.unlink(missing_ok=True)
             i += 1
     for key, count in sorted(counts.items(), key=str):
         print(f"{key if isinstance(key, str) else ' '.join(key)}: {count}")

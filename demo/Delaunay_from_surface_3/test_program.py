@@ -4,16 +4,21 @@
 
 """Runs the program delaunay_from_surface as a user would, and checks exit codes, output and files."""
 
+import json
 import os
 import re
 import resource
+import signal
 import struct
+import subprocess
+import time
 import unittest
 from pathlib import Path
 
-from program_case import TORUS, ProgramCase
+from program_case import ROOT, TORUS, ProgramCase
 
 DATA = Path(__file__).parent / "data"
+PLANE_NOTE = r"note: the points lie in one plane: CGAL's own insertion takes the compact triangulation's place\n"
 SOUP_NOTE = r"note: [a-z_]+\.[a-z]+: not a consistently oriented manifold mesh, taken as a polygon soup\n"
 TETRAHEDRON = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "v 0 0 1", "f 1 3 2", "f 1 2 4", "f 2 3 4", "f 3 1 4"]
 PLY_VERTICES = ["ply", "format ascii 1.0", "element vertex 4", "property double x", "property double y",
@@ -21,23 +26,45 @@ PLY_VERTICES = ["ply", "format ascii 1.0", "element vertex 4", "property double 
 PLY_CORNERS = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
 
 
+def circumradius(points):
+    """Of a tetrahedron, by Cramer's rule."""
+    edges = [[a - b for a, b in zip(p, points[0])] for p in points[1:]]
+
+    def det(m):
+        return sum(m[0][i] * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3])
+                   for i in range(3))
+    squares = [sum(x * x for x in e) / 2 for e in edges]
+    center = [det([[s if k == j else e[k] for k in range(3)] for e, s in zip(edges, squares)]) / det(edges)
+              for j in range(3)]
+    return sum(x * x for x in center) ** 0.5
+
+
 class Program(ProgramCase):
     program = os.environ["DELAUNAY_FROM_SURFACE"]
 
     def test_what_it_says_about_itself(self):
-        self.works("--help", prints=["Usage: delaunay_from_surface SURFACE", "Example[^$]*--compare", "Exit code"])
+        text = (Path(__file__).parent / "help.txt").read_text()
+        self.assertEqual(self.works("--help"), text)
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
+        script = subprocess.run([ROOT / "scripts/run", "--help"], capture_output=True, text=True, check=True)
+        self.assertEqual(script.stdout, text)
+        page = (Path(__file__).parent / "delaunay_from_surface.1").read_text().replace("\\-", "-")
+        for option in set(re.findall(r"--[a-z-]+", text)):
+            self.assertIn(option, page)
         self.works("--version", prints=[r"\Adelaunay_from_surface \d+\.\d+\.\d+ \(CGAL [0-9.]+"])
 
     def test_a_mesh_by_all_traits(self):
         number = r" +[0-9.]+\n"
+        # What the default does, in its own counts; for the others the calls of the predicates.
+        counts = {True: [rf"\ncells destroyed:{number}", rf"\nsphere tests:{number}", r"\nkernel: +0\n"],
+                  False: [r"\nall +locate +960 ", r"\nall +update +960 "]}
         for traits in ("default", "tracing", "plain"):
             self.works(TORUS, "--traits", traits, "--seed", 3, "--compare", "--repetitions", 2, "--stats", prints=[
                 r"\nsurface: +triangle mesh\n", rf"\ntraits: +{traits}\n", r"\nseed: +3\n", r"\ndimension: +3\n",
                 r"\nvertices: +960\n", r"\nduplicates: +0\n", r"\nfinite cells: +8317\n", r"\nrepetitions: +2\n",
                 rf"\npackage CPU seconds:{number}", rf"\nplain CPU seconds:{number}", rf"\nCPU ratio:{number}",
                 rf"\nwall ratio:{number}", r"\nequal: +yes\n", r"\nDelaunay edges: +2880 of 2880 ",
-                r"\nDelaunay triangles: +1920 of 1920 ", rf"\nlocate:{number}", r"\nall +locate +960 ",
-                r"\nall +update +960 "])
+                r"\nDelaunay triangles: +1920 of 1920 ", rf"\nlocate:{number}", *counts[traits == "default"]])
         self.works(TORUS, "--traits", "tracing", "--stats", prints=[r"\n1 +trace +\d+ ", r"\nall +trace +\d+ "])
         self.works(TORUS, prints=[r"\nfinite cells: +8317\n", r"cells: +\d+\n\Z"])  # and nothing after that
 
@@ -58,7 +85,7 @@ class Surfaces(ProgramCase):
         self.write("flat.off", "OFF", "4 2 0", *corners, *faces)
         self.works("flat.off", "--compare", "--stats", "--output", "flat.vtu", prints=[
             r"\ndimension: +2\n", r"\nwritten: +2 triangles to flat.vtu\n", r"\nother edges: +1 of 5 ",
-            r"\nequal: +yes\n"])
+            r"\nall +locate +4 ", r"\nequal: +yes\n"], notes=PLANE_NOTE)
 
     def test_three_sheets_at_an_edge(self):
         self.write("three_sheets.off", "OFF", "5 3 0", "0 0 0", "0 0 1", "1 0 0", "-1 1 0", "-1 -1 0", "3 0 1 2",
@@ -84,7 +111,7 @@ class Surfaces(ProgramCase):
         self.write("same.off", "OFF", "2 0 0", "1 2 3", "1 2 3")
         self.works("same.off", "--compare", "--stats", "--output", "same.vtu", prints=[
             r"\ndimension: +0\n", r"\nduplicates: +1\n", r"\nequal: +yes\n"],
-            notes=r"note: same.off: there are no faces[^\n]*\n")
+            notes=PLANE_NOTE + r"note: same.off: there are no faces[^\n]*\n")
 
     def test_points_without_faces(self):
         self.write("points.off", "OFF", "3 0 0", "0 0 0", "1 0 0", "5 0 0")
@@ -92,7 +119,37 @@ class Surfaces(ProgramCase):
             r"\nsurface: +points without faces\n", r"\ndimension: +1\n",
             r"\nDelaunay edges: +not counted in dimension 1\n", r"\nwritten: +2 edges to points.mesh\n",
             r"\nequal: +yes\n"],
-            notes=r"note: points.off: there are no faces, its points are taken alone\n")
+            notes=PLANE_NOTE + r"note: points.off: there are no faces, its points are taken alone\n")
+
+    def test_points_in_every_format(self):
+        corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
+        self.write("vertices.obj", "# no faces", *("v " + p for p in corners))
+        self.write("points.xyz", *(p + " 0 0 1" for p in corners))
+        self.write("points.pts", "4", *(p + " -1200 255 255 255" for p in corners))
+        self.write("points.off", "OFF", "4 0 0", *corners)
+        self.write("points.ply", *PLY_VERTICES, "end_header", *corners)
+        for name in ("vertices.obj", "points.xyz", "points.pts", "points.off", "points.ply"):
+            with self.subTest(name):
+                self.works(name, prints=[r"\nsurface: +points without faces\n", r"\nfinite cells: +1\n"],
+                           notes=rf"note: {name}: there are no faces, its points are taken alone\n")
+
+    def test_indices_of_obj(self):
+        self.write("indices.obj", "v 0 0 0", "v 1 0 0", "v 0 1 0", "f -3//1 -2//1 -1/7/1", "g a", "v 0 0 1", "f 1 4 2")
+        self.works("indices.obj", "--stats", prints=[r"\nsurface: +triangle mesh\n", r"\nDelaunay edges: +5 of 5 "])
+        for face in ("0 1 2", "-4 1 2", "1 2 x", "1 2 4"):
+            self.write("wrong.obj", "v 0 0 0", "v 1 0 0", "v 0 1 0", "f " + face)
+            self.refuses(r"wrong.obj: cannot be read as .obj: face 0: it has a vertex that is not", "wrong.obj")
+
+    def test_standard_input_and_output(self):
+        arguments = [os.path.abspath(self.program), "-", "--from", "off", "--output", "-", "--to", "mesh"]
+        result = subprocess.run(arguments, input=TORUS.read_text(), capture_output=True, text=True, check=True)
+        self.assertRegex(result.stdout, r"\AMeshVersionFormatted 2\n")
+        self.assertRegex(result.stderr, r"\nwritten: +8317 tetrahedra to -\n")
+        for error, words in (("the standard input needs '--from'", ["-"]),
+                             ("'--output -' needs '--to'", [TORUS, "--output", "-"]),
+                             ("TetGen's three files do not fit", [TORUS, "--output", "-", "--to", "tetgen"])):
+            self.refuses(error, *words, stdin=subprocess.DEVNULL)
+        self.refuses("the standard input is empty", "-", "--from", "off", stdin=subprocess.DEVNULL)
 
     def test_formats(self):
         self.write("tetrahedron.obj", *TETRAHEDRON)
@@ -141,7 +198,93 @@ class Output(ProgramCase):
         # Four arrays of 8 + size bytes follow the underscore: coordinates, corners, ends and types.
         arrays = content.index(b'"raw">_') + 7
         closing_tags = 30
-        self.assertEqual(len(content), arrays + 4 * 8 + 960 * 24 + 8317 * (32 + 8 + 1) + closing_tags)
+        sizes = [960 * 24, 8317 * 32, 8317 * 8, 8317, 960 * 8, 8317 * 8]
+        self.assertEqual(len(content), arrays + sum(8 + size for size in sizes) + closing_tags)
+        self.assertEqual(re.findall(rb'Name="([A-Za-z_]+)"', content), [
+            b"Points", b"connectivity", b"offsets", b"types", b"input_index", b"circumradius"])
+        offsets = [int(o) for o in re.findall(rb'offset="(\d+)"', content)]
+        for offset, size in zip(offsets, sizes):
+            self.assertEqual(struct.unpack_from("<Q", content, arrays + offset), (size,))
+        first = struct.unpack_from("<4q", content, arrays + offsets[1] + 8)
+        points = [struct.unpack_from("<3d", content, arrays + 8 + 24 * i) for i in first]
+        radius, = struct.unpack_from("<d", content, arrays + offsets[5] + 8)
+        self.assertAlmostEqual(radius, circumradius(points), 9)
+        self.assertEqual(struct.unpack_from("<960q", content, arrays + offsets[4] + 8), tuple(range(960)))
+
+    def test_other_formats(self):
+        """All hold the same tetrahedra."""
+        counts = {"vtk": r"CELLS 8317 41585\n4 \d+ \d+ \d+ \d+\n[^$]*\nCELL_TYPES 8317\n10\n[^$]*\nSCALARS input_index "
+                         r"[^$]*\nSCALARS circumradius double 1\n",
+                  "msh": r"\A\$MeshFormat\n2.2 0 8\n\$EndMeshFormat\n\$Nodes\n960\n1 [^$]*\n\$EndNodes\n\$Elements\n8317\n"
+                         r"1 4 2 0 1 \d+ \d+ \d+ \d+\n[^$]*\n8317 4 [^$]*\$EndElements\n\$ElementData\n1\n\"circumradius\"",
+                  "node": r"\A960 3 0 0\n0 ", "ele": r"\A8317 4 0\n0 \d+ ", "neigh": r"\A8317 4\n0 -?\d+ "}
+        for name in ("torus.vtk", "torus.msh", "torus.ele"):
+            self.works(TORUS, "--output", name, prints=[rf"\nwritten: +8317 tetrahedra to {name}\n"])
+        for extension, pattern in counts.items():
+            self.assertRegex((self.folder / f"torus.{extension}").read_text(), pattern)
+        cells, neighbors = ([list(map(int, line.split()[1:])) for line in (self.folder / f"torus.{e}").read_text()
+                             .splitlines()[1:]] for e in ("ele", "neigh"))
+        for c, row in enumerate(neighbors):
+            for k, n in enumerate(row):
+                if n >= 0:
+                    self.assertTrue(set(cells[c]) - {cells[c][k]} < set(cells[n]))
+                    self.assertIn(c, neighbors[n])
+        self.works(TORUS, "--output", "torus.cgal", prints=["written: +the triangulation to torus.cgal"])
+        self.assertEqual((self.folder / "torus.cgal").read_bytes()[:8], struct.pack("<2i", 3, 960))
+
+    def test_inside(self):
+        """The volume of a cube's tetrahedra inside a smaller box is that of what is inside."""
+        corners = [f"{x} {y} {z}" for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        sides = ["4 0 1 3 2", "4 4 6 7 5", "4 0 4 5 1", "4 2 3 7 6", "4 0 2 6 4", "4 1 5 7 3"]
+        triangles = [f"3 {a} {b} {c}" for a, b, c, d in (s.split()[1:] for s in sides)]
+        triangles += [f"3 {a} {c} {d}" for a, b, c, d in (s.split()[1:] for s in sides)]
+        self.write("cube.off", "OFF", "9 12 0", *corners, "3 3 3", *triangles)
+        self.works("cube.off", "--output", "all.mesh", "--stats")
+        self.works("cube.off", "--output", "inside.mesh", "--inside", prints=[r"\nwritten: +(5|6) tetrahedra to inside.mesh\n"])
+        words = (self.folder / "inside.mesh").read_text().split()
+        first = words.index("Tetrahedra") + 2
+        used = {int(w) for k, w in enumerate(words[first:-1]) if k % 5 != 4}
+        self.assertEqual(used, set(range(1, 9)))
+        self.works("cube.off", "--output", "marked.vtk", "--mark-inside")
+        marks = (self.folder / "marked.vtk").read_text().split("SCALARS inside double 1\nLOOKUP_TABLE default\n")[1]
+        marks = marks.split("SCALARS")[0].split()
+        self.assertEqual((set(marks), marks.count("1") in (5, 6)), ({"0", "1"}, True))
+        self.write("open.off", "OFF", "4 1 0", *corners[:4], "3 0 1 2")
+        self.write("points.xyz", *corners)
+        for name in ("open.off", "points.xyz"):
+            self.refuses(rf"{name}: it has no inside: it is not a closed mesh of triangles", name, "--inside", "-o", "a.vtu")
+
+    def test_json(self):
+        text = self.works(TORUS, "--json", "--stats", "--compare", "--repetitions", 1, "--traits", "tracing")
+        values = json.loads(text)
+        self.assertEqual((values["vertices"], values["finite cells"], values["equal"]), (960, 8317, "yes"))
+        self.assertEqual(values["rounds"][-2]["phase"], "update")
+        self.assertIsNone(values["rounds"][-2]["cells"])
+        self.assertGreater(json.loads(self.works(TORUS, "--json", "--stats", "--quiet"))["cells destroyed"], 9)
+        self.write('a "name".off', TORUS.read_text())
+        self.assertEqual(json.loads(self.works('a "name".off', "--json"))["input"], 'a "name".off')
+
+    def test_quiet_and_verbose(self):
+        self.write("points.xyz", "0 0 0", "1 0 0", "5 0 0")
+        self.assertEqual(self.works("points.xyz", "--quiet", "--output", "points.vtu"), "")
+        self.works(TORUS, "--verbose", "--output", "torus.vtu", notes=r"reading [^\n]*torus.off\nordering the points\n"
+                   r"inserting\nhanding the triangulation over\nwriting torus.vtu\n")
+
+    @unittest.skipUnless(hasattr(signal, "SIGTERM") and os.name == "posix", "signals of POSIX")
+    def test_signals(self):
+        """Nothing stays behind, the older file does, and who waits learns of the signal."""
+        self.write("older.vtu", "an older result")
+        self.write("large.xyz", *(f"{i * 7919 % 10007} {i * 104729 % 10009} {i * 1299709 % 10037}" for i in range(200000)))
+        before = self.files()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = subprocess.Popen([os.path.abspath(self.program), "large.xyz", "-o", "older.vtu"], cwd=self.folder,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while len(self.files()) == len(before) and process.poll() is None:
+                time.sleep(0.01)
+            self.assertEqual(len(self.files()), len(before) + 1)
+            process.send_signal(number)
+            self.assertEqual(process.wait(), -number)
+            self.assertEqual(self.files(), before)
 
     def test_files_of_the_user_stay(self):
         """A link is followed, permissions are kept, and no name beside the output is used up."""
@@ -157,7 +300,8 @@ class Output(ProgramCase):
         self.assertEqual(sorted(self.files()), ["link.mesh", "older.mesh", "older.mesh.part"])
 
     def test_what_it_refuses(self):
-        self.refuses(r"torus\.vtk: unknown extension", TORUS, "--output", "torus.vtk")
+        self.refuses(r"torus\.stl: unknown extension", TORUS, "--output", "torus.stl")
+        self.refuses(r"unknown format 'stl'", TORUS, "--output", "torus.vtu", "--to", "stl")
         self.refuses(r"nowhere/torus\.vtu: cannot be written", TORUS, "--output", "nowhere/torus.vtu")
         self.refuses(r"n+\.vtu: cannot be written: File name too long", TORUS, "--output", 300 * "n" + ".vtu")
         (self.folder / "folder.vtu").mkdir()
@@ -190,6 +334,13 @@ class Refusals(ProgramCase):
         for seed in ("-1", "4294967296"):
             self.refuses("option '--seed' needs a whole number", TORUS, "--seed", seed)
         self.refuses(r"the argument \('one'\) for option '--seed' is invalid", TORUS, "--seed", "one")
+        for message, *words in (("option '--to' needs '--output'", "--to", "vtu"),
+                                ("options '--inside' and '--mark-inside' need '--output'", "--inside"),
+                                ("'--inside' and '--mark-inside' exclude", "--inside", "--mark-inside", "-o", "a.vtu"),
+                                ("a triangulation of CGAL is written as a whole", "--inside", "-o", "a.cgal"),
+                                ("'--quiet' and '--verbose' exclude each other", "--quiet", "--verbose"),
+                                ("unknown format 'las'", "--from", "las")):
+            self.refuses(message, TORUS, *words)
         self.refuses("option '--repetitions' needs '--compare'", TORUS, "--repetitions", 3)
         self.refuses("option '--repetitions' needs a whole number", TORUS, "--compare", "--repetitions", 0)
 
@@ -200,8 +351,8 @@ class Refusals(ProgramCase):
         self.refuses(r"n+\.off: File name too long", 300 * "n" + ".off")
         (self.folder / "folder.off").mkdir()
         self.refuses(r"folder\.off: is a directory", "folder.off")
-        self.write("points.xyz", "0 0 0")
-        self.refuses(r"points\.xyz: unknown extension", "points.xyz")
+        self.write("points.abc", "0 0 0")
+        self.refuses(r"points\.abc: unknown extension", "points.abc")
         (self.folder / "zero.off").symlink_to("/dev/zero")
         self.refuses(r"zero\.off: is not a plain file", "zero.off")
 
@@ -250,7 +401,11 @@ class Refusals(ProgramCase):
                  b"property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                  + struct.pack("<fffBi", 0, 0, 0, 1, 0)[:-1]),
                 ("index.obj", "face 1: it has a vertex that is not one of the 3", *TETRAHEDRON[:3], "f 1 2 3", "f 1 2 4"),
-                ("words.obj", "it is damaged, cut short or in another format", "once upon a time"),
+                ("words.obj", "there are no vertices in it", "once upon a time"),
+                ("short.obj", "line 2: a vertex has too few coordinates", "# c", "v 1 2"),
+                ("words.xyz", "line 2: 'b' is not a number", "1 2 3", "1 b 3"),
+                ("short.pts", "line 2: a vertex has too few coordinates", "1", "1 2"),
+                ("count.pts", "there are no vertices in it", big),
                 ("short.stl", "it is cut short", "solid a", "facet")):
             with self.subTest(name):
                 self.write(name, *lines)

@@ -5,46 +5,34 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OPTIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OPTIONS_H
 
+#include <Delaunay_from_surface_3_files/file_extension.h>
+#include <Delaunay_from_surface_3_files/read_polygon_soup.h>
+
 #include <CGAL/version.h>
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+// help.txt, which CMake has made a string of.
+extern const char* const help_text;
 
 // What the user asked for.
 struct Options
 {
-  std::string input, output, traits;
+  std::string input, from; // `from`: empty if the extension says it
+  std::string output, to;  // `to`: of written_formats; both are empty if nothing is written
+  std::string traits;
   unsigned int seed = 0, repetitions = 5;
-  bool compare = false, stats = false;
+  bool inside = false, mark_inside = false;
+  bool compare = false, stats = false, json = false, quiet = false, verbose = false;
 };
-
-inline const char* const usage_text =
-    "Usage: delaunay_from_surface SURFACE [OPTION...]\n"
-    "\n"
-    "Builds the 3D Delaunay triangulation of the vertices of a surface. The connectivity of the\n"
-    "surface serves to find the place of each vertex; the result is the same as without it.\n"
-    "\n"
-    "SURFACE is an .off, .ply, .obj or .stl file: a mesh, a polygon soup, or points alone.\n"
-    "\n"
-    "Example, with a comparison and all figures:\n"
-    "  delaunay_from_surface bunny.off --output bunny.vtu --compare --stats\n"
-    "\n";
-
-inline const char* const exit_codes_text =
-    "\nResults go to the standard output, progress and notes to the standard error.\n"
-    "Exit code: 0 if all went well, 1 after an error, 2 if --compare found a difference.\n";
-
-inline const char* const traits_text =
-    "how to go about it:\n"
-    "  default  \tthe fastest measured\n"
-    "  tracing  \tthe algorithm of the paper (Choi, SoCG 2002): random order, rounds, and the "
-    "surface traced through the triangulation after each round\n"
-    "  plain    \tthe order and the starting cells of CGAL's own insert(first, last)";
 
 // A number in [lowest, largest of unsigned int]; Boost alone would take -1 for 4294967295.
 inline unsigned int checked_number(const std::string& option, long long value, long long lowest)
@@ -55,6 +43,57 @@ inline unsigned int checked_number(const std::string& option, long long value, l
   return static_cast<unsigned int>(value);
 }
 
+// The format of the output: what was said, or what the extension says.
+inline std::string output_format(const Options& options)
+{
+  static const std::vector<std::string> formats = {"vtu", "vtk", "msh", "mesh", "tetgen", "cgal"};
+  std::string format = options.to;
+  if (format.empty()) {
+    format = files::file_extension(options.output);
+    if (format == "node" || format == "ele" || format == "neigh")
+      format = "tetgen";
+    if (options.output == "-")
+      throw std::runtime_error("'--output -' needs '--to': no extension says the format");
+  }
+  if (std::find(formats.begin(), formats.end(), format) == formats.end())
+    throw std::runtime_error(options.to.empty()
+                                 ? options.output + ": unknown extension; .vtu, .vtk, .msh, .mesh, "
+                                                    ".node, .ele, .neigh and .cgal are written"
+                                 : "unknown format '" + format +
+                                       "': vtu, vtk, msh, mesh, tetgen and cgal are written");
+  if (format == "tetgen" && options.output == "-")
+    throw std::runtime_error("TetGen's three files do not fit into the standard output");
+  return format;
+}
+
+inline void check_input(const Options& options)
+{
+  if (options.input.empty())
+    throw std::runtime_error("no surface given");
+  if (options.input == "-" && options.from.empty())
+    throw std::runtime_error("the standard input needs '--from': no extension says the format");
+  if (!options.from.empty() && !files::is_format_read(options.from))
+    throw std::runtime_error("unknown format '" + options.from + "': " + files::formats_read +
+                             " are read");
+  if (options.traits != "default" && options.traits != "tracing" && options.traits != "plain")
+    throw std::runtime_error("unknown traits '" + options.traits +
+                             "': they are default, tracing and plain");
+}
+
+inline void check_output(const Options& options)
+{
+  if (options.output.empty() && !options.to.empty())
+    throw std::runtime_error("option '--to' needs '--output'");
+  if (options.output.empty() && (options.inside || options.mark_inside))
+    throw std::runtime_error("options '--inside' and '--mark-inside' need '--output'");
+  if (options.inside && options.mark_inside)
+    throw std::runtime_error("'--inside' and '--mark-inside' exclude each other");
+  if ((options.inside || options.mark_inside) && options.to == "cgal")
+    throw std::runtime_error("a triangulation of CGAL is written as a whole");
+  if (options.quiet && options.verbose)
+    throw std::runtime_error("'--quiet' and '--verbose' exclude each other");
+}
+
 // Reads the command line. Prints --help and --version, and then returns nothing.
 // Throws std::exception with one clear line.
 inline std::optional<Options> parse_command_line(int argc, char* argv[])
@@ -63,29 +102,15 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
   Options options;
   long long seed = options.seed, repetitions = options.repetitions;
 
-  po::options_description visible("Options", 100);
-  visible.add_options()                                                                      //
-      ("output,o", po::value(&options.output)->value_name("FILE"),                           //
-       "write the tetrahedra to FILE: .vtu (ParaView, VTK) or .mesh (Medit); otherwise "     //
-       "nothing is written")                                                                 //
-      ("traits", po::value(&options.traits)->default_value("default")->value_name("NAME"),   //
-       traits_text)                                                                          //
-      ("seed", po::value(&seed)->default_value(seed)->value_name("NUMBER"),                  //
-       "seed of the insertion order")                                                        //
-      ("compare", po::bool_switch(&options.compare),                                         //
-       "run CGAL's own insert(first, last) on the same points beside it, in turns; print "   //
-       "median times, their ratio, and whether both triangulations are equal")               //
-      ("repetitions",                                                                        //
-       po::value(&repetitions)->default_value(repetitions)->value_name("NUMBER"),            //
-       "how often --compare runs each")                                                      //
-      ("stats", po::bool_switch(&options.stats),                                             //
-       "count cells and predicate calls by round, take the time by phase (in runs of their " //
-       "own), and count the edges and triangles of the surface that are Delaunay")           //
-      ("help,h", "print this text")                                                          //
-      ("version", "print the version");
-
-  po::options_description all;
-  all.add(visible).add_options()("input", po::value(&options.input));
+  po::options_description all; // help.txt explains them
+  all.add_options()("output,o", po::value(&options.output))("from", po::value(&options.from))(
+      "to", po::value(&options.to))("inside", po::bool_switch(&options.inside))(
+      "mark-inside", po::bool_switch(&options.mark_inside))(
+      "traits", po::value(&options.traits)->default_value("default"))("seed", po::value(&seed))(
+      "compare", po::bool_switch(&options.compare))("repetitions", po::value(&repetitions))(
+      "stats", po::bool_switch(&options.stats))("json", po::bool_switch(&options.json))(
+      "quiet", po::bool_switch(&options.quiet))("verbose", po::bool_switch(&options.verbose))(
+      "help,h", "")("version", "")("input", po::value(&options.input));
   const po::positional_options_description positional =
       po::positional_options_description().add("input", 1);
   po::variables_map given;
@@ -95,7 +120,7 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
       given);
 
   if (given.count("help") != 0) {
-    std::cout << usage_text << visible << exit_codes_text;
+    std::cout << help_text;
     return std::nullopt;
   }
   if (given.count("version") != 0) {
@@ -105,15 +130,15 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
   }
   po::notify(given);
 
-  if (options.input.empty())
-    throw std::runtime_error("no surface given");
-  if (options.traits != "default" && options.traits != "tracing" && options.traits != "plain")
-    throw std::runtime_error("unknown traits '" + options.traits +
-                             "': they are default, tracing and plain");
-  if (!options.compare && !given["repetitions"].defaulted())
+  check_input(options);
+  if (!options.compare && given.count("repetitions") != 0)
     throw std::runtime_error("option '--repetitions' needs '--compare'");
   options.seed = checked_number("seed", seed, 0);
   options.repetitions = checked_number("repetitions", repetitions, 1);
+  check_output(options);
+  if (!options.output.empty())
+    options.to = output_format(options);
+  check_output(options);
   return options;
 }
 

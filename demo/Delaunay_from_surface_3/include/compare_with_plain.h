@@ -5,10 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_PLAIN_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_COMPARE_WITH_PLAIN_H
 
-#include "Progress_visitor.h"
+#include "Messages.h"
+#include "Report.h"
 #include "Stopwatch.h"
 #include "Surface.h"
-#include "report.h"
 
 #include <algorithm>
 #include <string>
@@ -46,47 +46,46 @@ struct Timings
   }
 };
 
-inline void report_timings(const Timings& package, const Timings& plain)
+inline void report_timings(Report& report, const Timings& package, const Timings& plain)
 {
   const double package_cpu = median(package.cpu), package_wall = median(package.wall);
   const double plain_cpu = median(plain.cpu), plain_wall = median(plain.wall);
   report("repetitions", package.cpu.size());
-  report("package CPU seconds", decimals(package_cpu, 6));
-  report("plain CPU seconds", decimals(plain_cpu, 6));
-  report("package wall seconds", decimals(package_wall, 6));
-  report("plain wall seconds", decimals(plain_wall, 6));
-  report("CPU ratio", decimals(plain_cpu / package_cpu, 3));
-  report("wall ratio", decimals(plain_wall / package_wall, 3));
+  report("package CPU seconds", package_cpu, 6);
+  report("plain CPU seconds", plain_cpu, 6);
+  report("package wall seconds", package_wall, 6);
+  report("plain wall seconds", plain_wall, 6);
+  report("CPU ratio", plain_cpu / package_cpu, 3);
+  report("wall ratio", plain_wall / package_wall, 3);
 }
 
 // Runs the package and plain CGAL in turns, and now one, now the other first. Prints the medians and
 // returns whether plain CGAL's triangulation equals `result`.
 template <class Traits>
 bool compare_with_plain(const Surface& surface, const Traits& traits, unsigned int seed,
-                        unsigned int repetitions, const Triangulation& result)
+                        unsigned int repetitions, const Triangulation& result, Report& report,
+                        Messages& messages)
 {
-  std::cout << "\nComparison with CGAL's own insert(first, last)"
-               "\n(medians; ratio = plain CGAL / package, above 1 the package is faster)\n";
+  report.title("Comparison with CGAL's own insert(first, last)"
+               "\n(medians; ratio = plain CGAL / package, above 1 the package is faster)");
   Timings package, plain;
   bool is_equal = true;
-  {
-    Progress_line line;
-    for (unsigned int r = 0; r < repetitions; ++r) {
-      line.show("comparing: repetition " + std::to_string(r + 1) + " of " +
-                std::to_string(repetitions));
-      if (r % 2 == 0)
-        package.add(time_package(surface, traits, seed));
-      {
-        Triangulation tr;
-        plain.add(time_plain(surface, tr));
-        if (r + 1 == repetitions)
-          is_equal = result == tr;
-      }
-      if (r % 2 == 1)
-        package.add(time_package(surface, traits, seed));
+  for (unsigned int r = 0; r < repetitions; ++r) {
+    messages.step("comparing: repetition " + std::to_string(r + 1) + " of " +
+                  std::to_string(repetitions));
+    if (r % 2 == 0)
+      package.add(time_package(surface, traits, seed));
+    {
+      Triangulation tr;
+      plain.add(time_plain(surface, tr));
+      if (r + 1 == repetitions)
+        is_equal = result == tr;
     }
+    if (r % 2 == 1)
+      package.add(time_package(surface, traits, seed));
   }
-  report_timings(package, plain);
+  messages.clear();
+  report_timings(report, package, plain);
   report("equal", is_equal ? "yes" : "no");
   return is_equal;
 }

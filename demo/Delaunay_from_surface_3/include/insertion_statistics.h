@@ -5,43 +5,74 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H
 
-// What the insertion does, phase by phase and round by round, seen by two visitors.
+// What the insertion does, phase by phase and round by round, seen by visitors.
 
+#include "Report.h"
 #include "Surface.h"
-#include "report.h"
 
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
-#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 
 #include <chrono>
 #include <cstddef>
-#include <iomanip>
-#include <iostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 using Phase = CGAL::Surface_insertion_phase;
+using CGAL::Delaunay_from_surface_3::Insertion_counts;
+
+// Keeps what the target itself has counted; CGAL's insertion counts nothing.
+struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  Insertion_counts counts;
+
+  template <class Target, class Hints>
+  void insertion_ends(const Target& target, const Hints&)
+  {
+    counts = target.counts();
+  }
+};
+
+inline void report_counts(const Insertion_counts& counts, std::size_t points, Report& report)
+{
+  static const char* const stages[] = {"integers of 30 bits", "integers of 60 bits",
+                                       "double-double", "integers of 120 bits", "kernel"};
+  const double n = double(points);
+  report.title("What the insertions into the compact triangulation did, per point");
+  report("cells until a conflict", double(counts.cells_tested_to_start) / n, 3);
+  report("cells destroyed", double(counts.cells_destroyed) / n, 3);
+  report("cells created", double(counts.cells_created) / n, 3);
+  report("sphere tests", double(counts.sphere_tests) / n, 3);
+  report.title("Tests that floating point left open, by the stage that decided them");
+  for (std::size_t s = 0; s < CGAL::Delaunay_from_surface_3::NUMBER_OF_EXACT_STAGES; ++s)
+    report(stages[s], counts.sphere_tests_by_stage[s] + counts.facet_tests_by_stage[s]);
+  report("sign 0, perturbed", counts.perturbed);
+}
+
+using Row = std::vector<std::string>;
 
 // One line of the table: `counts`, spread over `points`.
-inline void report_counts(const std::string& round, const std::string& phase, std::size_t points,
-                          const CGAL::Delaunay_from_surface_3::Predicate_counts& counts,
-                          bool is_walk)
+inline void add_row(std::vector<Row>& rows, const std::string& round, const std::string& phase,
+                    std::size_t points,
+                    const CGAL::Delaunay_from_surface_3::Predicate_counts& counts, bool is_walk)
 {
   if (points == 0)
     return;
   const double n = double(points);
-  std::cout << std::left << std::setw(7) << round << std::setw(8) << phase << std::right
-            << std::setw(11) << points << std::setw(11)
-            << (is_walk ? decimals(double(counts.cells_entered()) / n, 3) : "-") << std::setw(13)
-            << decimals(double(counts.orientation) / n, 3) << std::setw(11)
-            << decimals(double(counts.in_sphere) / n, 3) << std::setw(11)
-            << decimals(double(counts.other) / n, 3) << '\n';
+  rows.push_back({round, phase, std::to_string(points),
+                  is_walk ? decimals(double(counts.cells_entered()) / n, 3) : "-",
+                  decimals(double(counts.orientation) / n, 3),
+                  decimals(double(counts.in_sphere) / n, 3),
+                  decimals(double(counts.other) / n, 3)});
 }
 
-// An untimed run in which every call of a predicate is counted.
+// A run in which every call of a predicate is counted. It goes through CGAL's insertion.
 template <class Traits>
-void report_predicates(const Surface& surface, const Traits& traits, unsigned int seed)
+void report_predicates(const Surface& surface, const Traits& traits, unsigned int seed,
+                       Report& report)
 {
   using Counting_kernel = CGAL::Delaunay_from_surface_3::Predicate_counting_traits_3<Kernel>;
   const Counting_kernel kernel;
@@ -50,26 +81,42 @@ void report_predicates(const Surface& surface, const Traits& traits, unsigned in
   CGAL::Delaunay_triangulation_3<Counting_kernel> tr(kernel);
   insert_and_watch(tr, surface, traits, seed, visitor);
 
-  std::cout << "\nCells entered by the walks and calls of predicates, per point\n"
-               "round  phase        points      cells  orientation  in-sphere      other\n";
+  std::vector<Row> rows;
   std::size_t inserted = 0, traced = 0;
   for (std::size_t r = 1; r < visitor.rounds().size(); ++r) { // 0 is what comes before the rounds
     const auto& round = visitor.rounds()[r];
     const std::string name = std::to_string(r);
-    report_counts(name, "locate", round.number_of_points, round[Phase::LOCATION], true);
-    report_counts(name, "update", round.number_of_points, round[Phase::UPDATE], false);
-    report_counts(name, "trace", round.number_of_traced_points, round[Phase::TRACE], true);
+    add_row(rows, name, "locate", round.number_of_points, round[Phase::LOCATION], true);
+    add_row(rows, name, "update", round.number_of_points, round[Phase::UPDATE], false);
+    add_row(rows, name, "trace", round.number_of_traced_points, round[Phase::TRACE], true);
     inserted += round.number_of_points;
     traced += round.number_of_traced_points;
   }
-  report_counts("all", "locate", inserted, visitor.total(Phase::LOCATION), true);
-  report_counts("all", "update", inserted, visitor.total(Phase::UPDATE), false);
-  report_counts("all", "trace", traced, visitor.total(Phase::TRACE), true);
+  add_row(rows, "all", "locate", inserted, visitor.total(Phase::LOCATION), true);
+  add_row(rows, "all", "update", inserted, visitor.total(Phase::UPDATE), false);
+  add_row(rows, "all", "trace", traced, visitor.total(Phase::TRACE), true);
+  report.title("Cells entered by the walks and calls of predicates, per point");
+  report.table("rounds", {"round", "phase", "points", "cells", "orientation", "in-sphere", "other"},
+               2, rows);
+}
+
+// What the insertions did: in the words of the target, or else the predicates that were called.
+template <class Traits>
+void report_insertions(const Surface& surface, const Traits& traits, unsigned int seed,
+                       Report& report)
+{
+  Counting_visitor visitor;
+  Triangulation tr;
+  insert_and_watch(tr, surface, traits, seed, visitor);
+  if (visitor.counts.cells_created > 0)
+    report_counts(visitor.counts, surface.points.size(), report);
+  else
+    report_predicates(surface, traits, seed, report);
 }
 
 // A run in which a clock is read whenever the phase changes, twice for every point.
 template <class Traits>
-void report_seconds(const Surface& surface, const Traits& traits, unsigned int seed)
+void report_seconds(const Surface& surface, const Traits& traits, unsigned int seed, Report& report)
 {
   const auto begin = std::chrono::steady_clock::now();
   const auto clock = [begin] {
@@ -82,9 +129,9 @@ void report_seconds(const Surface& surface, const Traits& traits, unsigned int s
   const std::pair<Phase, const char*> phases[] = {
       {Phase::PLAN, "plan"},     {Phase::SUBGRAPH, "subgraph"}, {Phase::LOCATION, "locate"},
       {Phase::UPDATE, "update"}, {Phase::TRACE, "trace"},       {Phase::FINISH, "finish"}};
-  std::cout << "\nWall seconds by phase (reading the clock included)\n";
+  report.title("Wall seconds by phase (reading the clock included)");
   for (const auto& [phase, name] : phases)
-    report(name, decimals(visitor.total(phase), 6));
+    report(name, visitor.total(phase), 6);
 }
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H

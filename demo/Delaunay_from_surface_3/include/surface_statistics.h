@@ -7,8 +7,8 @@
 
 // How much of the surface is in the triangulation.
 
+#include "Report.h"
 #include "Surface.h"
-#include "report.h"
 
 #include <boost/unordered_map.hpp>
 
@@ -95,9 +95,10 @@ inline Delaunay_counts count_delaunay(const Triangulation& tr,
 }
 
 inline void report_surface(const Surface& surface, const Triangulation& tr,
-                           const std::vector<Triangulation::Vertex_handle>& vertices)
+                           const std::vector<Triangulation::Vertex_handle>& vertices,
+                           Report& report)
 {
-  std::cout << "\nThe surface in the triangulation\n";
+  report.title("The surface in the triangulation");
   if (tr.dimension() < 2) {
     report("Delaunay edges", "not counted in dimension " + std::to_string(tr.dimension()));
     return;

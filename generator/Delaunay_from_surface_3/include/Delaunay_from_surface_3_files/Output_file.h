@@ -5,16 +5,16 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_FILES_OUTPUT_FILE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_OUTPUT_FILE_H
 
+#include <Delaunay_from_surface_3_files/Remove_on_signal.h>
+
 #include <cerrno>
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <system_error>
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace files {
 
@@ -41,13 +41,10 @@ public:
       if (!std::ofstream(m_place, std::ios::app))
         fail(errno);
     }
-    std::string unfinished = (m_place.parent_path() / ".unfinished-XXXXXX").string();
-    const int file = mkstemp(unfinished.data());
-    if (file < 0)
-      fail(errno);
-    m_unfinished = unfinished;
-    fchmod(file, permissions());
-    close(file);
+    create_unfinished();
+    if (is_there)
+      std::filesystem::permissions(m_unfinished, std::filesystem::status(m_place).permissions(),
+                                   error);
     m_stream.open(m_unfinished, std::ios::binary);
     if (!m_stream)
       remove_and_fail(errno);
@@ -75,18 +72,32 @@ public:
     if (error)
       fail(error.value());
     m_is_finished = true;
+    m_remove_on_signal.forget();
   }
 
 private:
-  // Those of the file that is replaced, else what the user gives to new files.
-  mode_t permissions() const
+  // An empty file with a name that no other has, and the permissions that the user gives to new files.
+  void create_unfinished()
   {
-    struct stat old;
-    if (stat(m_place.c_str(), &old) == 0)
-      return old.st_mode & 0777;
-    const mode_t mask = umask(0);
-    umask(mask);
-    return 0666 & ~mask;
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789";
+    std::random_device random;
+    std::FILE* file = nullptr;
+    for (int tries = 0; file == nullptr && tries < 100; ++tries) {
+      std::string name = ".unfinished-";
+      for (int k = 0; k < 8; ++k)
+        name += letters[random() % (sizeof(letters) - 1)];
+      m_unfinished = m_place.parent_path() / name;
+      m_remove_on_signal.watch(m_unfinished.string());
+      errno = 0;
+      file = std::fopen(m_unfinished.string().c_str(), "wbx"); // not if it exists
+      if (file == nullptr)
+        m_remove_on_signal.forget();
+      if (file == nullptr && errno != EEXIST)
+        break;
+    }
+    if (file == nullptr)
+      fail(errno);
+    std::fclose(file);
   }
 
   void remove()
@@ -112,6 +123,7 @@ private:
   std::filesystem::path m_place, m_unfinished;
   std::ofstream m_stream;
   bool m_is_finished = false;
+  Remove_on_signal m_remove_on_signal;
 };
 
 } // namespace files

@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_FILES_READ_OFF_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_READ_OFF_H
 
+#include <Delaunay_from_surface_3_files/Lines.h>
 #include <Delaunay_from_surface_3_files/Polygon_soup.h>
 #include <Delaunay_from_surface_3_files/parse_number.h>
 
@@ -23,15 +24,15 @@ class Off_reader
 {
 public:
   explicit Off_reader(std::string_view text)
-    : m_rest(text)
+    : m_lines(text)
   {
   }
 
   Polygon_soup read()
   try {
-    const std::size_t room = m_rest.size() / 2; // a number and a separator
+    const std::size_t room = m_lines.rest().size() / 2; // a number and a separator
     next_line();
-    read_keyword(std::string(next_word(m_line)));
+    read_keyword(std::string(m_lines.word()));
     const std::size_t vertices = parse_count(word_of_header(), room / 3 + 1, "vertices");
     const std::size_t faces = parse_count(word_of_header(), room + 1, "faces");
     Polygon_soup soup;
@@ -43,23 +44,14 @@ public:
       read_face(soup);
     return soup;
   } catch (const Bad_content& error) {
-    throw Bad_content("line " + std::to_string(m_number) + ": " + error.what());
+    throw Bad_content(m_lines.place() + error.what());
   }
 
 private:
-  // Goes to the next line that holds more than blanks and a comment.
   void next_line()
   {
-    std::string_view content;
-    do {
-      if (m_rest.empty())
-        throw Bad_content("the file ends too early");
-      m_line = m_rest.substr(0, m_rest.find('\n'));
-      m_rest.remove_prefix((std::min)(m_line.size() + 1, m_rest.size()));
-      ++m_number;
-      m_line = m_line.substr(0, m_line.find('#'));
-      content = m_line;
-    } while (next_word(content).empty());
+    if (!m_lines.next())
+      throw Bad_content("the file ends too early");
   }
 
   // [ST][C][N][4][n]OFF, where 4 stands for homogeneous coordinates.
@@ -77,7 +69,7 @@ private:
     const bool has_dimension = skip("n");
     if (keyword != "OFF")
       throw Bad_content("the keyword OFF is missing");
-    if (std::string_view rest = m_line; next_word(rest) == "BINARY")
+    if (std::string_view rest = m_lines.line(); next_word(rest) == "BINARY")
       throw Bad_content("binary OFF is not read");
     if (has_dimension && word_of_header() != "3")
       throw Bad_content("the vertices do not have three coordinates");
@@ -85,10 +77,10 @@ private:
 
   std::string_view word_of_header()
   {
-    std::string_view word = next_word(m_line);
+    std::string_view word = m_lines.word();
     if (word.empty()) {
       next_line();
-      word = next_word(m_line);
+      word = m_lines.word();
     }
     return word;
   }
@@ -98,7 +90,7 @@ private:
     next_line();
     double x[4] = {0, 0, 0, 1};
     for (int i = 0; i < (m_is_homogeneous ? 4 : 3); ++i) {
-      const std::string_view word = next_word(m_line);
+      const std::string_view word = m_lines.word();
       if (word.empty())
         throw Bad_content("a vertex has too few coordinates");
       x[i] = parse_coordinate(word);
@@ -112,18 +104,17 @@ private:
   void read_face(Polygon_soup& soup)
   {
     next_line();
-    const std::size_t room = m_line.size() / 2;
-    soup.faces.emplace_back(parse_count(next_word(m_line), room, "vertices of a face"));
+    const std::size_t room = m_lines.line().size() / 2;
+    soup.faces.emplace_back(parse_count(m_lines.word(), room, "vertices of a face"));
     for (std::size_t& vertex : soup.faces.back()) {
-      const std::string_view word = next_word(m_line);
+      const std::string_view word = m_lines.word();
       if (word.empty())
         throw Bad_content("a face has too few vertices");
       vertex = parse_index(word);
     }
   }
 
-  std::string_view m_rest, m_line;
-  std::size_t m_number = 0;
+  Lines m_lines;
   bool m_is_homogeneous = false;
 };
 

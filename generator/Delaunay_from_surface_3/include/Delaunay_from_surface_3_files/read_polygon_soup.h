@@ -7,10 +7,11 @@
 
 #include <Delaunay_from_surface_3_files/Polygon_soup.h>
 #include <Delaunay_from_surface_3_files/file_extension.h>
+#include <Delaunay_from_surface_3_files/read_obj.h>
 #include <Delaunay_from_surface_3_files/read_off.h>
 #include <Delaunay_from_surface_3_files/read_ply.h>
+#include <Delaunay_from_surface_3_files/read_points.h>
 
-#include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/STL.h>
 
 #include <algorithm>
@@ -23,6 +24,8 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <iterator>
 #include <new>
 #include <sstream>
 #include <stdexcept>
@@ -31,12 +34,27 @@
 
 namespace files {
 
+// What is read, by extension.
+inline const char* const formats_read = "off, ply, obj, stl, xyz and pts";
+
+inline bool is_format_read(const std::string& format)
+{
+  return format == "off" || format == "ply" || format == "obj" || format == "stl" ||
+         format == "xyz" || format == "pts";
+}
+
+// All that comes from the standard input.
+inline std::string content_of_standard_input()
+{
+  std::string content(std::istreambuf_iterator<char>(std::cin), {});
+  if (content.empty())
+    throw std::runtime_error("the standard input is empty");
+  return content;
+}
+
 // The content of a file. Says which of the many reasons it is, if it cannot be had.
 inline std::string content_of(const std::string& file_name)
 {
-  const std::string extension = file_extension(file_name);
-  if (extension != "off" && extension != "ply" && extension != "obj" && extension != "stl")
-    throw std::runtime_error(file_name + ": unknown extension; .off, .ply, .obj and .stl are read");
   std::error_code ignored; // what cannot be asked for cannot be opened
   const std::filesystem::file_status status = std::filesystem::status(file_name, ignored);
   if (std::filesystem::is_directory(status))
@@ -79,26 +97,26 @@ inline void check_stl(const std::string& content)
   }
 }
 
-// These two readers of CGAL keep no more than they have read.
-inline Polygon_soup read_with_cgal(const std::string& content, bool is_stl)
+// This reader of CGAL's keeps no more than it has read.
+inline Polygon_soup read_stl(const std::string& content)
 {
-  if (is_stl)
-    check_stl(content);
+  check_stl(content);
   Polygon_soup soup;
   std::istringstream stream(content);
-  if (!(is_stl ? CGAL::IO::read_STL(stream, soup.points, soup.faces)
-               : CGAL::IO::read_OBJ(stream, soup.points, soup.faces)))
+  if (!CGAL::IO::read_STL(stream, soup.points, soup.faces))
     throw Bad_content("it is damaged, cut short or in another format");
   return soup;
 }
 
-inline Polygon_soup soup_in(const std::string& content, const std::string& extension)
+inline Polygon_soup soup_in(const std::string& content, const std::string& format)
 {
-  if (extension == "off")
+  if (format == "off")
     return Off_reader(content).read();
-  if (extension == "ply")
+  if (format == "ply")
     return Ply_reader(content).read();
-  return read_with_cgal(content, extension == "stl");
+  if (format == "obj")
+    return read_obj(content);
+  return format == "stl" ? read_stl(content) : read_points(content);
 }
 
 inline void check_indices(const Polygon_soup& soup)
@@ -111,14 +129,20 @@ inline void check_indices(const Polygon_soup& soup)
                           std::to_string(soup.points.size()));
 }
 
-// Reads the points and faces of a file in the order of the file. All indices are in range;
-// coordinates may be infinite or NaN. The memory that it takes is bounded by the size of the file.
-// Throws `std::runtime_error` with one clear line.
-inline Polygon_soup read_polygon_soup(const std::string& file_name)
+// Reads the points and faces of a file in the order of the file, or those of the standard input if its
+// name is "-". `format` is one of formats_read, or empty: the extension says it. All indices are in
+// range; coordinates may be infinite or NaN. The memory that it takes is bounded by the size of the
+// file. Throws `std::runtime_error` with one clear line.
+inline Polygon_soup read_polygon_soup(const std::string& file_name, std::string format = "")
 {
-  const std::string content = content_of(file_name), extension = file_extension(file_name);
+  if (format.empty())
+    format = file_extension(file_name);
+  if (!is_format_read(format))
+    throw std::runtime_error(file_name + ": unknown extension; " + formats_read + " are read");
+  const std::string content =
+      file_name == "-" ? content_of_standard_input() : content_of(file_name);
   try {
-    Polygon_soup soup = soup_in(content, extension);
+    Polygon_soup soup = soup_in(content, format);
     if (soup.points.empty())
       throw Bad_content("there are no vertices in it");
     check_indices(soup);
@@ -126,9 +150,9 @@ inline Polygon_soup read_polygon_soup(const std::string& file_name)
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const Bad_content& error) {
-    throw std::runtime_error(file_name + ": cannot be read as ." + extension + ": " + error.what());
-  } catch (const std::exception&) { // from within CGAL's readers
-    throw std::runtime_error(file_name + ": cannot be read as ." + extension);
+    throw std::runtime_error(file_name + ": cannot be read as ." + format + ": " + error.what());
+  } catch (const std::exception&) { // from within CGAL's reader
+    throw std::runtime_error(file_name + ": cannot be read as ." + format);
   }
 }
 

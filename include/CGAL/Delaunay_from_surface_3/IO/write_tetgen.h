@@ -24,27 +24,23 @@ inline void write_tetgen_node(std::ostream& out, const Simplices_3& s)
 }
 
 /// \ingroup PkgDelaunayFromSurface3IO
-/// writes tetrahedra in TetGen's format `.ele`, counted from 0. TetGen's own have the other
-/// orientation: two corners change places. \pre the dimension is 3
+/// writes tetrahedra in TetGen's format `.ele`, counted from 0. TetGen's own have the same orientation.
+/// \pre the dimension is 3
 inline void write_tetgen_ele(std::ostream& out, const Simplices_3& s)
 {
   out << s.size() << " 4 0\n";
-  for (std::size_t c = 0; c < s.size(); ++c) {
-    const auto* const v = s.simplices.data() + 4 * c;
-    out << c << ' ' << v[1] << ' ' << v[0] << ' ' << v[2] << ' ' << v[3] << '\n';
-  }
+  internal::write_rows(
+      out, s, s.simplices, 0, [&](std::size_t c) { out << c << ' '; }, "\n");
 }
 
 /// \ingroup PkgDelaunayFromSurface3IO
-/// writes the neighbours in TetGen's format `.neigh`, in the order of the corners that
-/// `write_tetgen_ele()` writes; -1 for none. \pre the dimension is 3, and the neighbours are known
+/// writes the neighbours in TetGen's format `.neigh`: the i-th is opposite to the i-th corner, -1 for none.
+/// \pre the dimension is 3, and the neighbours are known
 inline void write_tetgen_neigh(std::ostream& out, const Simplices_3& s)
 {
   out << s.size() << " 4\n";
-  for (std::size_t c = 0; c < s.size(); ++c) {
-    const auto* const n = s.neighbors.data() + 4 * c;
-    out << c << ' ' << n[1] << ' ' << n[0] << ' ' << n[2] << ' ' << n[3] << '\n';
-  }
+  internal::write_rows(
+      out, s, s.neighbors, 0, [&](std::size_t c) { out << c << ' '; }, "\n");
 }
 
 } // namespace Delaunay_from_surface_3

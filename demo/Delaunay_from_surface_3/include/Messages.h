@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_MESSAGES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_MESSAGES_H
+
+#include <Delaunay_from_surface_3_files/one_line.h>
+
+#include <iostream>
+#include <string>
+
+#if defined(_WIN32)
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+inline bool standard_error_is_terminal()
+{
+#if defined(_WIN32)
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+// What is said beside the results, on the standard error: notes, and what is being done. The latter is a
+// line that is overwritten again and again if that is a terminal, and lines of their own with --verbose.
+class Messages
+{
+public:
+  enum class Volume { QUIET, NORMAL, VERBOSE };
+
+  explicit Messages(Volume volume)
+    : m_volume(volume)
+  {
+  }
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
+  ~Messages() { clear(); }
+
+  // Something odd, and no error.
+  void note(const std::string& text)
+  {
+    clear();
+    if (m_volume != Volume::QUIET)
+      std::cerr << "note: " << files::one_line(text) << '\n';
+  }
+
+  // Something begins that may take a while.
+  void step(const std::string& text)
+  {
+    show(text);
+    if (m_volume == Volume::VERBOSE)
+      std::cerr << files::one_line(text) << '\n';
+  }
+
+  // How far it is.
+  void show(const std::string& text)
+  {
+    if (!m_has_line)
+      return;
+    std::cerr << "\r\033[K" << files::one_line(text) << std::flush;
+    m_is_empty = false;
+  }
+
+  // Before anything else is printed.
+  void clear()
+  {
+    if (!m_is_empty)
+      std::cerr << "\r\033[K" << std::flush;
+    m_is_empty = true;
+  }
+
+private:
+  const Volume m_volume;
+  const bool m_has_line = m_volume == Volume::NORMAL && standard_error_is_terminal();
+  bool m_is_empty = true;
+};
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_MESSAGES_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_OUTPUT_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_OUTPUT_H
+
+#include "Options.h"
+#include "Report.h"
+#include "Surface.h"
+
+#include <Delaunay_from_surface_3_files/Output_file.h>
+
+#include <CGAL/Delaunay_from_surface_3/IO/write_gmsh.h>
+#include <CGAL/Delaunay_from_surface_3/IO/write_medit.h>
+#include <CGAL/Delaunay_from_surface_3/IO/write_tetgen.h>
+#include <CGAL/Delaunay_from_surface_3/IO/write_vtk.h>
+#include <CGAL/Delaunay_from_surface_3/IO/write_vtu.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/arrays_of_triangulation.h>
+
+#include <CGAL/IO/io.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <list>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
+using Vertices = std::vector<Triangulation::Vertex_handle>;
+
+// The files that the tetrahedra go to. Whether they can be written is known before any work is done.
+class Output
+{
+public:
+  explicit Output(const Options& options)
+    : m_format(options.to)
+  {
+    if (options.output.empty() || options.output == "-")
+      return;
+    if (m_format != "tetgen") {
+      m_files.emplace_back(options.output);
+      return;
+    }
+    for (const char* const extension : {".node", ".ele", ".neigh"})
+      m_files.emplace_back(
+          std::filesystem::path(options.output).replace_extension(extension).string());
+  }
+
+  void write(const Triangulation& tr)
+  {
+    std::ostream& out = stream();
+    CGAL::IO::set_binary_mode(out);
+    out << tr;
+    finish();
+  }
+
+  void write(const DFS::Simplices_3& simplices)
+  {
+    if (m_format == "tetgen")
+      write_tetgen(simplices);
+    else if (m_format == "vtu")
+      DFS::write_vtu(stream(), simplices);
+    else if (m_format == "vtk")
+      DFS::write_vtk(stream(), simplices);
+    else if (m_format == "msh")
+      DFS::write_gmsh(stream(), simplices);
+    else
+      DFS::write_medit(stream(), simplices);
+    finish();
+  }
+
+private:
+  std::ostream& stream() { return m_files.empty() ? std::cout : m_files.front().stream(); }
+
+  void write_tetgen(const DFS::Simplices_3& simplices)
+  {
+    auto file = m_files.begin();
+    DFS::write_tetgen_node((file++)->stream(), simplices);
+    DFS::write_tetgen_ele((file++)->stream(), simplices);
+    DFS::write_tetgen_neigh(file->stream(), simplices);
+  }
+
+  void finish()
+  {
+    for (files::Output_file& file : m_files)
+      file.finish();
+    if (m_files.empty() && !std::cout.flush())
+      throw std::runtime_error("the tetrahedra cannot be written to the standard output");
+  }
+
+  std::string m_format;
+  std::list<files::Output_file> m_files; // none for the standard output
+};
+
+// Throws if inside and outside mean nothing for the surface.
+inline void check_that_inside_is_meaningful(const Options& options, const Surface& surface)
+{
+  if ((options.inside || options.mark_inside) &&
+      !(surface.is_manifold && is_triangle_mesh(surface.mesh) && is_closed(surface.mesh)))
+    throw std::runtime_error(options.input +
+                             ": it has no inside: it is not a closed mesh of triangles");
+}
+
+// For each tetrahedron, whether its centre is inside the surface.
+inline std::vector<double> insides(const DFS::Simplices_3& s, const Mesh& mesh)
+{
+  const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side_of(mesh);
+  std::vector<double> result;
+  result.reserve(s.size());
+  for (std::size_t c = 0; c < s.size(); ++c) {
+    double x[3] = {0, 0, 0};
+    for (std::size_t k = 0; k < s.corners(); ++k)
+      for (std::size_t j = 0; j < 3; ++j)
+        x[j] += s.points[std::size_t(s.simplices[c * s.corners() + k])][j] / double(s.corners());
+    result.push_back(side_of(Point(x[0], x[1], x[2])) == CGAL::ON_UNBOUNDED_SIDE ? 0 : 1);
+  }
+  return result;
+}
+
+// What of the triangulation is to be written.
+inline DFS::Simplices_3 chosen_simplices(const Options& options, const Surface& surface,
+                                         const Triangulation& tr, const Vertices& vertices)
+{
+  const auto arrays =
+      DFS::internal::arrays_of_triangulation<std::int32_t>(tr, vertices, options.to == "tetgen");
+  DFS::Simplices_3 simplices = DFS::simplices_of(surface.points, arrays);
+  if (options.to == "tetgen" && simplices.dimension < 3)
+    throw std::runtime_error(options.output +
+                             ": TetGen's files hold tetrahedra, but there are none");
+  if (options.inside) {
+    const std::vector<double> is_inside = insides(simplices, surface.mesh);
+    simplices =
+        DFS::simplices_of(surface.points, arrays, [&](std::size_t c) { return is_inside[c] != 0; });
+  }
+  if (options.mark_inside)
+    simplices.data.push_back({"inside", insides(simplices, surface.mesh)});
+  const bool has_data = options.to == "vtu" || options.to == "vtk" || options.to == "msh";
+  if (has_data && simplices.dimension == 3)
+    simplices.data.push_back(DFS::circumradii(simplices));
+  return simplices;
+}
+
+inline void write(const Options& options, const Surface& surface, const Triangulation& tr,
+                  const Vertices& vertices, Output& output, Report& report)
+{
+  static const char* const names[] = {"vertices", "edges", "triangles", "tetrahedra"};
+  if (options.to == "cgal") {
+    output.write(tr);
+    report("written", "the triangulation to " + options.output);
+    return;
+  }
+  const DFS::Simplices_3 simplices = chosen_simplices(options, surface, tr, vertices);
+  output.write(simplices);
+  report("written", std::to_string(simplices.size()) + " " + names[simplices.dimension] + " to " +
+                        options.output);
+}
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_OUTPUT_H
