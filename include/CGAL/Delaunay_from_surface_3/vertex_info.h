@@ -32,7 +32,7 @@ CGAL::insert_surface_vertices_3(tr, mesh, DFS::vertex_info_map(colors).random_se
 \endcode
 
 Of points that are equal the one with the smallest index gives the info, whatever the order of the
-insertions; \cgal's own insertion of pairs lets the last of its order win. A vertex that was there
+insertions; %CGAL's own insertion of pairs lets the last of its order win. A vertex that was there
 before the call gets a new info too.
 
 \tparam InfoMap a model of `ReadablePropertyMap` from what the function writes into
