@@ -6,6 +6,7 @@
 #define CGAL_INSERT_POINTS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Point_insertion_traits_3.h>
@@ -22,7 +23,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // Without a graph: the traits look at the points alone.
-template <class Triangulation, class Range, class NamedParameters>
+template <class ConcurrencyTag, class Triangulation, class Range, class NamedParameters>
 std::ptrdiff_t insert_range_of_points(Triangulation& tr, const Range& items,
                                       const NamedParameters& np)
 {
@@ -30,7 +31,8 @@ std::ptrdiff_t insert_range_of_points(Triangulation& tr, const Range& items,
     const Lower_neighbor_graph no_graph;
     const Insertion_input input{points,          no_graph,        Identity_index_map(),
                                 no_irregularity, Identity_name(), infos};
-    return insert_surface<internal_np::point_t>(tr, input, Point_insertion_traits_3(), np);
+    return insert_surface<internal_np::point_t>(
+        tr, input, with_concurrency<ConcurrencyTag>(tr, Point_insertion_traits_3()), np);
   });
 }
 
@@ -51,8 +53,11 @@ in its own order gives the info.
 
 <b>Complexity</b>: O(n log n) expected for the order of n points, plus what the insertions take.
 
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Parallel_tag`
-is served sequentially. `Gt` must have exact predicates.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
+of the triangulation. Any of them serves any triangulation: many threads can fill one that is made for
+a single thread. `Parallel_tag` needs TBB.
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
+exact predicates.
 \tparam PointRange a range of points, of pairs of points and infos, or of items that `point_map` turns
 into points
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -110,24 +115,25 @@ points, or `preserve_order` cannot be had; `tr` is then unchanged
 \sa `insert_points_along_graph_3()`
 \sa `Point_insertion_traits_3`
 */
-template <class Gt, class Tds, class Lp, class Slds, class PointRange,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class PointRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                const PointRange& points,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Delaunay_from_surface_3::internal::insert_range_of_points(tr, points, np);
+  return Delaunay_from_surface_3::internal::insert_range_of_points<ConcurrencyTag>(tr, points, np);
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref
 /// does the same for the points in the range [`first`, `last`) of a model of `InputIterator`.
-template <class Gt, class Tds, class Lp, class Slds, class InputIterator,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class InputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator first,
                                InputIterator last,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Delaunay_from_surface_3::internal::insert_range_of_points(tr, make_range(first, last), np);
+  return Delaunay_from_surface_3::internal::insert_range_of_points<ConcurrencyTag>(
+      tr, make_range(first, last), np);
 }
 
 } // namespace CGAL

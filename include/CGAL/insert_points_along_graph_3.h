@@ -6,6 +6,7 @@
 #define CGAL_INSERT_POINTS_ALONG_GRAPH_3_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Surface_insertion_traits_3.h>
@@ -46,8 +47,11 @@ none.
 
 <b>Complexity</b>: that of the parts of the traits, plus O(n) for n points.
 
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Parallel_tag`
-is served sequentially. `Gt` must have exact predicates.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
+of the triangulation. Any of them serves any triangulation: many threads can fill one that is made for
+a single thread. `Parallel_tag` needs TBB.
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
+exact predicates.
 \tparam PointRange as that of `insert_points_3()`: points, pairs of points and infos, or items that
 `point_map` turns into points
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`; the direction of its
@@ -118,8 +122,9 @@ unchanged
 
 \sa `insert_surface_vertices_3()`
 */
-template <class Gt, class Tds, class Lp, class Slds, class PointRange, class Graph,
-          class SurfaceInsertionTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class PointRange, class Graph, class SurfaceInsertionTraits,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                            const PointRange& points, const Graph& graph,
                                            const SurfaceInsertionTraits& traits,
@@ -131,19 +136,21 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
     check_indices(graph, index_map, converted.size());
     const Insertion_input input{converted,       graph,           index_map,
                                 no_irregularity, Identity_name(), infos};
-    return insert_surface<internal_np::point_t, internal_np::vertex_index_t>(tr, input, traits, np);
+    return insert_surface<internal_np::point_t, internal_np::vertex_index_t>(
+        tr, input, with_concurrency<ConcurrencyTag>(tr, traits), np);
   });
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref
 /// does the same with the default traits, an object of `Surface_insertion_traits_3`.
-template <class Gt, class Tds, class Lp, class Slds, class PointRange, class Graph,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class PointRange, class Graph, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                            const PointRange& points, const Graph& graph,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return insert_points_along_graph_3(tr, points, graph, Surface_insertion_traits_3(), np);
+  return insert_points_along_graph_3<ConcurrencyTag>(tr, points, graph,
+                                                     Surface_insertion_traits_3(), np);
 }
 
 } // namespace CGAL

@@ -6,6 +6,7 @@
 #define CGAL_INSERT_SURFACE_POINTS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Surface_insertion_traits_3.h>
@@ -27,8 +28,11 @@ faces. The result, and what holds after a stop or an exception, are those of
 
 <b>Complexity</b>: that of the parts of the traits, plus O(n + m) for n points and m sides of faces.
 
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Parallel_tag`
-is served sequentially. `Gt` must have exact predicates.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
+of the triangulation. Any of them serves any triangulation: many threads can fill one that is made for
+a single thread. `Parallel_tag` needs TBB.
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
+exact predicates.
 \tparam PointRange as that of `insert_points_3()`: points, pairs of points and infos, or items that
 `point_map` turns into points
 \tparam FaceRange a range of ranges of integers
@@ -90,8 +94,9 @@ number of infos is not that of the points, or `preserve_order` cannot be had; `t
 
 \sa `insert_surface_vertices_3()`
 */
-template <class Gt, class Tds, class Lp, class Slds, class PointRange, class FaceRange,
-          class SurfaceInsertionTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class PointRange, class FaceRange, class SurfaceInsertionTraits,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                        const PointRange& points, const FaceRange& faces,
                                        const SurfaceInsertionTraits& traits,
@@ -102,19 +107,21 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
     const Soup_graph soup = soup_graph(faces, converted.size());
     const Insertion_input input{converted,         soup.graph,      Identity_index_map(),
                                 soup.irregularity, Identity_name(), infos};
-    return insert_surface<internal_np::point_t>(tr, input, traits, np);
+    return insert_surface<internal_np::point_t>(tr, input,
+                                                with_concurrency<ConcurrencyTag>(tr, traits), np);
   });
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref
 /// does the same with the default traits, an object of `Surface_insertion_traits_3`.
-template <class Gt, class Tds, class Lp, class Slds, class PointRange, class FaceRange,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class PointRange, class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                        const PointRange& points, const FaceRange& faces,
                                        const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return insert_surface_points_3(tr, points, faces, Surface_insertion_traits_3(), np);
+  return insert_surface_points_3<ConcurrencyTag>(tr, points, faces, Surface_insertion_traits_3(),
+                                                 np);
 }
 
 } // namespace CGAL

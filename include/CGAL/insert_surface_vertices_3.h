@@ -6,6 +6,7 @@
 #define CGAL_INSERT_SURFACE_VERTICES_3_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
@@ -70,8 +71,11 @@ thrown by its own insertion it may only be cleared or destroyed.
 <b>Complexity</b>: that of the parts of the traits, plus O(n + m + k) for n vertices, m edges and
 faces, and a largest index k.
 
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Parallel_tag`
-is served sequentially. `Gt` must have exact predicates.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
+of the triangulation. Any of them serves any triangulation: many threads can fill one that is made for
+a single thread. `Parallel_tag` needs TBB.
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
+exact predicates.
 \tparam FaceGraph a model of `VertexListGraph`, `EdgeListGraph` and `FaceListGraph`
 \tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -143,8 +147,8 @@ be had; `tr` is then unchanged
 \sa `insert_surface_points_3()`
 \sa `insert_points_along_graph_3()`
 */
-template <class Gt, class Tds, class Lp, class Slds, class FaceGraph, class SurfaceInsertionTraits,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class FaceGraph, class SurfaceInsertionTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                          const FaceGraph& mesh,
                                          const SurfaceInsertionTraits& traits,
@@ -172,19 +176,19 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
       irregularity_of_mesh(mesh),
       name_of,
       No_infos()};
-  return insert_surface<internal_np::vertex_point_t, internal_np::vertex_index_t>(tr, input, traits,
-                                                                                  np);
+  return insert_surface<internal_np::vertex_point_t, internal_np::vertex_index_t>(
+      tr, input, with_concurrency<ConcurrencyTag>(tr, traits), np);
 }
 
 /// \ingroup PkgDelaunayFromSurface3Ref
 /// does the same with the default traits, an object of `Surface_insertion_traits_3`.
-template <class Gt, class Tds, class Lp, class Slds, class FaceGraph,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class FaceGraph, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                          const FaceGraph& mesh,
                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return insert_surface_vertices_3(tr, mesh, Surface_insertion_traits_3(), np);
+  return insert_surface_vertices_3<ConcurrencyTag>(tr, mesh, Surface_insertion_traits_3(), np);
 }
 
 } // namespace CGAL

@@ -67,6 +67,9 @@ public:
   is to insert `points`, in this order, into `tr`, which may have vertices already. Both outlive
   the target, so references to them may be kept. `tr` is not changed before `insert_round()`.
 
+  A target may have another beside it that does the same with many threads, the type
+  `Parallel_target`.
+
   A target that numbers its cells and runs out of numbers throws a
   `CGAL::Delaunay_from_surface_3::Too_few_ids`, here or from `insert()`, and leaves `tr` empty. If it
   names a type `Wider_target`, that begins anew.
@@ -128,10 +131,21 @@ public:
   template <class Observer>
   void insert(std::size_t i, const Location& location, Observer& observer);
 
+  /// returns how many threads may insert at the same time in `insert_round()`.
+  std::size_t number_of_threads() const;
+
+  /*!
+  returns how many points of a round `insert_round()` should be given at once when so many are
+  inserted; between the calls it is looked at whether the order has become too costly.
+  */
+  std::size_t size_of_piece(std::size_t inserted) const;
+
   /*!
   inserts the points `first`, …, `last - 1`, which make up one round: asks `hints` where the location
   of each starts, and tells them of each insertion, and `visitor` of the phases `LOCATION` and `UPDATE`.
-  A target that has no better way calls `insert_one_by_one()`.
+  A target that has no better way calls `insert_one_by_one()`. One that lets several threads insert has
+  them copy `hints`, whose class then has a constant `is_concurrent` that is `true`, and asks `visitor`
+  for nothing but `go_further()`, in the thread that called.
 
   \tparam Hints a model of `InsertionHints_3`
   \tparam Visitor a model of `SurfaceInsertionVisitor_3`

@@ -53,6 +53,21 @@ struct Insertion_counts
 
   /// those of these whose sign was 0, and was perturbed.
   std::size_t perturbed = 0;
+
+  /// adds those of another worker.
+  Insertion_counts& operator+=(const Insertion_counts& other)
+  {
+    cells_tested_to_start += other.cells_tested_to_start;
+    cells_destroyed += other.cells_destroyed;
+    cells_created += other.cells_created;
+    sphere_tests += other.sphere_tests;
+    for (int stage = 0; stage < NUMBER_OF_EXACT_STAGES; ++stage) {
+      sphere_tests_by_stage[stage] += other.sphere_tests_by_stage[stage];
+      facet_tests_by_stage[stage] += other.facet_tests_by_stage[stage];
+    }
+    perturbed += other.perturbed;
+    return *this;
+  }
 };
 
 } // namespace Delaunay_from_surface_3

@@ -221,6 +221,8 @@ public:
     return CGAL::Delaunay_from_surface_3::insert_one_by_one(*this, first, last, hints, visitor);
   }
   CGAL::Delaunay_from_surface_3::Insertion_counts counts() const { return {}; }
+  std::size_t number_of_threads() const { return 1; }
+  std::size_t size_of_piece(std::size_t) const { return 1; }
   void finish() { m_hidden.finish(); }
   std::vector<Vertex> take_vertices() { return m_hidden.take_vertices(); }
 
@@ -265,6 +267,7 @@ public:
   void target_is_replaced(const std::string&) {}
   void order_is_replaced(const std::string&) {}
   void subgraph_is_replaced(const std::string&) {}
+  void insertion_begins(std::size_t) {}
   void phase_begins(CGAL::Surface_insertion_phase) {}
   void round_begins(std::size_t, std::size_t) {}
   void trace_ends(std::size_t) {}

@@ -20,11 +20,14 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/internal/parallel/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/internal/parallel/Tbb_executor.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,6 +38,15 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
+
+namespace internal {
+
+// In the place of an executor (Parallel_triangulation.h): one point after the other.
+struct Alone
+{
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
@@ -60,7 +72,7 @@ cells for b bits. A constructor or an insertion that needs more throws a `std::l
 
 \cgalModels{InsertionTarget_3}
 */
-template <class Triangulation, class Id>
+template <class Triangulation, class Id, class Executor = internal::Alone>
 class Compact_delaunay_with_ids_3
 {
   using Geom_traits = typename Triangulation::Geom_traits;
@@ -69,19 +81,28 @@ class Compact_delaunay_with_ids_3
   using Predicates = internal::Perturbed_predicates<
       std::conditional_t<has_doubles, Geom_traits, Exact_predicates_inexact_constructions_kernel>>;
   using Complex = internal::Compact_complex<Id>;
-  using Kernel = internal::Compact_triangulation<Id, Predicates>;
+  static constexpr bool is_parallel = !std::is_same<Executor, internal::Alone>::value;
+  using Kernel =
+      std::conditional_t<is_parallel, internal::Parallel_triangulation<Id, Predicates, Executor>,
+                         internal::Compact_triangulation<Id, Predicates>>;
 
 public:
-  using Point = typename Triangulation::Point; ///< the points inserted.
-  using Vertex = Id;                           ///< the number of a vertex; `Vertex()`: none.
-  using Cell = Id;                             ///< the number of a cell.
-  using Location = typename Kernel::Location;  ///< a cell in conflict with the point.
+  using Point = typename Triangulation::Point;     ///< the points inserted.
+  using Vertex = Id;                               ///< the number of a vertex; `Vertex()`: none.
+  using Cell = Id;                                 ///< the number of a cell.
+  using Location = internal::Compact_location<Id>; ///< a cell in conflict with the point.
 
   /// the same with ids of twice as many bits, or `void` if those here have 64.
   using Wider_target = std::conditional_t<
       sizeof(Id) == 8, void,
-      Compact_delaunay_with_ids_3<
-          Triangulation, std::conditional_t<sizeof(Id) == 4, std::uint64_t, std::uint32_t>>>;
+      Compact_delaunay_with_ids_3<Triangulation,
+                                  std::conditional_t<sizeof(Id) == 4, std::uint64_t, std::uint32_t>,
+                                  Executor>>;
+
+  /// the same for many threads; `void` without TBB.
+  using Parallel_target = std::conditional_t<
+      std::is_void<internal::Parallel_executor>::value, void,
+      Compact_delaunay_with_ids_3<Triangulation, Id, internal::Parallel_executor>>;
 
   /// `false`: `obstacle()` is to be asked.
   static constexpr bool serves_everything = false;
@@ -98,14 +119,15 @@ public:
 
   /// is to insert `points` into `tr`; keeps references to both. If nothing stands against it, four
   /// of the points that do not lie in one plane are inserted at once. Linear.
-  Compact_delaunay_with_ids_3(Triangulation& tr, const std::vector<Point>& points)
+  Compact_delaunay_with_ids_3(Triangulation& tr, const std::vector<Point>& points,
+                              const Executor& executor = Executor())
     : m_tr(tr)
     , m_points(points)
     , m_exact(traits_for_doubles(tr.geom_traits()))
     , m_not_double(internal::first_not_double(points))
     , m_scale(m_not_double == points.size() ? internal::exact_scale(points) : 0)
     , m_complex(is_ready() ? points.size() : 0, [this](std::size_t i) { return scaled(i); })
-    , m_kernel(m_exact, m_complex)
+    , m_kernel(make_kernel(executor))
     , m_vertices(points.size(), Vertex())
     , m_obstacle(begin())
   {
@@ -118,10 +140,13 @@ public:
   std::size_t size() const { return m_vertices.size(); }
 
   /// returns the vertex at point `i`; none if the point is not inserted yet.
-  Vertex vertex(std::size_t i) const { return m_vertices[i]; }
+  Vertex vertex(std::size_t i) const { return internal::load_relaxed(m_vertices[i]); }
 
   /// returns a cell of `v`, or any cell if `v` is none.
-  Cell cell(Vertex v) const { return m_complex.vertex(v).cell; }
+  Cell cell(Vertex v) const
+  {
+    return internal::load_relaxed(m_complex.vertex(v != Vertex() ? v : m_any_vertex).cell);
+  }
 
   /// finds a cell in conflict with point `i` by a walk from `start`, or the vertex at its place.
   Location locate(std::size_t i, Cell start)
@@ -176,11 +201,33 @@ public:
     observer.after_update(i, m_vertices[i]);
   }
 
-  /// inserts the points `first`, …, `last - 1` one after the other.
+  /// returns how many threads may insert at the same time.
+  std::size_t number_of_threads() const
+  {
+    if constexpr (is_parallel)
+      return m_kernel.number_of_workers();
+    else
+      return 1;
+  }
+
+  /// returns how many points a call of `insert_round()` should have at once, at least, when so many
+  /// are inserted: for many threads enough to be worth their start.
+  std::size_t size_of_piece(std::size_t inserted) const
+  {
+    return is_parallel ? (std::max)(std::size_t(8192), inserted / 4) : 256;
+  }
+
+  /// inserts the points `first`, …, `last - 1`: one after the other, or by several threads. Then each
+  /// thread has a copy of `hints`, and of the visitor only `go_further()` is called, in the thread that
+  /// called this.
   template <class Hints, class Visitor>
   bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor)
   {
-    return insert_one_by_one(*this, first, last, hints, visitor);
+    if constexpr (is_parallel)
+      return m_kernel.insert_round(first, last, m_vertices, hints,
+                                   [&] { return visitor.go_further(); });
+    else
+      return insert_one_by_one(*this, first, last, hints, visitor);
   }
 
   /// is to create the user's vertices in the order in which `order` first names them, a permutation of
@@ -191,6 +238,8 @@ public:
   void finish()
   {
     using namespace Delaunay_from_surface_3::internal;
+    if constexpr (is_parallel)
+      m_kernel.finish();
     CGAL_expensive_postcondition(m_kernel.is_valid());
     const auto point = [this](std::size_t v) -> const Point* {
       const std::size_t i = Complex::point_of_vertex(v);
@@ -215,7 +264,7 @@ public:
   }
 
   /// returns what the insertions did.
-  const Insertion_counts& counts() const { return m_kernel.counts(); }
+  Insertion_counts counts() const { return m_kernel.counts(); }
 
 protected:
   /// \cond
@@ -231,6 +280,14 @@ private:
       return gt;
     else
       return Exact_predicates_inexact_constructions_kernel();
+  }
+
+  Kernel make_kernel(const Executor& executor)
+  {
+    if constexpr (is_parallel)
+      return Kernel(m_exact, m_complex, executor);
+    else
+      return Kernel(m_exact, m_complex);
   }
 
   std::array<double, 3> scaled(std::size_t i) const
@@ -259,6 +316,7 @@ private:
     std::array<Id, 4> v;
     for (std::size_t k = 0; k < 4; ++k)
       v[k] = m_vertices[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
+    m_any_vertex = v[0];
     m_complex.start(v);
     return std::nullopt;
   }
@@ -271,6 +329,7 @@ private:
   Complex m_complex;
   Kernel m_kernel;
   std::vector<Vertex> m_vertices;
+  Vertex m_any_vertex = Vertex(); // where no other is known
   std::optional<std::string> m_obstacle;
   std::vector<typename Triangulation::Vertex_handle> m_handles;
   const std::vector<std::size_t>* m_order = nullptr;

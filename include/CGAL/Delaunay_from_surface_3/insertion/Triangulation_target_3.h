@@ -129,6 +129,12 @@ public:
     observer.after_update(i, m_vertices[i]);
   }
 
+  /// returns 1.
+  std::size_t number_of_threads() const { return 1; }
+
+  /// returns how many points a call of `insert_round()` should have at once.
+  std::size_t size_of_piece(std::size_t /* inserted */) const { return 256; }
+
   /// inserts the points `first`, …, `last - 1` one after the other.
   template <class Hints, class Visitor>
   bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor)

@@ -39,6 +39,9 @@ public:
   /// `false`: no subgraph need be computed.
   static constexpr bool uses_subgraph = false;
 
+  /// `true`: each of many threads can have a copy.
+  static constexpr bool is_concurrent = true;
+
   /// keeps references to `target` and `plan`.
   Planned_hints_3(const Target& target, const Subgraph&, const Insertion_order& plan)
     : m_target(target)
@@ -50,7 +53,12 @@ public:
   /// inserted last.
   typename Target::Cell start(std::size_t i) const
   {
-    return m_target.cell(i == 0 || m_places.empty() ? m_previous : m_target.vertex(m_places[i]));
+    if (i == 0 || m_places.empty())
+      return m_target.cell(m_previous);
+    std::size_t place = m_places[i];
+    while (m_target.vertex(place) == Vertex() && place != 0) // many threads: not inserted yet
+      place = m_places[place];
+    return m_target.cell(m_target.vertex(place));
   }
 
   /// remembers `v`.

@@ -34,6 +34,9 @@ public:
   /// `false`: no subgraph need be computed.
   static constexpr bool uses_subgraph = false;
 
+  /// `true`: each of many threads can have a copy, and follows the points that it inserted itself.
+  static constexpr bool is_concurrent = true;
+
   /// keeps a reference to `target`.
   explicit Previous_hint_3(const Target& target, const Subgraph& = Subgraph(),
                            const Insertion_order& = Insertion_order())

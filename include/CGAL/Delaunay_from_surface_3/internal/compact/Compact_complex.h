@@ -111,6 +111,17 @@ public:
     return Id(m_cells_end++);
   }
 
+  // Room for n cells at least; and which of them there are, dead ones too, if others than new_cell()
+  // hand them out. The cells may move.
+  void make_room(std::size_t n)
+  {
+    if (n > max_cells && m_cells.capacity() >= max_cells)
+      throw Too_few_ids(std::numeric_limits<Id>::digits);
+    m_cells.reserve((std::min)(n, max_cells), m_cells_end);
+  }
+  std::size_t capacity() const { return m_cells.capacity(); }
+  void use_cells(std::size_t end) { m_cells_end = end; }
+
   // The first cells: that of four vertices, positively oriented, and the infinite ones around it. Makes
   // room for the cells that points on a surface have.
   void start(const std::array<Id, 4>& v)

@@ -97,9 +97,10 @@ private:
   {
     Predicates predicates(m_exact, m_complex, m_zone.counts);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-    if (m_is_wide)
-      return Dig_conflict_zone<Widest_explore_neighbors<Id>>()(m_complex, predicates, m_zone, p,
-                                                               cell);
+    if (m_is_wide) {
+      Dig_conflict_zone<Widest_explore_neighbors<Id>>()(m_complex, predicates, m_zone, p, cell);
+      return;
+    }
 #endif
     Dig_conflict_zone<Explore_neighbors>()(m_complex, predicates, m_zone, p, cell);
   }

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
 
+#include <cstddef>
 #include <limits>
 
 namespace CGAL {
@@ -39,7 +40,35 @@ struct Neighborhood
 };
 
 // Scalar code for any machine and any Id.
-struct Explore_neighbors
+// Cells that nobody else writes meanwhile: they are read where they are, and marked as dead when they
+// join the zone.
+struct Explore_alone
+{
+  template <class Id>
+  static void mark(Compact_cell<Id>* cells, Id c)
+  {
+    cells[c].v[0] |= Compact_complex<Id>::dead;
+  }
+  template <class Id>
+  static const Compact_cell<Id>& read(const Compact_cell<Id>* cells, Id c, std::size_t)
+  {
+    return cells[c];
+  }
+  template <class Id>
+  static const Compact_cell<Id>& neighbor(const Compact_cell<Id>* cells,
+                                          const Compact_cell<Id>& cell, unsigned k)
+  {
+    return cells[cell.links[k] >> 2];
+  }
+  template <class Id>
+  static constexpr bool is_still_true(const Compact_cell<Id>*, std::size_t)
+  {
+    return true;
+  }
+  static constexpr bool is_torn() { return false; }
+};
+
+struct Explore_neighbors : Explore_alone
 {
   // Of the cell's neighbours. Infinite cells are left undecided.
   template <class Id>

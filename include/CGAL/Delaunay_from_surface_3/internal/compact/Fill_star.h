@@ -23,13 +23,49 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
+// Writes cells that nobody else reads meanwhile.
 template <class Id>
+struct Write_alone
+{
+  using Cell = Compact_cell<Id>;
+  using Vertex = Compact_vertex<Id>;
+
+  // What is left from earlier zones; 0 at first.
+  static Id& label(Vertex* vertices, Id v) { return vertices[v].label; }
+  static void forget_labels(Compact_complex<Id>& complex)
+  {
+    for (std::size_t v = 0; v < complex.vertices_end(); ++v)
+      complex.vertex(v).label = 0;
+  }
+
+  // The cell of p and the facet, all but its links at p.
+  static void open(Cell& cell, Id p, const Zone_facet<Id>& facet)
+  {
+    static_assert(sizeof(cell.v) == sizeof(facet), "a facet is a cell without its first vertex");
+    std::memcpy(cell.v, &facet, sizeof(facet));
+    cell.v[0] = p;
+    cell.links[0] = facet.outside;
+  }
+  static void set_outer_link(Id& link, Id to) { link = to; }
+  static void set_link(Id& link, Id to) { link = to; }
+  static void set_cell(Vertex* vertices, Id v, Id c) { vertices[v].cell = c; }
+  static void set_cell_of_corners(Vertex* vertices, const Id* corners, Id c)
+  {
+    for (unsigned k = 0; k < 3; ++k)
+      vertices[corners[k]].cell = c;
+  }
+  static void close(Cell&, Id) {} // the cell is complete
+};
+
+// Write: how what is shared is written, alone or beside others who read (Write_announced.h).
+template <class Id, class Write = Write_alone<Id>>
 class Fill_star
 {
   using Complex = Compact_complex<Id>;
@@ -40,8 +76,9 @@ public:
   // So many facets can have `side` vertices.
   static constexpr std::size_t max_table_facets = 2 * side - 4;
 
-  Fill_star()
+  explicit Fill_star(Write write = Write())
     : m_table(side * side)
+    , m_write(std::move(write))
   {
   }
 
@@ -53,6 +90,7 @@ public:
     const std::size_t n = zone.number_of_facets;
     if (std::size_t((std::numeric_limits<Id>::max)() - m_base) < complex.vertices_end())
       forget_labels(complex);
+    m_write.set_cell(complex.vertices(), p, zone.cells[0]);
     if (n <= 2 * small_side - 4) {
       fill_by_table<small_side>(complex, zone, p);
     } else if (n <= max_table_facets) {
@@ -61,8 +99,9 @@ public:
       const Id first_label = m_base;
       make_cells(complex, zone, p, [](Id, Id, Id, Id) {});
       link_by_sorting(complex, zone, Id(m_base - first_label));
+      for (std::size_t i = 0; i < n; ++i)
+        m_write.close(complex.cell(zone.cells[i]), p);
     }
-    complex.vertex(p).cell = zone.cells[0];
   }
 
 private:
@@ -79,10 +118,11 @@ private:
     for (std::size_t i = 0; i < zone.number_of_facets; ++i) {
       const Id* const corners = zone.facets[i].corners;
       const std::size_t a = corners[0], b = corners[1], d = corners[2];
-      Id* const links = cells[zone.cells[i]].links;
-      links[1] = table[d * Side + b];
-      links[2] = table[a * Side + d];
-      links[3] = table[b * Side + a];
+      typename Complex::Cell& cell = cells[zone.cells[i]];
+      m_write.set_link(cell.links[1], table[d * Side + b]);
+      m_write.set_link(cell.links[2], table[a * Side + d]);
+      m_write.set_link(cell.links[3], table[b * Side + a]);
+      m_write.close(cell, p);
     }
   }
 
@@ -99,17 +139,11 @@ private:
       Zone_facet<Id>& f = zone.facets[i];
       const Id c = zone.cells[i];
       const Id outside = f.outside;
-      typename Complex::Cell& cell = cells[c];
-      static_assert(sizeof(cell.v) == sizeof(f), "a facet is a cell without its first vertex");
-      std::memcpy(cell.v, &f, sizeof(f));
-      cell.v[0] = p;
-      cell.links[0] = outside;
-      cells[outside >> 2].links[outside & 3] = Complex::link(c, 0);
-      for (Id& corner : f.corners) {
-        typename Complex::Vertex& vertex = vertices[corner];
-        vertex.cell = c;
-        corner = label(vertex.label, base, count);
-      }
+      m_write.open(cells[c], p, f);
+      m_write.set_outer_link(cells[outside >> 2].links[outside & 3], Complex::link(c, 0));
+      m_write.set_cell_of_corners(vertices, f.corners, c);
+      for (Id& corner : f.corners)
+        corner = label(m_write.label(vertices, corner), base, count);
       then(f.corners[0], f.corners[1], f.corners[2], c);
     }
     m_base = Id(base + count);
@@ -130,8 +164,7 @@ private:
 
   void forget_labels(Complex& complex)
   {
-    for (std::size_t v = 0; v < complex.vertices_end(); ++v)
-      complex.vertex(v).label = 0;
+    m_write.forget_labels(complex);
     m_base = 1;
   }
 
@@ -149,8 +182,8 @@ private:
     sort_edges(&Edge::lower, number_of_labels);
     for (std::size_t e = 0; e + 1 < m_edges.size(); e += 2) {
       const Id s = m_edges[e].link, t = m_edges[e + 1].link;
-      complex.cell(s >> 2).links[s & 3] = t;
-      complex.cell(t >> 2).links[t & 3] = s;
+      m_write.set_link(complex.cell(s >> 2).links[s & 3], t);
+      m_write.set_link(complex.cell(t >> 2).links[t & 3], s);
     }
   }
 
@@ -174,6 +207,7 @@ private:
   }
 
   std::vector<Id> m_table;
+  Write m_write;
   Id m_base = 1;
   std::vector<Edge> m_edges, m_sorted;
   std::vector<std::size_t> m_first;

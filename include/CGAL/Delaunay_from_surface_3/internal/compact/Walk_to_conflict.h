@@ -32,19 +32,33 @@ struct Compact_location
 };
 
 // Filter: the first stage of the predicates, scalar or in vectors.
-template <class Filter>
+// Reads cells that nobody else writes meanwhile, where they are.
+struct Read_alone
+{
+  template <class Id>
+  const Compact_cell<Id>& operator()(const Compact_cell<Id>& cell) const
+  {
+    return cell;
+  }
+  static constexpr bool is_lost() { return false; }
+};
+
+template <class Filter, class Read = Read_alone>
 struct Walk_to_conflict
 {
-  // Where point p, a vertex in no cell, goes, from cell c.
+  // Where point p, a vertex in no cell, goes, from cell c. Beside others who write, `read` can get
+  // lost: then that is nowhere.
   template <class Id, class Predicates>
   Compact_location<Id> operator()(const Compact_complex<Id>& complex, Predicates& predicates, Id p,
-                                  Id c) const
+                                  Id c, Read&& read = Read()) const
   {
     using Complex = Compact_complex<Id>;
     const double* const point = complex.vertex(p).coordinates;
     for (;;) {
       predicates.count_cell_tested_to_start();
-      const Compact_cell<Id>& cell = complex.cell(c);
+      const Compact_cell<Id>& cell = read(complex.cell(c));
+      if (read.is_lost())
+        return {c, 0};
       if (Complex::is_infinite(cell)) {
         const int sign = predicates.beyond_sign(cell, point);
         const Id w = sign == 0 ? predicates.vertex_at(cell, p) : Id(0);

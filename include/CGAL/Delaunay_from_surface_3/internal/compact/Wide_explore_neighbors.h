@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-struct Wide_explore_neighbors
+struct Wide_explore_neighbors : Explore_alone
 {
   using Id = std::uint32_t;
   using Complex = Compact_complex<Id>;
@@ -59,39 +59,53 @@ struct Wide_explore_neighbors
   note(Cell* cells, const Cell& cell, unsigned inside, unsigned bounding, Zone_ends<Id> ends)
   {
     const __m128i links = load(cell.links);
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(ends.cell),
-                     _mm_shuffle_epi8(_mm_srli_epi32(links, 2), load(packed[inside])));
+    store(ends.cell, pack(_mm_srli_epi32(links, 2), inside));
     ends.cell += _mm_popcnt_u32(inside);
     for (unsigned k = 0; k < 4; ++k)
       cells[cell.links[k] >> 2].v[0] |= inside << (31 - k) & Complex::dead;
     const __m128i v = _mm_and_si128(load(cell.v), _mm_setr_epi32(int(~Complex::dead), -1, -1, -1));
-    // lane 0: the link; lanes 1, 2, 3: the facet_corners
-    write(ends, bounding & 1, v, links);
-    write(ends, bounding >> 1 & 1, _mm_shuffle_epi32(v, _MM_SHUFFLE(3, 0, 2, 0)),
-          _mm_shuffle_epi32(links, 1));
-    write(ends, bounding >> 2 & 1, _mm_shuffle_epi32(v, _MM_SHUFFLE(3, 1, 0, 0)),
-          _mm_shuffle_epi32(links, 2));
-    write(ends, bounding >> 3 & 1, _mm_shuffle_epi32(v, _MM_SHUFFLE(0, 1, 2, 0)),
-          _mm_shuffle_epi32(links, 3));
+    ends.facet = write_facets(ends.facet, bounding, v, links);
     return ends;
   }
 
-private:
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static unsigned signs_of(__m128i v)
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static unsigned signs_of(__m128i v)
   {
     return unsigned(_mm_movemask_ps(_mm_castsi128_ps(v)));
   }
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static __m128i load(const void* four_ids)
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static __m128i load(const void* four_ids)
   {
     return _mm_loadu_si128(static_cast<const __m128i*>(four_ids));
   }
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static void
-  write(Zone_ends<Id>& ends, unsigned is_bounding, __m128i corners, __m128i link)
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static void store(void* four_ids, __m128i v)
   {
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(ends.facet), _mm_blend_epi32(corners, link, 1));
-    ends.facet += is_bounding;
+    _mm_storeu_si128(static_cast<__m128i*>(four_ids), v);
   }
 
+  // Those of four ids that `wanted` names, to the front.
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static __m128i pack(__m128i ids, unsigned wanted)
+  {
+    return _mm_shuffle_epi8(ids, load(packed[wanted]));
+  }
+
+  // The facets `bounding` of the cell with these vertices and links. Returns where the next one goes.
+  // Lane 0: the link; lanes 1, 2, 3: the facet_corners.
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Zone_facet<Id>*
+  write_facets(Zone_facet<Id>* to, unsigned bounding, __m128i v, __m128i links)
+  {
+    store(to, _mm_blend_epi32(v, links, 1));
+    to += bounding & 1;
+    store(to, _mm_blend_epi32(_mm_shuffle_epi32(v, _MM_SHUFFLE(3, 0, 2, 0)),
+                              _mm_shuffle_epi32(links, 1), 1));
+    to += bounding >> 1 & 1;
+    store(to, _mm_blend_epi32(_mm_shuffle_epi32(v, _MM_SHUFFLE(3, 1, 0, 0)),
+                              _mm_shuffle_epi32(links, 2), 1));
+    to += bounding >> 2 & 1;
+    store(to, _mm_blend_epi32(_mm_shuffle_epi32(v, _MM_SHUFFLE(0, 1, 2, 0)),
+                              _mm_shuffle_epi32(links, 3), 1));
+    return to + (bounding >> 3 & 1);
+  }
+
+private:
   // packed[m] moves the ids of the bits of m to the front.
   static constexpr std::uint32_t i0 = 0x03020100, i1 = 0x07060504, i2 = 0x0b0a0908, i3 = 0x0f0e0d0c;
   static constexpr std::uint32_t packed[16][4] = {

@@ -42,6 +42,10 @@ public:
   {
     m_rounding.in_mode_of_caller([&] { m_visitor.order_is_replaced(reason); });
   }
+  void insertion_begins(std::size_t number_of_threads)
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.insertion_begins(number_of_threads); });
+  }
   void phase_begins(Surface_insertion_phase phase)
   {
     m_rounding.in_mode_of_caller([&] { m_visitor.phase_begins(phase); });

@@ -25,9 +25,8 @@ template <class Target, class Hints, class Visitor>
 Insertion_outcome insert_round(std::size_t first, std::size_t last, Target& target, Hints& hints,
                                Visitor& visitor, const Insertion_budget& budget)
 {
-  constexpr std::size_t piece = 256;
   while (first < last) {
-    const std::size_t next = (std::min)(last, first + piece);
+    const std::size_t next = (std::min)(last, first + target.size_of_piece(first));
     if (!target.insert_round(first, next, hints, visitor)) // 2b, 2c
       return Insertion_outcome::STOPPED;
     if (budget.is_exceeded(target.counts(), next))
@@ -43,6 +42,7 @@ Insertion_outcome insert_in_rounds(const std::vector<std::size_t>& round_ends, T
                                    Hints& hints, Visitor& visitor, const Insertion_budget& budget)
 {
   using Phase = Surface_insertion_phase;
+  visitor.insertion_begins(target.number_of_threads());
   std::size_t first = 0;
   for (std::size_t h = 0; h < round_ends.size(); ++h) {
     const std::size_t N_h = round_ends[h];

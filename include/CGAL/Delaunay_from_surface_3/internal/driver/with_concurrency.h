@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_WITH_CONCURRENCY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_WITH_CONCURRENCY_H
+
+// The policies of a traits class, with a target for many threads where a concurrency tag asks for it.
+
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/tags.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// The target for many threads that stands beside `Target`; void if there is none.
+template <class Target, class = void>
+struct Parallel_target_of
+{
+  using type = void;
+};
+template <class Target>
+struct Parallel_target_of<Target, std::void_t<typename Target::Parallel_target>>
+{
+  using type = typename Target::Parallel_target;
+};
+
+// May each of many threads have a copy of the hints?
+template <class Hints, class = void>
+struct Is_concurrent : std::false_type
+{
+};
+template <class Hints>
+struct Is_concurrent<Hints, std::void_t<decltype(Hints::is_concurrent)>>
+  : std::bool_constant<Hints::is_concurrent>
+{
+};
+
+template <class Traits>
+struct Parallel_policies : Traits
+{
+  explicit Parallel_policies(const Traits& traits)
+    : Traits(traits)
+  {
+  }
+
+  template <class Triangulation>
+  struct Target
+  {
+    using Alone = typename Traits::template Insertion_target_3<Triangulation>;
+    using Parallel = typename Parallel_target_of<Alone>::type;
+    using Asked = std::conditional_t<std::is_void<Parallel>::value, Alone, Parallel>;
+    using Hints = typename Traits::template Insertion_hints_3<Asked, Index_graph>;
+    using type = std::conditional_t<Is_concurrent<Hints>::value, Asked, Alone>;
+  };
+  template <class Triangulation>
+  using Insertion_target_3 = typename Target<Triangulation>::type;
+};
+
+// The traits themselves where one thread is asked for: by ConcurrencyTag or, if that is Default, by the
+// type of the triangulation.
+template <class ConcurrencyTag, class Triangulation, class Traits>
+auto with_concurrency(const Triangulation&, const Traits& traits)
+{
+  using Tag = typename Default::Get<ConcurrencyTag, typename Triangulation::Concurrency_tag>::type;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!std::is_convertible<Tag, Parallel_tag>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  if constexpr (std::is_convertible<Tag, Parallel_tag>::value)
+    return Parallel_policies<Traits>(traits);
+  else
+    return traits;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_WITH_CONCURRENCY_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_TBB_EXECUTOR_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_TBB_EXECUTOR_H
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+#include <CGAL/Delaunay_from_surface_3/internal/parallel/Lanes.h>
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Runs bodies as tasks of TBB, in the arena of the caller. They are isolated: while the caller waits for
+// them it takes no other task, such as one that called this package, too.
+class Tbb_executor
+{
+public:
+  Tbb_executor()
+    : m_number((std::min)(
+          {std::size_t(tbb::this_task_arena::max_concurrency()),
+           tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism),
+           std::size_t(Lanes::most_workers)}))
+  {
+  }
+
+  std::size_t number_of_workers() const { return m_number; }
+
+  // `body` does not throw.
+  template <class Body>
+  void operator()(std::size_t number, const Body& body) const
+  {
+    if (number == 1)
+      return body(0);
+    tbb::this_task_arena::isolate([&] {
+      tbb::task_group others;
+      for (std::size_t t = 1; t < number; ++t)
+        others.run([&body, t] { body(t); });
+      body(0);
+      others.wait();
+    });
+  }
+
+private:
+  std::size_t m_number;
+};
+
+using Parallel_executor = Tbb_executor;
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#else
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+using Parallel_executor = void;
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_LINKED_WITH_TBB
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_TBB_EXECUTOR_H

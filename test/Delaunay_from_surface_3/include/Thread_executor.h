@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DELAUNAY_FROM_SURFACE_3_TESTS_THREAD_EXECUTOR_H
+#define DELAUNAY_FROM_SURFACE_3_TESTS_THREAD_EXECUTOR_H
+
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+namespace tests {
+
+// One std::thread for each worker but the first: ThreadSanitizer knows these, and would have to be told of
+// TBB's.
+class Thread_executor
+{
+public:
+  explicit Thread_executor(std::size_t number = 8)
+    : m_number(number)
+  {
+  }
+  std::size_t number_of_workers() const { return m_number; }
+
+  template <class Body>
+  void operator()(std::size_t number, const Body& body) const
+  {
+    std::vector<std::thread> others;
+    for (std::size_t t = 1; t < number; ++t)
+      others.emplace_back([&body, t] { body(t); });
+    body(0);
+    for (std::thread& thread : others)
+      thread.join();
+  }
+
+private:
+  std::size_t m_number;
+};
+
+// The workers one after the other, as TBB may run them; the last first.
+class One_after_the_other : public Thread_executor
+{
+public:
+  using Thread_executor::Thread_executor;
+
+  template <class Body>
+  void operator()(std::size_t number, const Body& body) const
+  {
+    for (std::size_t t = number; t-- > 0;)
+      body(t);
+  }
+};
+
+} // namespace tests
+
+#endif // DELAUNAY_FROM_SURFACE_3_TESTS_THREAD_EXECUTOR_H

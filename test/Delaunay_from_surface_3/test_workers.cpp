@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Many workers in the compact kernel: eight threads on whatever cores there are, in chunks of eight points,
+// from the thirtieth point on, make what one thread makes. Meant for ThreadSanitizer, too.
+
+#define BOOST_TEST_MODULE test_workers
+#include <boost/test/included/unit_test.hpp>
+
+#include "parallel_case.h"
+
+#include <cstddef>
+#include <string>
+
+namespace {
+
+const char* const kinds[] = {"cube", "sphere", "lattice", "duplicates", "moment curve", "hub"};
+
+void check(const char* kind, std::size_t n, unsigned seed)
+{
+  const auto points = tests::points_of(kind, n, seed);
+  const auto one = tests::cells_by_one(points);
+  const auto many = tests::insert_by_many(points);
+  BOOST_TEST_CONTEXT(kind << ", seed " << seed << ", clashes " << many.clashes << ", put off "
+                          << many.put_off)
+  {
+    BOOST_TEST(many.is_valid);
+    BOOST_TEST((many.cells == one));
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(many_workers_make_what_one_makes)
+{
+  for (const char* kind : kinds)
+    for (unsigned seed = 1; seed <= 4; ++seed)
+      check(kind, std::string(kind) == "moment curve" ? 300 : 3000, seed);
+}
+
+BOOST_AUTO_TEST_CASE(workers_one_after_the_other_make_the_same)
+{
+  for (const char* kind : kinds) {
+    const auto points = tests::points_of(kind, 600, 7);
+    const auto many = tests::insert_by_many(points, tests::One_after_the_other(8));
+    BOOST_TEST_CONTEXT(kind)
+    {
+      BOOST_TEST(many.is_valid);
+      BOOST_TEST((many.cells == tests::cells_by_one(points)));
+      BOOST_TEST(many.clashes == 0u);
+    }
+  }
+}
+
+// 2, 4, 8, 16, 32 and 64 lanes have different words.
+BOOST_AUTO_TEST_CASE(any_number_of_workers)
+{
+  const auto points = tests::points_of("cube", 2000, 11);
+  const auto one = tests::cells_by_one(points);
+  for (const std::size_t number : {1, 2, 3, 5, 12, 20, 64}) {
+    const auto many = tests::insert_by_many(points, tests::Thread_executor(number));
+    BOOST_TEST_CONTEXT(number)
+    {
+      BOOST_TEST(many.is_valid);
+      BOOST_TEST((many.cells == one));
+    }
+  }
+}
+
+// There is no visitor here: go_further() ends the round, in whatever chunk the caller's worker is.
+BOOST_AUTO_TEST_CASE(stop_leaves_a_triangulation)
+{
+  const auto points = tests::points_of("sphere", 2000, 3);
+  for (const int stops_at : {0, 1, 100, 500}) {
+    tests::Subject subject(points);
+    CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Id, tests::Exact,
+                                                                    tests::Thread_executor>
+        triangulation(subject.exact, subject.complex, tests::Thread_executor(4), {30, 8, 8});
+    const tests::Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
+    int asked = 0;
+    const auto go_further = [&] { return asked++ < stops_at; };
+    triangulation.insert_round(0, 30, subject.vertex_of, hints, [] { return true; });
+    BOOST_TEST(!triangulation.insert_round(30, 2000, subject.vertex_of, hints, go_further));
+    triangulation.finish();
+    BOOST_TEST(subject.complex.is_valid());
+  }
+}
