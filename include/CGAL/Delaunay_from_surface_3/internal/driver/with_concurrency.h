@@ -42,12 +42,23 @@ struct Is_concurrent<Hints, std::void_t<decltype(Hints::is_concurrent)>>
 };
 
 template <class Traits>
-struct Parallel_policies : Traits
+class Parallel_policies
 {
+public:
+  // Keeps a reference.
   explicit Parallel_policies(const Traits& traits)
-    : Traits(traits)
+    : m_traits(traits)
   {
   }
+
+  decltype(auto) surface_subgraph_object() const { return m_traits.surface_subgraph_object(); }
+  decltype(auto) insertion_plan_object(unsigned int seed) const
+  {
+    return m_traits.insertion_plan_object(seed);
+  }
+
+  template <class Target, class Subgraph>
+  using Insertion_hints_3 = typename Traits::template Insertion_hints_3<Target, Subgraph>;
 
   template <class Triangulation>
   struct Target
@@ -60,12 +71,15 @@ struct Parallel_policies : Traits
   };
   template <class Triangulation>
   using Insertion_target_3 = typename Target<Triangulation>::type;
+
+private:
+  const Traits& m_traits;
 };
 
 // The traits themselves where one thread is asked for: by ConcurrencyTag or, if that is Default, by the
 // type of the triangulation.
 template <class ConcurrencyTag, class Triangulation, class Traits>
-auto with_concurrency(const Triangulation&, const Traits& traits)
+decltype(auto) with_concurrency(const Triangulation&, const Traits& traits)
 {
   using Tag = typename Default::Get<ConcurrencyTag, typename Triangulation::Concurrency_tag>::type;
 #ifndef CGAL_LINKED_WITH_TBB
@@ -75,7 +89,7 @@ auto with_concurrency(const Triangulation&, const Traits& traits)
   if constexpr (std::is_convertible<Tag, Parallel_tag>::value)
     return Parallel_policies<Traits>(traits);
   else
-    return traits;
+    return (traits);
 }
 
 } // namespace internal
