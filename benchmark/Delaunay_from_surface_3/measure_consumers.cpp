@@ -219,7 +219,7 @@ void measure_on_top(Table& table, const std::vector<Point>& points, double alpha
         CGAL::Advancing_front_surface_reconstruction<For_front> front(tr);
         front.run();
         Facets facets;
-        CGAL::AFSR::write_triple_indices(std::back_inserter(facets), front);
+        CGAL::write_triple_indices(std::back_inserter(facets), front);
         return facets.size();
       });
   measure_alpha_shape<For_fixed_alpha, CGAL::Fixed_alpha_shape_3<For_fixed_alpha>>(

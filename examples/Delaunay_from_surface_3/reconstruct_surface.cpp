@@ -62,7 +62,7 @@ int main(int argc, char* argv[])
   CGAL::Advancing_front_surface_reconstruction<Triangulation> front(tr);
   front.run();
   Facets facets;
-  CGAL::AFSR::write_triple_indices(std::back_inserter(facets), front);
+  CGAL::write_triple_indices(std::back_inserter(facets), front);
   ours.stop();
 
   CGAL::Timer plain;

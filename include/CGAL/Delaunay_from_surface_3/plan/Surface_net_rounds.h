@@ -50,8 +50,9 @@ three times as many edges as the average come first: it is better to insert the 
 before the fan. The members of a cluster of more than `large_cluster` come in the order of
 `spatial_sort()`, and start at the point before if that is nearer than the net vertex.
 
-Where there are no edges, or they join points that are not near each other, as a look at a thousand of
-them on two levels tells, `Geometric_rounds` orders the points, and no starting places are named.
+Where there are no edges or more than 2^32, or they join points that are not near each other, as a look
+at a thousand of them on two levels tells, `Geometric_rounds` orders the points, and no starting places
+are named.
 
 A level that keeps more than 90 % of its vertices (isolated vertices, graphs with few edges) ends
 the hierarchy; what is left then, and the last few dozen vertices, are ordered by
@@ -95,12 +96,11 @@ public:
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
                              const Graph& graph, VertexIndexMap index_map) const
   {
-    if (num_edges(graph) == 0)
+    using Index = std::uint32_t; // one type: another would double what a user's file compiles
+    const std::size_t m = std::size_t(num_edges(graph));
+    if (m == 0 || (std::max)(points.size(), m) >= (std::numeric_limits<Index>::max)())
       return fallback_plan()(points, gt, graph, index_map);
-    const std::size_t larger = (std::max)(points.size(), std::size_t(num_edges(graph)));
-    if (larger < (std::numeric_limits<std::uint32_t>::max)())
-      return order<std::uint32_t>(points, gt, graph, index_map);
-    return order<std::size_t>(points, gt, graph, index_map);
+    return order<Index>(points, gt, graph, index_map);
   }
 
   /// returns the plan that serves when the budget is exceeded: the bound of \cgalCite{acr-icbr-03}

@@ -95,11 +95,20 @@ std::size_t keep_one_of_each(Lists<Index>& lists)
   return more_than_twice;
 }
 
-template <class Index, class FaceRange>
-Soup_graph soup_graph_with_ids(const FaceRange& faces, std::size_t number_of_points)
+// The edges of the faces as a graph on the points; without edges if there are more sides than numbers of 32
+// bits. Linear: the sides of the faces are sorted by counting.
+template <class FaceRange>
+Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
 {
+  using Index = std::uint32_t;
+  std::size_t number_of_sides = 0;
+  for (const auto& face : faces)
+    number_of_sides += std::size_t(std::distance(std::begin(face), std::end(face)));
+  if ((std::max)(number_of_points, number_of_sides) >= (std::numeric_limits<Index>::max)())
+    return {Lower_neighbor_graph(number_of_points), std::nullopt};
+
   Large_vector<Numbered_edge<Index>> sides;
-  sides.reserve(3 * std::size_t(std::distance(std::begin(faces), std::end(faces))));
+  sides.reserve(number_of_sides);
   const std::size_t non_triangles = read_sides(faces, number_of_points, sides);
   Lists<Index> lists = lower_neighbors(sides, number_of_points);
   const std::size_t non_manifold_edges = keep_one_of_each(lists);
@@ -109,19 +118,6 @@ Soup_graph soup_graph_with_ids(const FaceRange& faces, std::size_t number_of_poi
     soup.irregularity = "faces that are not triangles: " + std::to_string(non_triangles) +
                         ", edges with more than two faces: " + std::to_string(non_manifold_edges);
   return soup;
-}
-
-// The edges of the faces as a graph on the points. Linear: the sides of the faces are sorted by counting.
-template <class FaceRange>
-Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
-{
-  constexpr std::size_t max_short = (std::numeric_limits<std::uint32_t>::max)();
-  std::size_t number_of_sides = 0;
-  for (const auto& face : faces)
-    number_of_sides += std::size_t(std::distance(std::begin(face), std::end(face)));
-  return (std::max)(number_of_points, number_of_sides) < max_short
-             ? soup_graph_with_ids<std::uint32_t>(faces, number_of_points)
-             : soup_graph_with_ids<std::uint64_t>(faces, number_of_points);
 }
 
 } // namespace internal

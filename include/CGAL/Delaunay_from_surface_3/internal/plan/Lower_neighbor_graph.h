@@ -54,7 +54,7 @@ public:
   private:
     friend class boost::iterator_core_access;
 
-    edge_descriptor dereference() const { return {m_upper, m_graph->item(m_k)}; }
+    edge_descriptor dereference() const { return {m_upper, m_graph->lists().items[m_k]}; }
     bool equal(const edge_iterator& other) const { return m_k == other.m_k; }
     void increment()
     {
@@ -63,7 +63,7 @@ public:
     }
     void skip_ends()
     {
-      while (m_k < m_graph->number_of_edges() && m_graph->first(m_upper + 1) <= m_k)
+      while (m_k < m_graph->number_of_edges() && m_graph->lists().first[m_upper + 1] <= m_k)
         ++m_upper;
     }
 
@@ -74,50 +74,26 @@ public:
   // Without vertices.
   Lower_neighbor_graph() = default;
 
-  // With these lists, in ids of 32 or of 64 bits.
-  explicit Lower_neighbor_graph(Lists<std::uint32_t> lists)
-    : m_short(std::move(lists))
-    , m_number_of_vertices(m_short.size())
-    , m_number_of_edges(m_short.items.size())
+  // On `number_of_vertices` vertices, without edges.
+  explicit Lower_neighbor_graph(std::size_t number_of_vertices)
+    : m_number_of_vertices(number_of_vertices)
   {
   }
-  explicit Lower_neighbor_graph(Lists<std::uint64_t> lists)
-    : m_long(std::move(lists))
-    , m_number_of_vertices(m_long.size())
-    , m_number_of_edges(m_long.items.size())
+
+  // With these lists.
+  explicit Lower_neighbor_graph(Lists<std::uint32_t> lists)
+    : m_lists(std::move(lists))
+    , m_number_of_vertices(m_lists.size())
   {
   }
 
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
-  std::size_t number_of_edges() const { return m_number_of_edges; }
-
-  // The lists, in ids of any size that holds the numbers of vertices and edges.
-  template <class Index>
-  Lists<Index> lists() const
-  {
-    return m_long.first.empty() ? copy<Index>(m_short) : copy<Index>(m_long);
-  }
+  std::size_t number_of_edges() const { return m_lists.items.size(); }
+  const Lists<std::uint32_t>& lists() const { return m_lists; }
 
 private:
-  template <class Index, class Other>
-  static Lists<Index> copy(const Lists<Other>& lists)
-  {
-    return {Large_vector<Index>(lists.first.begin(), lists.first.end()),
-            Large_vector<Index>(lists.items.begin(), lists.items.end())};
-  }
-
-  std::size_t first(std::size_t v) const
-  {
-    return m_long.first.empty() ? m_short.first[v] : std::size_t(m_long.first[v]);
-  }
-  std::size_t item(std::size_t k) const
-  {
-    return m_long.first.empty() ? m_short.items[k] : std::size_t(m_long.items[k]);
-  }
-
-  Lists<std::uint32_t> m_short; // one of the two is empty
-  Lists<std::uint64_t> m_long;
-  std::size_t m_number_of_vertices = 0, m_number_of_edges = 0;
+  Lists<std::uint32_t> m_lists; // empty if there are no edges
+  std::size_t m_number_of_vertices = 0;
 };
 
 inline auto vertices(const Lower_neighbor_graph& graph)

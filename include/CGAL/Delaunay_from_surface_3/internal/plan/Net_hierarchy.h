@@ -73,7 +73,7 @@ Lists<Index> lower_neighbors(const Graph& graph, VertexIndexMap index_map, std::
 template <class Index>
 Lists<Index> lower_neighbors(const Lower_neighbor_graph& graph, Identity_index_map, std::size_t)
 {
-  return graph.lists<Index>();
+  return graph.lists();
 }
 
 // The members of every cluster, its net vertex first, the others in ascending order.

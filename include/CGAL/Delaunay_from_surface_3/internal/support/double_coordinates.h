@@ -10,6 +10,7 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -56,7 +57,7 @@ Coordinate_intervals coordinate_intervals(const Point& p)
 template <class FT>
 std::optional<double> equal_double(const FT& x)
 {
-  if (const double d = CGAL::to_double(x); FT(d) == x)
+  if (const double d = CGAL::to_double(x); std::isfinite(d) && FT(d) == x)
     return d;
   const std::pair<double, double> interval = CGAL::to_interval(x);
   if (interval.first == interval.second)
