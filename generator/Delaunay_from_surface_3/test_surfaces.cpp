@@ -472,6 +472,11 @@ BOOST_AUTO_TEST_CASE(misleading_surfaces)
   BOOST_TEST(surfaces::number_of_components(surfaces::two_lines(500)) == 1u);
   for (const Indexed_surface::Point_3& p : surfaces::nearly_flat(500, 1e-12, 1).points)
     BOOST_TEST(std::abs(p.z()) <= 1e-12);
+  const Indexed_surface room = surfaces::room(500, 1);
+  check_count(room, 500, 0.1);
+  check_all_points_differ(room);
+  BOOST_TEST(surfaces::euler_characteristic({room.points, room.faces}) == 3); // with the middle
   BOOST_CHECK_THROW(surfaces::star(2, 1), std::invalid_argument);
+  BOOST_CHECK_THROW(surfaces::room(8, 1), std::invalid_argument);
   BOOST_CHECK_THROW(surfaces::two_lines(3), std::invalid_argument);
 }

@@ -7,7 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 namespace CGAL {
@@ -15,19 +15,23 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1): random order, rounds
-that end at N_h, traces of a spanning subgraph of bounded degree, and the history DAG for Q. It is
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1): random order, rounds that end at
+N_h, traces of a spanning subgraph of bounded degree, and the history of all conflicts for Q. It is
 here to study the theorem, not to save time: it takes several times the memory of the others, and is
 slower.
 
-Not with `Fast_location`.
+O(n log* n) expected time under the assumptions of the paper: T is of bounded degree and consists of
+Delaunay edges, and triangulations of the points inserted so far have linear expected size. How far
+measurements agree is on the page \ref delaunay_from_surface_3_theory. T is that of
+`Bounded_degree_subgraph`; a surface that it refuses, a soup and a graph get a `Spanning_forest`, whose
+degree has no bound, and the visitor is told. Not with `Fast_location`.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct History_tracing_traits_3
   : Surface_insertion_policies_3<Delaunay_from_surface_3::Bounded_degree_subgraph,
                                  Delaunay_from_surface_3::Random_log_star_rounds,
-                                 Delaunay_from_surface_3::History_hints_3>
+                                 Delaunay_from_surface_3::Conflict_history_hints_3>
 {
 };
 

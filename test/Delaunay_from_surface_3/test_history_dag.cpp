@@ -3,12 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The history DAG finds every point, from the root and from everything recorded on the way, and its
-// events cover what they destroy. With it the paper's algorithm gives what CGAL's own insertion gives.
+// events cover what they destroy. Traces with it give what CGAL's own insertion gives.
 
 #define BOOST_TEST_MODULE test_history_dag
 #include <boost/test/included/unit_test.hpp>
 
 #include "check_equal.h"
+#include "history_cases.h"
 #include "named_surfaces.h"
 
 #include <CGAL/Delaunay_from_surface_3/trace/History_dag_3.h>
@@ -18,9 +19,10 @@
 #include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
-#include <CGAL/History_tracing_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -38,97 +40,14 @@
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using namespace tests::history;
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
-using Target = DFS::Triangulation_target_3<Triangulation>;
 using Dag = DFS::History_dag_3<Triangulation>;
+using Traits =
+    CGAL::Surface_insertion_policies_3<DFS::Bounded_degree_subgraph, DFS::Random_log_star_rounds,
+                                       DFS::History_hints_3>;
 
 namespace {
-
-// Points of a set, in random order.
-struct Point_set
-{
-  std::string name;
-  std::vector<Point> points;
-};
-
-void shuffle(std::vector<Point>& points, std::uint32_t seed)
-{
-  std::mt19937 random(seed);
-  for (std::size_t i = points.size(); i > 1; --i)
-    std::swap(points[i - 1], points[random() % i]);
-}
-
-// Integer points in a box, each once.
-std::vector<Point> grid(int size)
-{
-  std::vector<Point> points;
-  for (int x = 0; x < size; ++x)
-    for (int y = 0; y < size; ++y)
-      for (int z = 0; z < size; ++z)
-        points.emplace_back(x, y, z);
-  return points;
-}
-
-std::vector<Point> random_points(std::size_t n, int size, std::uint32_t seed)
-{
-  std::mt19937 random(seed);
-  std::vector<Point> points;
-  const auto coordinate = [&] { return double(random() % std::uint32_t(size)); };
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = coordinate(), y = coordinate(), z = coordinate();
-    points.emplace_back(x, y, z);
-  }
-  return points;
-}
-
-std::vector<Point_set> point_sets(std::size_t n)
-{
-  std::vector<Point_set> sets = {{"random", random_points(n, 1 << 12, 1)},
-                                 {"random with duplicates", random_points(n, 6, 2)},
-                                 {"surface", surfaces::genus_surface(1, n, 0.05).points},
-                                 {"cospherical", surfaces::integer_sphere(n).points},
-                                 {"grid", grid(int(std::cbrt(double(n))) + 1)},
-                                 {"mostly coplanar", surfaces::coplanar(n / 2).points}};
-  for (const Point& p : random_points(n / 20, 12, 8))
-    sets.back().points.push_back(p);
-  for (Point_set& set : sets)
-    shuffle(set.points, 3);
-  return sets;
-}
-
-// Where a point may be asked for: points of the set, points in general position inside and outside the
-// convex hull, and points on edges and facets, as far as midpoints are.
-std::vector<Point> queries(const std::vector<Point>& points, std::size_t number)
-{
-  std::mt19937 random(4);
-  const auto any = [&] { return points[random() % points.size()]; };
-  std::vector<Point> all;
-  for (std::size_t k = 0; k < number; ++k) {
-    const Point p = any(), q = any();
-    all.push_back(p);
-    all.push_back(CGAL::midpoint(p, q));
-    all.push_back(p + 1.7 * (q - p));
-    all.emplace_back(p.x() + 0.1, q.y() - 0.2, 0.3 * p.z() + q.z());
-  }
-  return all;
-}
-
-// Inserts points one by one, as the driver does, and lets `look` see what each changed.
-template <class Observer, class Look>
-void insert_all(Triangulation& tr, const std::vector<Point>& points, Observer& observer,
-                const Look& look)
-{
-  Target target(tr, points);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    target.insert(i, target.locate(i, tr.infinite_cell()), observer);
-    look(i);
-  }
-}
-
-void ignore(std::size_t) {}
 
 // The leaf is the place that CGAL finds, or, where the point lies on several cells or sees several facets
 // of the convex hull, another one that is right.
@@ -376,8 +295,8 @@ BOOST_AUTO_TEST_CASE(descents_are_as_long_as_lemma_4_says)
   BOOST_TEST(double(from_root) / n > 3 * std::log(double(i) / 4));
 }
 
-// TracingDT with exactly the paper's Q, on everything from a single point to degenerate surfaces.
-BOOST_AUTO_TEST_CASE(the_papers_algorithm_gives_stocks_triangulation)
+// TracingDT with this history for Q, on everything from a single point to degenerate surfaces.
+BOOST_AUTO_TEST_CASE(traces_and_this_history_give_plain_triangulations)
 {
   std::vector<tests::Named_surface> all = tests::tiny_and_flat_surfaces();
   for (const auto& surfaces : {tests::ordinary_surfaces(2000), tests::degenerate_surfaces(600)})
@@ -385,17 +304,16 @@ BOOST_AUTO_TEST_CASE(the_papers_algorithm_gives_stocks_triangulation)
   for (const tests::Named_surface& named : all) {
     const tests::Stock_case<Triangulation> stock_case(named);
     for (unsigned int seed = 0; seed < 3; ++seed)
-      stock_case.check<CGAL::History_tracing_traits_3>(seed);
+      stock_case.check<Traits>(seed);
     stock_case.check<CGAL::Surface_insertion_policies_3<DFS::Spanning_forest, DFS::Geometric_rounds,
                                                         DFS::History_hints_3>>();
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_papers_algorithm_with_exact_constructions)
+BOOST_AUTO_TEST_CASE(with_exact_constructions)
 {
   for (const tests::Named_surface& named : tests::degenerate_surfaces(200))
-    tests::Stock_case<CGAL::Delaunay_triangulation_3<Exact_kernel>>(named)
-        .check<CGAL::History_tracing_traits_3>();
+    tests::Stock_case<CGAL::Delaunay_triangulation_3<Exact_kernel>>(named).check<Traits>();
 }
 
 // Whenever a point is inserted its descent has found the cell that contains it, so that the walk after it

@@ -21,6 +21,7 @@ in the order of their insertion, as in the target.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Traced_hints_3<Target\, Subgraph>}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::Conflict_history_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::History_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Neighbor_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Planned_hints_3<Target\, Subgraph>}

@@ -5,9 +5,12 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_ADVERSARIAL_H
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
+#include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -74,6 +77,36 @@ inline Indexed_surface two_lines(std::size_t n)
     surface.faces.push_back({2 * i - 2, 2 * i - 1, 2 * i});
     surface.faces.push_back({2 * i, 2 * i - 1, 2 * i + 1});
   }
+  return surface;
+}
+
+/// A room: about `n` points of the six walls of a cube that bulge inwards, moved at random along
+/// them and denser in their middles, and one point in the middle of the room, in no face, the last. In
+/// the triangulation of all points it is a neighbour of about a quarter of them, but the cells are few. \pre `n >= 9`
+inline Indexed_surface room(std::size_t n, std::uint64_t seed)
+{
+  if (n < 9)
+    throw std::invalid_argument("a room needs at least 9 vertices");
+  const std::size_t cells = static_cast<std::size_t>(std::lround(std::sqrt(double(n - 3) / 6)));
+  Indexed_surface surface = lattice_surface(0, 6 * cells * cells + 2);
+  Random random(seed);
+  const double half = (*std::max_element(surface.points.begin(), surface.points.end())).x() / 2;
+  for (Indexed_surface::Point_3& p : surface.points) {
+    std::array<double, 3> q = {p.x() / half - 1, p.y() / half - 1, p.z() / half - 1};
+    for (double& x : q)
+      if (std::abs(x) < 1)
+        x += random.uniform(-0.4, 0.4) / half;
+    for (double& x : q)
+      x *= 0.4 + 0.6 * x * x;
+    const std::array<double, 3> wall = q;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::abs(wall[k]) == 1) {
+        const double u = wall[(k + 1) % 3], v = wall[(k + 2) % 3];
+        q[k] *= 1 - 0.05 * (1 - u * u) * (1 - v * v);
+      }
+    p = Indexed_surface::Point_3(q[0], q[1], q[2]);
+  }
+  surface.points.emplace_back(0, 0, 0);
   return surface;
 }
 

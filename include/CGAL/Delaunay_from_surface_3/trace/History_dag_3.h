@@ -5,8 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_DAG_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_DAG_3_H
 
-// Choi 2002, §2: the location structure Q, "the history DAG by Clarkson et al. which exploits all
-// the intermediate Delaunay tetrahedra created".
+// In the place of the location structure Q of Choi 2002, §2: a history too, but by containment.
 //
 // Invariant: the star of an event covers all cells that the event destroyed. So a point in a
 // destroyed cell is in a cell of that star, and a descent loses no point. Links from a destroyed
@@ -29,8 +28,8 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-is the history of a Delaunay triangulation in dimension 3 while points are inserted
-(\cgalCite{cms-frric-93}): every cell that ever was, infinite ones too, is a node. Each insertion is
+is the history of a Delaunay triangulation in dimension 3 while points are inserted, by containment:
+every cell that ever was, infinite ones too, is a node. Each insertion is
 an event that owns the cells which it created, its star, as a contiguous range of nodes. A destroyed
 cell knows the event that destroyed it. To locate a point is to descend from a node that contains it
 to the node in the star of the next event that does, until a cell of today is reached. The descent
@@ -42,8 +41,10 @@ handed over or becomes 3-dimensional; no history is kept before.
 Let points be inserted in random order into a triangulation of linear expected size. The
 cell that contains a point p is replaced by the j-th insertion with probability 4/j, since it is
 finite and has four vertices. So a descent enters 4 ln(i/k) nodes expected, if it leads from the
-triangulation of k points to that of i (\cgalCite{choi-dtsm-02}, Lemma 4), and 4 ln i from the root.
-To enter a node takes O(size of the star) tests.
+triangulation of k points to that of i, and 4 ln i from the root. To enter a node takes O(size of the
+star) tests. So it is nodes that are few, not tests: where one vertex is in a share of all cells a
+descent through its star, and through those of its neighbours, takes tests without bound. It is the
+practical variant, whose records are single nodes; the paper's is `Conflict_history_3`.
 
 Memory: 48 bytes per cell that ever was, where handles have 8 bytes, and about 24 bytes per cell of
 today. That is several times what the triangulation itself takes. Nothing is freed before the end,
@@ -54,6 +55,8 @@ Points may only be inserted, every conflict zone must be reported, and the predi
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`, not with `Fast_location`
 
 \cgalModels{UpdateObserver_3}
+
+\sa `Conflict_history_3`
 */
 template <class Triangulation>
 class History_dag_3

@@ -5,11 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_HINTS_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_HISTORY_HINTS_3_H
 
-// Choi 2002, Fig. 1, lines 2a and 2b, with the paper's own Q: a trace records d_{N_h}(s_k) as nodes
-// of the history DAG, and s_i is located by a descent from its record.
+// Choi 2002, Fig. 1, lines 2a and 2b, with a history by containment for Q: a trace records
+// d_{N_h}(s_k) as nodes, and s_i is located by a descent from its record.
 //
 // Invariant: the record of a point is a node that contains it. A node never dies.
-// Cost: O(log(i/k)) expected for s_i if the last trace was in D(S_k) (Lemma 4).
+// Cost: O(log(i/k)) expected nodes for s_i if the last trace was in D(S_k), each of which takes tests
+// in proportion to a star.
 
 #include <CGAL/Delaunay_from_surface_3/trace/Trace_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
@@ -31,12 +32,13 @@ of all cells (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). The descent st
 that the last trace recorded for the point, and at the root if there was no trace. A trace is that
 of `Traced_hints_3`; it records nodes instead of vertices.
 
-This is the location structure of the paper's theorem. It takes several times the memory of the
-triangulation (see `History_dag_3`) and is slower than a walk on all surfaces measured: it is here
-for the theory.
+This is the practical variant of the paper's location structure, which is that of
+`Conflict_history_hints_3`. It takes several times the memory of the triangulation (see
+`History_dag_3`) and is slower than a walk on all surfaces measured: it is here for comparison.
 
-A trace takes O(n) expected time, and a descent O(log(i/k)) expected for point i after a trace in
-the triangulation of k points (Theorem 3 and Lemma 4), under the assumptions of the paper.
+A trace takes O(n) expected time (Theorem 3), and a descent enters O(log(i/k)) expected nodes for
+point i after a trace in the triangulation of k points, under the assumptions of the paper; each takes
+tests in proportion to the size of a star.
 
 \tparam Target `Triangulation_target_3`, not of a triangulation with `Fast_location`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_CONTAINS_EUCLIDEAN_MINIMUM_SPANNING_TREE_H
+#define CGAL_CONTAINS_EUCLIDEAN_MINIMUM_SPANNING_TREE_H
+
+// Choi 2002, §3.1: "It is not of course guaranteed that a given surface triangulation F contains
+// EMST(S)". It does exactly if its own minimum spanning tree has edges of the same lengths.
+
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
+#include <CGAL/euclidean_minimum_spanning_tree_3.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// The number of the vertex of the triangulation at each point.
+template <class Triangulation>
+std::vector<std::size_t> numbers_of_points(const Triangulation& tr,
+                                           const Numbered_vertices<Triangulation>& numbered,
+                                           const std::vector<typename Triangulation::Point>& points)
+{
+  const auto compare = tr.geom_traits().compare_xyz_3_object();
+  std::vector<std::size_t> numbers;
+  std::vector<bool> is_met(numbered.points.size(), false);
+  for (const auto& p : points) {
+    const auto found =
+        std::lower_bound(numbered.points.begin(), numbered.points.end(), &p,
+                         [&](const auto* a, const auto* b) { return compare(*a, *b) == SMALLER; });
+    if (found == numbered.points.end() || compare(**found, p) != EQUAL)
+      throw Surface_input_error("vertex " + std::to_string(numbers.size()) +
+                                " of the surface is no vertex of the triangulation");
+    numbers.push_back(std::size_t(found - numbered.points.begin()));
+    is_met[numbers.back()] = true;
+  }
+  if (std::find(is_met.begin(), is_met.end(), false) != is_met.end())
+    throw Surface_input_error("a vertex of the triangulation is no vertex of the surface");
+  return numbers;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+
+/*!
+\ingroup PkgDelaunayFromSurface3Ref
+
+returns whether the edges of a surface contain a Euclidean minimum spanning tree of its vertices. If they
+do, `Delaunay_from_surface_3::Minimum_spanning_forest` finds it without the triangulation
+(\cgalCite{choi-dtsm-02}, §3.1).
+
+It compares the lengths of the edges of two trees, exactly: those of the surface's own minimum spanning
+forest and those of `euclidean_minimum_spanning_tree_3()`. Vertices at the same point count as one.
+
+<b>Complexity</b>: O(m log m) for m edges of the surface and the triangulation.
+
+\tparam Graph a model of `VertexListGraph` and `EdgeListGraph` with points, such as a mesh
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; `Gt` as in
+`euclidean_minimum_spanning_tree_3()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh the surface
+\param tr the triangulation of its vertices
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `mesh`}
+    \cgalParamType{as in `insert_surface_vertices_3()`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throws Surface_input_error if the points of `mesh` are not those of `tr`
+*/
+template <class Graph, class Gt, class Tds, class Lp, class Slds,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool contains_euclidean_minimum_spanning_tree(
+    const Graph& mesh, const Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
+    const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using namespace Delaunay_from_surface_3::internal;
+  check_named_parameters<internal_np::vertex_point_t>(np);
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  using Point = typename Triangulation::Point;
+
+  const auto point_map =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                   get_const_property_map(vertex_point, mesh));
+  const auto index_map = get_initialized_vertex_index_map(mesh);
+  std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> descriptors(
+      vertices(mesh).begin(), vertices(mesh).end());
+  const Numbered_vertices<Triangulation> numbered(tr);
+  const std::vector<std::size_t> numbers =
+      numbers_of_points(tr, numbered, read_points<Point>(descriptors, point_map));
+  const std::vector<std::size_t> dense =
+      dense_indices(descriptors, index_map, std::vector<std::size_t>().max_size());
+  const auto number = [&](auto v) { return numbers[dense[std::size_t(get(index_map, v))]]; };
+
+  std::vector<Measured_edge> forest;
+  for (const auto e : edges(mesh))
+    if (number(source(e, mesh)) != number(target(e, mesh)))
+      forest.push_back(measured_edge(number(source(e, mesh)), number(target(e, mesh)), 0));
+  keep_minimum_spanning_forest(forest, numbered.points, tr.geom_traits());
+  const std::vector<Measured_edge> tree = euclidean_minimum_spanning_tree(tr, numbered);
+  const Compare_lengths<Point, Gt> compare(numbered.points, tr.geom_traits());
+  return std::equal(
+      tree.begin(), tree.end(), forest.begin(), forest.end(),
+      [&](const Measured_edge& a, const Measured_edge& b) { return compare(a, b) == EQUAL; });
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CONTAINS_EUCLIDEAN_MINIMUM_SPANNING_TREE_H
