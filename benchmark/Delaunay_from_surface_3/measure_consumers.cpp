@@ -26,12 +26,14 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/program_options.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -172,6 +174,28 @@ void measure_input(Table& table, const Indexed_surface& surface)
       });
 }
 
+// Plain CGAL: a triangulation whose vertices know their index, and a loop over its cells.
+void measure_arrays(Table& table, const Indexed_surface& surface)
+{
+  const std::vector<Point>& points = surface.points;
+  Numbered numbered;
+  for (const Point& p : points)
+    numbered.emplace_back(p, numbered.size());
+  const auto plain = [&] {
+    const With_info tr(numbered.begin(), numbered.end());
+    std::vector<std::array<std::int32_t, 4>> tetrahedra;
+    for (const auto c : tr.finite_cell_handles())
+      tetrahedra.push_back({std::int32_t(c->vertex(0)->info()), std::int32_t(c->vertex(1)->info()),
+                            std::int32_t(c->vertex(2)->info()),
+                            std::int32_t(c->vertex(3)->info())});
+    return tetrahedra.size();
+  };
+  table.line("surface: index arrays, points alone", points.size(), plain,
+             [&] { return CGAL::delaunay_3_arrays(points).number_of_simplices(); });
+  table.line("surface: index arrays, soup", points.size(), plain,
+             [&] { return CGAL::delaunay_3_arrays(points, surface.faces).number_of_simplices(); });
+}
+
 template <class Tr, class Shape>
 void measure_alpha_shape(Table& table, const std::string& consumer,
                          const std::vector<Point>& points, double alpha)
@@ -281,6 +305,7 @@ try {
   measure_points<Triangulation>(table, "points on a height field", surfaces::terrain(n).points);
   measure_points<Triangulation>(table, "surface: points alone", surface.points);
   measure_input(table, surface);
+  measure_arrays(table, surface);
   measure_points<With_levels>(table, "surface: points alone, Fast_location", surface.points);
   measure_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(
       table, "surface: points alone, exact constructions", surface.points);

@@ -1,0 +1,82 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Compares the Python module with scipy.spatial.Delaunay, in turns, and writes JSON.
+
+    python3 measure_python.py [--points N] [--repetitions N] [--output FILE]
+
+Run it with a Python into which the module is installed. Times are of the process, on all processors.
+"""
+
+import argparse
+import json
+import platform
+import statistics
+import time
+
+import numpy as np
+import scipy.spatial
+
+import delaunay_from_surface as dfs
+
+
+def torus(n):
+    """A wavy torus: points and triangles."""
+    columns, rows = 2 * int(np.sqrt(n / 2)), int(np.sqrt(n / 2))
+    u, v = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
+    a, b = 2 * np.pi * u / columns, 2 * np.pi * v / rows
+    r = 0.4 + 0.05 * np.cos(5 * a + 3 * b) + 0.003 * np.random.default_rng(1).random(a.shape)
+    points = np.stack([(1 + r * np.cos(b)) * np.cos(a), (1 + r * np.cos(b)) * np.sin(a), r * np.sin(b)], axis=-1)
+
+    def index(i, j):
+        return (i % columns) * rows + j % rows
+    faces = np.concatenate([np.stack([index(u, v), index(u + 1, v), index(u + 1, v + 1)], axis=-1).reshape(-1, 3),
+                            np.stack([index(u, v), index(u + 1, v + 1), index(u, v + 1)], axis=-1).reshape(-1, 3)])
+    return points.reshape(-1, 3), faces.astype(np.int32)
+
+
+def seconds(work):
+    begin = time.process_time()
+    result = work()
+    return time.process_time() - begin, result
+
+
+def line(name, points, faces, repetitions):
+    scipy_times, our_times = [], []
+    for _ in range(repetitions):
+        time_of_scipy, expected = seconds(lambda: scipy.spatial.Delaunay(points))
+        our_time, found = seconds(lambda: dfs.delaunay3(points, faces, neighbors=True))
+        if len(expected.simplices) != len(found.simplices):
+            raise RuntimeError(f"{name}: {len(expected.simplices)} tetrahedra by SciPy, {len(found.simplices)} by us")
+        scipy_times.append(time_of_scipy)
+        our_times.append(our_time)
+    ratios = [s / o for s, o in zip(scipy_times, our_times)]
+    return {"consumer": name, "points": len(points), "median_scipy_cpu": round(statistics.median(scipy_times), 4),
+            "median_ours_cpu": round(statistics.median(our_times), 4),
+            "median_ratio": round(statistics.median(ratios), 3)}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--points", type=int, default=100000)
+    parser.add_argument("--repetitions", type=int, default=3)
+    parser.add_argument("--output", default="python.json")
+    options = parser.parse_args()
+    surface, faces = torus(options.points)
+    cube = np.random.default_rng(2024).random((options.points, 3))
+    report = {"command": f"measure_python.py --points {options.points} --repetitions {options.repetitions}",
+              "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__,
+              "repetitions": options.repetitions,
+              "results": [line("points in a cube", cube, None, options.repetitions),
+                          line("surface: points alone", surface, None, options.repetitions),
+                          line("surface: faces", surface, faces, options.repetitions)]}
+    with open(options.output, "w", encoding="utf-8") as file:
+        json.dump(report, file, indent=1)
+        file.write("\n")
+    for result in report["results"]:
+        print(json.dumps(result))
+
+
+if __name__ == "__main__":
+    main()
