@@ -16,6 +16,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
@@ -28,6 +29,7 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -205,6 +207,28 @@ BOOST_AUTO_TEST_CASE(hubs_come_before_their_fans)
     for (std::size_t k = 2; k < 3000; ++k)
       from_previous += plan.starting_places[k] == k - 1;
     BOOST_TEST(from_previous > 2500u);
+  }
+}
+
+// Beside a hub are points that are far from it, on a strip for example, and nearer to other net
+// vertices: few may stay with it, also where there are many vertices (else 2 of 5 do).
+BOOST_AUTO_TEST_CASE(hubs_do_not_keep_what_is_nearer_to_others)
+{
+  using DFS::internal::Numbered_edge;
+  for (const std::uint32_t n :
+       {8000u, 80000u}) { // vertices 1, 2, … along a line, every 4th beside 0
+    DFS::internal::Large_vector<Numbered_edge<std::uint32_t>> edges;
+    for (std::uint32_t v = 2; v < n; ++v)
+      edges.emplace_back(v - 1, v);
+    for (std::uint32_t v = 4; v < n; v += 4)
+      edges.emplace_back(0u, v);
+    const auto distance = [](std::size_t v, std::size_t u) {
+      return std::abs(double(v) - double(u));
+    };
+    const auto net = DFS::internal::net_of(DFS::internal::lower_neighbors(edges, n), 1, distance);
+    const auto stay = std::count(net.cluster_of.begin(), net.cluster_of.end(), net.cluster_of[0]);
+    BOOST_TEST(stay > 1);
+    BOOST_TEST(stay < n / 16);
   }
 }
 

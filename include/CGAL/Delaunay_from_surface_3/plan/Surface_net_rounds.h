@@ -37,10 +37,12 @@ namespace Delaunay_from_surface_3 {
 
 makes rounds and order from the surface graph. A net of the graph is a maximal independent set;
 every other vertex joins the cluster of a net vertex beside it: of the nearest if there are no more
-than 32768 vertices, else of the one that was chosen first. The clusters are contracted, and so on until a few dozen vertices are left. Rounds go from the coarsest net to the
-finest and grow four- to fivefold. Inside a round the points follow the clusters, children in the
-order of their parents: that is local on the surface, and so in space. Each point starts at the net
-vertex of its cluster, inserted in an earlier round (`Insertion_order::starting_places`).
+than 32768 vertices, or if the first one has many edges; else of the one that was chosen first. The
+clusters are contracted, and so on until a few dozen vertices are left. Rounds go from the coarsest
+net to the finest and grow four- to fivefold. Inside a round the points follow the clusters,
+children in the order of their parents: that is local on the surface, and so in space. Each point
+starts at the net vertex of its cluster, inserted in an earlier round
+(`Insertion_order::starting_places`).
 
 A net is chosen greedily in a random order of the vertices, which the seed decides (of more than
 32768 vertices block by block of 1024 successive ones, in random order inside each). In the order of

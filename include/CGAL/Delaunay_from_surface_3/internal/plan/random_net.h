@@ -125,7 +125,7 @@ struct Net
 // The vertices with more than three times as many edges as the others have on average, in random
 // order.
 template <class Index>
-std::vector<Index> hubs(const Lists<Index>& lower, std::uint64_t seed)
+std::vector<Index> hubs_of(const Lists<Index>& lower, std::uint64_t seed)
 {
   const std::size_t n = lower.size();
   Large_vector<Index> degree(n);
@@ -143,9 +143,10 @@ std::vector<Index> hubs(const Lists<Index>& lower, std::uint64_t seed)
 }
 
 // By vertex: itself if it is in the greedy net of the graph with these lower neighbours, else a
-// neighbour that is.
+// neighbour that is. `hubs` come first.
 template <class Index>
-Large_vector<Index> random_net(const Lists<Index>& lower, std::uint64_t seed)
+Large_vector<Index> random_net(const Lists<Index>& lower, const std::vector<Index>& hubs,
+                               std::uint64_t seed)
 {
   enum State : char { UNSEEN, IN_NET, BESIDE };
   std::vector<char> state(lower.size(), UNSEEN);
@@ -165,20 +166,22 @@ Large_vector<Index> random_net(const Lists<Index>& lower, std::uint64_t seed)
           center[*u] = Index(v);
         }
   };
-  for (const Index v : hubs(lower, seed))
+  for (const Index v : hubs)
     decide(v);
   Random_blocks(lower.size(), seed).for_each(decide);
   return center;
 }
 
-// Of several net vertices beside a vertex, makes the nearest one its centre.
-template <class Index, class Distance>
-void choose_nearest_centers(const Lists<Index>& lower, const Distance& distance,
-                            Large_vector<Index>& center)
+// Of several net vertices beside a vertex that is_wanted, makes the nearest one its centre.
+template <class Index, class Is_wanted, class Distance>
+void choose_nearest_centers(const Lists<Index>& lower, const Is_wanted& is_wanted,
+                            const Distance& distance, Large_vector<Index>& center)
 {
   const double largest = (std::numeric_limits<float>::max)();
   Large_vector<float> nearest(lower.size(), (std::numeric_limits<float>::infinity)());
   const auto offer = [&](std::size_t v, std::size_t c) {
+    if (!is_wanted(v))
+      return;
     const float d = float((std::min)(distance(v, c), largest));
     if (d < nearest[v]) {
       nearest[v] = d;
@@ -194,17 +197,39 @@ void choose_nearest_centers(const Lists<Index>& lower, const Distance& distance,
         offer(v, *u);
 }
 
-// The net and its clusters. `distance(v, u)` is asked for neighbours, one of which is in the net; it is
-// not asked for where there are many vertices: a pass over all points is dear there, for a small gain.
+// The same for the vertices in the clusters of hubs. A hub would keep all that are beside it, however
+// far away, and its cluster those of the next level, until one cluster has half of all vertices.
+template <class Index, class Distance>
+void choose_nearest_instead_of_hubs(const Lists<Index>& lower, const std::vector<Index>& hubs,
+                                    const Distance& distance, Large_vector<Index>& center)
+{
+  if (hubs.empty())
+    return;
+  std::vector<char> is_hub(lower.size()), is_beside_hub(lower.size());
+  for (const Index v : hubs)
+    is_hub[v] = 1;
+  for (std::size_t v = 0; v < lower.size(); ++v)
+    is_beside_hub[v] = is_hub[center[v]];
+  choose_nearest_centers(
+      lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, distance, center);
+}
+
+// The net and its clusters. `distance(v, u)` is asked for neighbours, one of which is in the net; where
+// there are many vertices it is asked for those beside hubs only: a pass over all points is dear there,
+// for a small gain.
 template <class Index, class Distance>
 Net<Index> net_of(const Lists<Index>& lower, std::uint64_t seed, const Distance& distance)
 {
   const std::size_t n = lower.size();
+  const std::vector<Index> hubs = hubs_of(lower, seed);
   Net<Index> net;
-  net.cluster_of = random_net(lower, seed);
+  net.cluster_of = random_net(lower, hubs, seed);
   Large_vector<Index>& center = net.cluster_of;
   if (n <= Random_blocks::largest_block)
-    choose_nearest_centers(lower, distance, center);
+    choose_nearest_centers(
+        lower, [](std::size_t) { return true; }, distance, center);
+  else
+    choose_nearest_instead_of_hubs(lower, hubs, distance, center);
   Large_vector<Index> number(n); // of the cluster of a net vertex
   for (std::size_t v = 0; v < n; ++v)
     if (center[v] == v) {
