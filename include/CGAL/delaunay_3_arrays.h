@@ -17,6 +17,7 @@
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -51,8 +52,19 @@ struct Coordinates_map
   }
 };
 
+// Who inserts: Alone, or what runs many threads.
+template <class ConcurrencyTag>
+struct Executor_of
+{
+  static constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+  static_assert(!is_parallel || !std::is_void<Parallel_executor>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+  using type = std::conditional_t<is_parallel, Parallel_executor, Alone>;
+};
+
 // The named parameters of both forms.
-template <class Traits, class Index, class PointRange, class MakeOrder, class NamedParameters>
+template <class Traits, class ConcurrencyTag, class Index, class PointRange, class MakeOrder,
+          class NamedParameters>
 Delaunay_3_arrays<Index> arrays_of_points(const PointRange& points, const MakeOrder& make_order,
                                           const NamedParameters& np)
 {
@@ -73,7 +85,7 @@ Delaunay_3_arrays<Index> arrays_of_points(const PointRange& points, const MakeOr
 
   const Rounding_to_nearest rounding;
   Visitor_in_mode_of_caller<std::remove_reference_t<decltype(visitor)>> observer(visitor, rounding);
-  return arrays_by_plan<Traits, Index>(
+  return arrays_by_plan<Traits, typename Executor_of<ConcurrencyTag>::type, Index>(
       [&] { return read_points<Array_point>(points, point_map); },
       Traits().insertion_plan_object(seed),
       [&](const auto& read, const auto& plan) { return make_order(read, plan, observer); },
@@ -97,6 +109,8 @@ that the target is replaced.
 cells, as points in space have; those of the arrays included.
 
 \tparam Index `std::int32_t`: up to 2^30 cells, or 150 million points; `std::int64_t`: any
+\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`: many threads insert, as with
+`insert_points_3()`; the numbers of the cells then differ from run to run. It needs TBB.
 \tparam PointRange a range of points of any kernel, of `std::array<double, 3>`, pointers to three
 numbers, or anything with coordinates `p[0]`, `p[1]`, `p[2]`; or of items that `point_map` turns
 into points. It is passed through once or twice.
@@ -131,12 +145,13 @@ below
 
 \sa `insert_points_3()`
 */
-template <class Index = std::int32_t, class PointRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, class PointRange,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using Traits = Point_insertion_traits_3;
-  return Delaunay_from_surface_3::internal::arrays_of_points<Traits, Index>(
+  return Delaunay_from_surface_3::internal::arrays_of_points<Traits, ConcurrencyTag, Index>(
       points,
       [](const auto& read, const auto& plan, const auto&) {
         using Triangulation = Delaunay_from_surface_3::internal::Array_triangulation;
@@ -162,15 +177,15 @@ as `insert_surface_points_3()` does it.
 
 \sa `insert_surface_points_3()`
 */
-template <class Index = std::int32_t, class PointRange, class FaceRange,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, class PointRange,
+          class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceRange& faces,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using Traits = Surface_insertion_traits_3;
   if (std::begin(faces) == std::end(faces))
-    return delaunay_3_arrays<Index>(points, np);
-  return Delaunay_from_surface_3::internal::arrays_of_points<Traits, Index>(
+    return delaunay_3_arrays<Index, ConcurrencyTag>(points, np);
+  return Delaunay_from_surface_3::internal::arrays_of_points<Traits, ConcurrencyTag, Index>(
       points,
       [&](const auto& read, const auto& plan, auto& visitor) {
         using namespace Delaunay_from_surface_3::internal;

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
     const auto soup = DFS::internal::soup_graph(surface.faces, points.size());
     return plan(points, tests::arrays::Kernel(), soup.graph, get(boost::vertex_index, soup.graph));
   };
-  check_arrays(DFS::internal::arrays_of_points<Starved_traits, std::int32_t>(
+  check_arrays(DFS::internal::arrays_of_points<Starved_traits, CGAL::Sequential_tag, std::int32_t>(
                    surface.points, make_order, CGAL::parameters::visitor(std::ref(visitor))),
                surface.points);
   BOOST_TEST(visitor.orders_replaced == 1u);

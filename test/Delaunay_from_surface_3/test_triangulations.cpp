@@ -7,6 +7,7 @@
 #define BOOST_TEST_MODULE test_triangulations
 #include <boost/test/included/unit_test.hpp>
 
+#include "check_arrays.h"
 #include "check_equal.h"
 #include "recording_kernel.h"
 
@@ -20,6 +21,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Plain_insertion_traits_3.h>
@@ -27,6 +29,7 @@
 #include <CGAL/insert_surface_points_3.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -258,6 +261,19 @@ BOOST_AUTO_TEST_CASE(parallel_tag)
     tr->insert(more.begin(), more.end());
     BOOST_TEST((*tr == stock_of_both));
   }
+}
+
+BOOST_AUTO_TEST_CASE(arrays_by_many_threads)
+{
+  for (const tests::Named_surface& named : tests::degenerate_surfaces(6000))
+    BOOST_TEST_CONTEXT(named.name)
+    {
+      const auto& [points, faces] = named.surface;
+      tests::arrays::check_arrays(CGAL::delaunay_3_arrays<std::int32_t, CGAL::Parallel_tag>(points),
+                                  points);
+      tests::arrays::check_arrays(
+          CGAL::delaunay_3_arrays<std::int32_t, CGAL::Parallel_tag>(points, faces), points);
+    }
 }
 #else
 BOOST_AUTO_TEST_CASE(parallel_tag)

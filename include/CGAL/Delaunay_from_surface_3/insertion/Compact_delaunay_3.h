@@ -238,9 +238,7 @@ public:
   void finish()
   {
     using namespace Delaunay_from_surface_3::internal;
-    if constexpr (is_parallel)
-      m_kernel.finish();
-    CGAL_expensive_postcondition(m_kernel.is_valid());
+    finish_insertions();
     const auto point = [this](std::size_t v) -> const Point* {
       const std::size_t i = Complex::point_of_vertex(v);
       return m_vertices[i] == v ? &m_points[i] : nullptr;
@@ -271,6 +269,14 @@ protected:
   // For a target that hands the cells over in another way. It may give up the points that were to be
   // inserted once it is constructed: their coordinates are in the complex.
   Complex& complex() { return m_complex; }
+
+  // To be called before that.
+  void finish_insertions()
+  {
+    if constexpr (is_parallel)
+      m_kernel.finish();
+    CGAL_expensive_postcondition(m_kernel.is_valid());
+  }
   /// \endcond
 
 private:

@@ -21,19 +21,19 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-template <class Triangulation, class Index>
+template <class Triangulation, class Index, class Executor>
 class Array_target_3
-  : public Compact_delaunay_with_ids_3<Triangulation, std::make_unsigned_t<Index>>
+  : public Compact_delaunay_with_ids_3<Triangulation, std::make_unsigned_t<Index>, Executor>
 {
   using Id = std::make_unsigned_t<Index>;
-  using Base = Compact_delaunay_with_ids_3<Triangulation, Id>;
+  using Base = Compact_delaunay_with_ids_3<Triangulation, Id, Executor>;
   using Arrays = Delaunay_3_arrays<Index>;
 
 public:
   using Base::Base;
 
   // Nothing is written into a triangulation.
-  void finish() {}
+  void finish() { this->finish_insertions(); }
 
   // order[k] is the index of the point at place k. To be called last.
   Arrays take_arrays(const std::vector<std::size_t>& order)

@@ -66,11 +66,11 @@ Insertion_outcome insert_into_arrays_by_cgal(const std::vector<Array_point>& poi
 }
 
 // `points` in the order of insertion. Says in `arrays` what it made, if it is complete.
-template <class Traits, class Index, class Visitor>
+template <class Traits, class Executor, class Index, class Visitor>
 Insertion_outcome insert_into_arrays(std::vector<Array_point> points, const Budgeted_order& order,
                                      Visitor& visitor, Delaunay_3_arrays<Index>& arrays)
 {
-  using Target = Array_target_3<Array_triangulation, Index>;
+  using Target = Array_target_3<Array_triangulation, Index, Executor>;
   using Hints = typename Traits::template Insertion_hints_3<Target, Index_graph>;
   Array_triangulation empty;
   Target target(empty, points);
@@ -87,7 +87,7 @@ Insertion_outcome insert_into_arrays(std::vector<Array_point> points, const Budg
 
 // One try by one plan. make_order(points, plan) applies it to them and to what is known of their
 // neighbours.
-template <class Traits, class Plan, class Index, class MakeOrder, class Visitor>
+template <class Traits, class Executor, class Plan, class Index, class MakeOrder, class Visitor>
 Insertion_outcome try_plan(std::vector<Array_point> points, const Plan& plan,
                            const MakeOrder& make_order, Visitor& visitor,
                            Delaunay_3_arrays<Index>& arrays)
@@ -97,21 +97,23 @@ Insertion_outcome try_plan(std::vector<Array_point> points, const Plan& plan,
   if constexpr (Has_budget<Plan>::value)
     order.budget = Insertion_budget(Plan::cells_per_point);
   points = permuted(points, order.plan.order);
-  return insert_into_arrays<Traits>(std::move(points), order, visitor, arrays);
+  return insert_into_arrays<Traits, Executor>(std::move(points), order, visitor, arrays);
 }
 
 // read_points() returns the points; it may be called twice. After a stop the arrays are empty.
-template <class Traits, class Index, class ReadPoints, class Plan, class MakeOrder, class Visitor>
+template <class Traits, class Executor, class Index, class ReadPoints, class Plan, class MakeOrder,
+          class Visitor>
 Delaunay_3_arrays<Index> arrays_by_plan(const ReadPoints& read_points, const Plan& plan,
                                         const MakeOrder& make_order, Visitor& visitor)
 {
   Delaunay_3_arrays<Index> arrays;
   const Insertion_outcome outcome =
-      try_plan<Traits>(read_points(), plan, make_order, visitor, arrays);
+      try_plan<Traits, Executor>(read_points(), plan, make_order, visitor, arrays);
   if constexpr (Has_budget<Plan>::value)
     if (outcome == Insertion_outcome::OVER_BUDGET) {
       visitor.order_is_replaced("its insertions destroy or enter too many cells");
-      return arrays_by_plan<Traits, Index>(read_points, plan.fallback_plan(), make_order, visitor);
+      return arrays_by_plan<Traits, Executor, Index>(read_points, plan.fallback_plan(), make_order,
+                                                     visitor);
     }
   visitor.phase_begins(Surface_insertion_phase::DONE);
   return arrays;
