@@ -67,6 +67,7 @@ struct Logging
   std::string log;
   void surface_is_irregular(const std::string&) { log += "irregular "; }
   void subgraph_is_replaced(const std::string&) { log += "replaced "; }
+  void insertion_begins(std::size_t) {}
   void phase_begins(CGAL::Surface_insertion_phase phase) { log += "PSLUTFD"[int(phase)]; }
   void round_begins(std::size_t h, std::size_t n)
   {

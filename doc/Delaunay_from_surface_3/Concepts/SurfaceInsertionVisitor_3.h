@@ -68,6 +68,13 @@ public:
   */
   void order_is_replaced(const std::string& reason);
 
+  /*!
+  is called before the first round with the number of threads that may insert. If that is more than
+  one, the phases `LOCATION` and `UPDATE` are not told, and `go_further()` is asked only before
+  insertions of the thread that called. It is this thread that calls all functions here.
+  */
+  void insertion_begins(std::size_t number_of_threads);
+
   /// is called when `phase` begins; the phase before it ends there.
   void phase_begins(CGAL::Surface_insertion_phase phase);
 

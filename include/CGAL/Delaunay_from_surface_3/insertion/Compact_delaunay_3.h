@@ -19,6 +19,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Tbb_executor.h>
@@ -38,15 +39,6 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-
-namespace internal {
-
-// In the place of an executor (Parallel_triangulation.h): one point after the other.
-struct Alone
-{
-};
-
-} // namespace internal
 
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
@@ -127,7 +119,8 @@ public:
     , m_not_double(internal::first_not_double(points))
     , m_scale(m_not_double == points.size() ? internal::exact_scale(points) : 0)
     , m_complex(is_ready() ? points.size() : 0, [this](std::size_t i) { return scaled(i); })
-    , m_kernel(make_kernel(executor))
+    , m_executor(executor)
+    , m_kernel(make_kernel())
     , m_vertices(points.size(), Vertex())
     , m_obstacle(begin())
   {
@@ -214,7 +207,10 @@ public:
   /// are inserted: for many threads enough to be worth their start.
   std::size_t size_of_piece(std::size_t inserted) const
   {
-    return is_parallel ? (std::max)(std::size_t(8192), inserted / 4) : 256;
+    if constexpr (is_parallel)
+      return m_kernel.size_of_piece(inserted);
+    else
+      return 256;
   }
 
   /// inserts the points `first`, …, `last - 1`: one after the other, or by several threads. Then each
@@ -243,10 +239,8 @@ public:
       const std::size_t i = Complex::point_of_vertex(v);
       return m_vertices[i] == v ? &m_points[i] : nullptr;
     };
-    const auto in_order = [this](std::size_t k) {
-      return m_order == nullptr ? k : std::size_t(m_vertices[(*m_order)[k - 1]]);
-    };
-    m_handles = export_complex(m_tr, m_complex, point, in_order);
+    m_handles =
+        export_complex(m_tr, m_complex, point, Creation_order{m_order, m_vertices}, m_executor);
     fill_upper_levels(m_tr, m_handles);
   }
 
@@ -288,10 +282,22 @@ private:
       return Exact_predicates_inexact_constructions_kernel();
   }
 
-  Kernel make_kernel(const Executor& executor)
+  // The k-th vertex to be created, k > 0.
+  struct Creation_order
+  {
+    const std::vector<std::size_t>* order;
+    const std::vector<Vertex>& vertices;
+    bool is_own() const { return order == nullptr; }
+    std::size_t operator()(std::size_t k) const
+    {
+      return is_own() ? k : std::size_t(vertices[(*order)[k - 1]]);
+    }
+  };
+
+  Kernel make_kernel()
   {
     if constexpr (is_parallel)
-      return Kernel(m_exact, m_complex, executor);
+      return Kernel(m_exact, m_complex, m_executor);
     else
       return Kernel(m_exact, m_complex);
   }
@@ -333,6 +339,7 @@ private:
   std::size_t m_not_double; // the first such point, or the number of points
   double m_scale;           // 0: there is none
   Complex m_complex;
+  Executor m_executor;
   Kernel m_kernel;
   std::vector<Vertex> m_vertices;
   Vertex m_any_vertex = Vertex(); // where no other is known

@@ -163,8 +163,8 @@ public:
     return true;
   }
 
-  // For the export, which reads cells in ascending order and once.
-  void release_cells_before(std::size_t c) { m_cells.release_front(c); }
+  // For the export, which reads each cell once: these are not read any more.
+  void release_cells(std::size_t first, std::size_t last) { m_cells.release(first, last); }
   void deallocate_cells() { m_cells.deallocate(); }
   Page_array<Cell> take_cells() { return std::move(m_cells); }
   void deallocate_vertices() { m_vertices.deallocate(); }

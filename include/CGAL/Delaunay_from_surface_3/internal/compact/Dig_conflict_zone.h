@@ -70,8 +70,8 @@ private:
       around.inside |= undecided_conflicts(complex, predicates, cell, around.undecided, p, explore);
     const Zone_ends<Id> ends =
         explore.note(complex.cells(), cell, around.inside, around.open & ~around.inside,
-                      Zone_ends<Id>{zone.cells.data() + zone.number_of_cells,
-                                    zone.facets.data() + zone.number_of_facets});
+                     Zone_ends<Id>{zone.cells.data() + zone.number_of_cells,
+                                   zone.facets.data() + zone.number_of_facets});
     zone.number_of_cells = std::size_t(ends.cell - zone.cells.data());
     zone.number_of_facets = std::size_t(ends.facet - zone.facets.data());
   }

@@ -12,6 +12,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
 
 #include <CGAL/Triangulation_hierarchy_3.h>
@@ -29,74 +30,178 @@ template <class Tr>
 std::true_type has_upper_levels(const Triangulation_hierarchy_3<Tr>*);
 std::false_type has_upper_levels(const void*);
 
-// The cells alone. Returns their handles by cell. Links to cells that are not made yet go to
-// `scratch` and are set when these are made: which ones they are cannot be predicted.
-template <class Tds, class Id, class Vertex>
-Large_vector<typename Tds::Cell_handle> export_cells(Tds& tds, Compact_complex<Id>& complex,
-                                                     const std::vector<Vertex>& vertices,
-                                                     typename Tds::Cell_handle scratch)
+// Elements of CGAL's containers that bear a time stamp are made one after the other.
+template <class Element, class = void>
+struct Has_time_stamp : std::false_type
 {
-  constexpr std::size_t release_interval = std::size_t(1) << 16;
-  Large_vector<typename Tds::Cell_handle> cells(complex.cells_end(), scratch);
-  const std::size_t last = cells.size() - 1;
+};
+template <class Element>
+struct Has_time_stamp<Element, std::void_t<typename Element::Has_timestamp>>
+  : std::bool_constant<Element::Has_timestamp::value>
+{
+};
+
+template <class Range, class Executor>
+std::size_t blocks_of_export(const Executor& executor, std::size_t n)
+{
+  constexpr std::size_t least = 4096;
+  return Has_time_stamp<typename Range::value_type>::value ? 1
+                                                           : number_of_blocks(executor, n, least);
+}
+
+// The cells of one block: made in ascending order, each linked with those made before it.
+template <class Tds, class Id>
+class Export_block
+{
+  using Cell_handle = typename Tds::Cell_handle;
+  using Complex = Compact_complex<Id>;
+
+public:
+  // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
+  // ones they are cannot be predicted. One to another block is kept.
+  template <class Vertex>
+  void make(typename Tds::Cell_range& range, Complex& complex, const std::vector<Vertex>& vertices,
+            Large_vector<Cell_handle>& cells, Cell_handle scratch, std::size_t first,
+            std::size_t last)
+  {
+    for (std::size_t c = first; c < last; ++c) {
+      fetch_ahead(complex, cells, c, first, last);
+      const Compact_cell<Id>& cell = complex.cell(c);
+      if (!Complex::is_dead(cell)) {
+        const Cell_handle made = range.emplace(vertices[cell.v[0]], vertices[cell.v[1]],
+                                               vertices[cell.v[2]], vertices[cell.v[3]]);
+        cells[c] = made;
+        for (int i = 0; i < 4; ++i) {
+          const Id link = cell.links[i];
+          const bool is_here = std::size_t(link >> 2) - first < last - first;
+          const Cell_handle neighbor = is_here ? cells[link >> 2] : scratch;
+          made->set_neighbor(i, neighbor);
+          neighbor->set_neighbor(int(link & 3), made);
+          if (!is_here)
+            m_links_out.push_back({made, i, link});
+        }
+      }
+      if ((c + 1) % release_interval == 0)
+        complex.release_cells((std::max)(first, c + 1 - release_interval), c + 1);
+    }
+  }
+
+  // When all blocks have made their cells.
+  void set_links_out(const Large_vector<Cell_handle>& cells) const
+  {
+    for (const Link_out& out : m_links_out)
+      out.cell->set_neighbor(out.facet, cells[out.link >> 2]);
+  }
+
+private:
+  struct Link_out
+  {
+    Cell_handle cell;
+    int facet;
+    Id link;
+  };
+
   // So many cells ahead handles, and then what they lead to, are fetched. The distances were chosen
   // by trial; no measurement of them is kept.
-  constexpr std::size_t handles_ahead = 24, cells_ahead = 8;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (const Id link : complex.cell((std::min)(c + handles_ahead, last)).links)
+  static void fetch_ahead(const Complex& complex, const Large_vector<Cell_handle>& cells,
+                          std::size_t c, std::size_t first, std::size_t last)
+  {
+    constexpr std::size_t handles_ahead = 24, cells_ahead = 8;
+    for (const Id link : complex.cell((std::min)(c + handles_ahead, last - 1)).links)
       prefetch(&cells[link >> 2]);
-    for (const Id link : complex.cell((std::min)(c + cells_ahead, last)).links)
-      prefetch(&*cells[link >> 2]);
-    const Compact_cell<Id>& cell = complex.cell(c);
-    if (Compact_complex<Id>::is_dead(cell))
-      continue;
-    const auto made = tds.create_cell(vertices[cell.v[0]], vertices[cell.v[1]], vertices[cell.v[2]],
-                                      vertices[cell.v[3]]);
-    cells[c] = made;
-    for (int i = 0; i < 4; ++i) {
-      const auto neighbor = cells[cell.links[i] >> 2];
-      made->set_neighbor(i, neighbor);
-      neighbor->set_neighbor(int(cell.links[i] & 3), made);
-    }
-    if (c % release_interval == 0)
-      complex.release_cells_before(c);
+    for (const Id link : complex.cell((std::min)(c + cells_ahead, last - 1)).links)
+      if (std::size_t(link >> 2) - first < last - first) // others write theirs
+        prefetch(&*cells[link >> 2]);
   }
+
+  static constexpr std::size_t release_interval = std::size_t(1) << 16;
+  std::vector<Link_out> m_links_out;
+};
+
+// The cells alone. Returns their handles by cell.
+template <class Tds, class Id, class Vertex, class Executor>
+Large_vector<typename Tds::Cell_handle>
+export_cells(Tds& tds, Compact_complex<Id>& complex, const std::vector<Vertex>& vertices,
+             typename Tds::Cell_handle scratch, const Executor& executor)
+{
+  using Range = typename Tds::Cell_range;
+  Large_vector<typename Tds::Cell_handle> cells(complex.cells_end(), scratch);
+  const std::size_t number = blocks_of_export<Range>(executor, cells.size());
+  std::vector<Range> ranges(number);
+  std::vector<Export_block<Tds, Id>> blocks(number);
+  ranges[0].swap(tds.cells());
+  for_each_block(
+      executor, cells.size(), number, [&](std::size_t first, std::size_t last, std::size_t b) {
+        const auto own = b == 0 ? scratch : ranges[b].emplace();
+        std::fill(cells.begin() + std::ptrdiff_t(first), cells.begin() + std::ptrdiff_t(last), own);
+        blocks[b].make(ranges[b], complex, vertices, cells, own, first, last);
+        ranges[b].erase(own);
+      });
   complex.deallocate_cells();
+  for_each_block(executor, number, number,
+                 [&](std::size_t, std::size_t, std::size_t b) { blocks[b].set_links_out(cells); });
+  for (Range& range : ranges)
+    tds.cells().merge(range);
   return cells;
+}
+
+// The vertices alone, but for the infinite one. Returns their handles by vertex, none where there is no
+// vertex. point(v) and in_order(k): as in export_complex().
+template <class Triangulation, class PointOf, class InOrder, class Executor>
+std::vector<typename Triangulation::Vertex_handle>
+export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const InOrder& in_order,
+                const Executor& executor)
+{
+  using Range = typename Triangulation::Triangulation_data_structure::Vertex_range;
+  std::vector<typename Triangulation::Vertex_handle> vertices(end);
+  vertices[0] = tr.infinite_vertex();
+  const std::size_t number = in_order.is_own() ? blocks_of_export<Range>(executor, end) : 1;
+  std::vector<Range> ranges(number);
+  ranges[0].swap(tr.tds().vertices());
+  for_each_block(executor, end, number, [&](std::size_t first, std::size_t last, std::size_t b) {
+    for (std::size_t k = (std::max)(first, std::size_t(1)); k < last; ++k) {
+      const std::size_t v = in_order(k);
+      const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
+      if (const auto* const p = is_new ? point(v) : nullptr) {
+        vertices[v] = ranges[b].emplace();
+        vertices[v]->set_point(*p);
+      }
+    }
+  });
+  for (Range& range : ranges)
+    tr.tds().vertices().merge(range);
+  return vertices;
 }
 
 // Fills `tr`, empty, and gives up the memory of `complex`. point(v) leads to the point of vertex v, or
 // to none if that vertex is in no cell. The vertices are made in the order in which in_order(1), … first
-// names them. Returns the handles by vertex, that of the infinite vertex first, and none where there is
-// no vertex.
-template <class Triangulation, class Id, class PointOf, class In_order>
+// names them; in_order.is_own() says that it is that of the numbers. Returns the handles by vertex, that
+// of the infinite vertex first, and none where there is no vertex. With several workers each fills
+// containers of its own, which are then merged: their order is that of the numbers all the same.
+template <class Triangulation, class Id, class PointOf, class InOrder, class Executor>
 std::vector<typename Triangulation::Vertex_handle>
 export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& point,
-               const In_order& in_order)
+               const InOrder& in_order, const Executor& executor)
 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
   auto& tds = tr.tds();
-  std::vector<Vertex_handle> vertices(complex.vertices_end());
-  vertices[0] = tr.infinite_vertex();
-  for (std::size_t k = 1; k < vertices.size(); ++k) {
-    const std::size_t v = in_order(k);
-    const auto* const p = vertices[v] == Vertex_handle() ? point(v) : nullptr;
-    if (p != nullptr) {
-      vertices[v] = tds.create_vertex();
-      vertices[v]->set_point(*p);
-    }
-  }
+  const auto vertices = export_vertices(tr, complex.vertices_end(), point, in_order, executor);
   Large_vector<Id> cell_of(vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    cell_of[v] = complex.vertex(v).cell;
+  const std::size_t number = number_of_blocks(executor, vertices.size(), 4096);
+  for_each_block(executor, vertices.size(), number,
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t v = first; v < last; ++v)
+                     cell_of[v] = complex.vertex(v).cell;
+                 });
   complex.deallocate_vertices();
-  const auto only_cell = vertices[0]->cell(); // of the empty triangulation
   tds.set_dimension(3);
-  const auto cells = export_cells(tds, complex, vertices, only_cell);
-  tds.delete_cell(only_cell);
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    if (vertices[v] != Vertex_handle())
-      vertices[v]->set_cell(cells[cell_of[v]]);
+  const auto cells = export_cells(tds, complex, vertices, tr.infinite_vertex()->cell(), executor);
+  for_each_block(executor, vertices.size(), number,
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t v = first; v < last; ++v)
+                     if (vertices[v] != Vertex_handle())
+                       vertices[v]->set_cell(cells[cell_of[v]]);
+                 });
   return vertices;
 }
 

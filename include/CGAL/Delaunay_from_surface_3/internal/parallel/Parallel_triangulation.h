@@ -36,8 +36,7 @@ struct Parallel_rules
   std::size_t chunk = 256;
 };
 
-// Executor: executor(n, body) calls body(0) in the thread that calls it, and body(1), …, body(n-1) at the
-// same time, or later, anywhere; it returns when all have returned. They do not throw.
+// Executor: see blocks.h.
 template <class Id, class Exact, class Executor, class Protocol = Handshake>
 class Parallel_triangulation
 {
@@ -53,6 +52,14 @@ public:
     , m_executor(executor)
     , m_rules(rules)
   {
+  }
+
+  // How many points a call of insert_round() should have, at least, for its workers to be worth their
+  // start.
+  std::size_t size_of_piece(std::size_t inserted) const
+  {
+    return inserted < m_rules.first_points ? m_rules.first_points - inserted
+                                           : (std::max)(32 * m_rules.chunk, inserted / 4);
   }
 
   // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker has a

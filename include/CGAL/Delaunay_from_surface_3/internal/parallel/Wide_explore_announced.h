@@ -61,9 +61,10 @@ public:
              e2 = load_relaxed(n2.v[l2 & 3]) & unmarked, e3 = load_relaxed(n3.v[l3 & 3]) & unmarked;
     const __m128i words = _mm_setr_epi32(int(w0), int(w1), int(w2), int(w3));
     Wide::store(m_words, words);
-    const unsigned open =
-        unsigned(this->lane(l0 >> 2) == 0) | unsigned(this->lane(l1 >> 2) == 0) << 1 |
-        unsigned(this->lane(l2 >> 2) == 0) << 2 | unsigned(this->lane(l3 >> 2) == 0) << 3;
+    m_own_lanes = std::uint32_t(this->lane(l0 >> 2)) | std::uint32_t(this->lane(l1 >> 2)) << 8 |
+                  std::uint32_t(this->lane(l2 >> 2)) << 16 |
+                  std::uint32_t(this->lane(l3 >> 2)) << 24;
+    const unsigned open = 15 & ~bits_of_bytes(m_own_lanes);
     m_is_torn |= Protocol::heeds_busy && Wide::signs_of(words) != 0;
     const unsigned infinite =
         Complex::is_infinite(cell)
@@ -86,10 +87,9 @@ public:
   note(Cell*, const Cell& cell, unsigned inside, unsigned bounding, Zone_ends<Id> ends)
   {
     const __m128i links = Wide::load(cell.links), v = Wide::load(cell.v);
-    for (unsigned k = 0; k < 4; ++k) {
-      std::uint8_t& own = this->lane(cell.links[k] >> 2);
-      own = std::uint8_t(own | (inside >> k & 1));
-    }
+    const std::uint32_t own_lanes = m_own_lanes | bytes_of_bits(inside);
+    for (unsigned k = 0; k < 4; ++k)
+      this->lane(cell.links[k] >> 2) = std::uint8_t(own_lanes >> 8 * k);
     const __m128i words = Wide::load(m_words);
     Wide::store(m_zone.words.data() + (ends.cell - m_zone.cells.data()), Wide::pack(words, inside));
     Wide::store(ends.cell, Wide::pack(_mm_srli_epi32(links, 2), inside));
@@ -106,6 +106,12 @@ public:
   }
 
 private:
+  // The lowest bits of four bytes, and back.
+  static unsigned bits_of_bytes(std::uint32_t bytes) { return bytes * 0x01020408 >> 24; }
+  static std::uint32_t bytes_of_bits(unsigned bits) { return bits * 0x00204081 & 0x01010101; }
+
+  std::uint32_t m_own_lanes = 0; // of the neighbours, a byte each
+
   // Every processor of 64 bits has these vectors.
   struct Wide_difference
   {

@@ -17,7 +17,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared
-// first, and the front can be given back while the rest is still read. Elements up to capacity()
+// first, and parts can be given back while others are still read. Elements up to capacity()
 // may be written; there is no size to keep.
 template <class T>
 class Page_array
@@ -36,10 +36,9 @@ public:
   {
     static_assert(sizeof(U) % sizeof(T) == 0, "elements fill those of the other");
     m_capacity = other.m_capacity * (sizeof(U) / sizeof(T));
-    m_released = other.m_released;
     m_data = reinterpret_cast<T*>(other.m_data);
     other.m_data = nullptr;
-    other.m_capacity = other.m_released = 0;
+    other.m_capacity = 0;
   }
   Page_array(Page_array&& other) noexcept { swap(other); }
   Page_array& operator=(Page_array&& other) noexcept
@@ -52,7 +51,6 @@ public:
   {
     std::swap(m_data, other.m_data);
     std::swap(m_capacity, other.m_capacity);
-    std::swap(m_released, other.m_released);
   }
 
   T* data() { return m_data; }
@@ -74,30 +72,16 @@ public:
     m_capacity = n;
   }
 
-  // The elements before the k-th are not read any more.
-  void release_front(std::size_t k)
+  // The elements first, …, last - 1 are not read any more; their whole pages go back to the system.
+  void release(std::size_t first, std::size_t last)
   {
 #if defined(__linux__)
-    const std::size_t end = k * sizeof(T) / large_page * large_page;
-    if (end <= m_released || !has_large_pages(m_capacity * sizeof(T)))
-      return;
-    madvise(reinterpret_cast<char*>(m_data) + m_released, end - m_released, MADV_DONTNEED);
-    m_released = end;
-#else
-    (void)k;
-#endif
-  }
-
-  // Those from the k-th on are not read any more.
-  void release_back(std::size_t k)
-  {
-#if defined(__linux__)
-    const std::size_t begin = (k * sizeof(T) + large_page - 1) / large_page * large_page;
-    const std::size_t end = m_capacity * sizeof(T) / large_page * large_page;
+    const std::size_t begin = (first * sizeof(T) + large_page - 1) / large_page * large_page;
+    const std::size_t end = last * sizeof(T) / large_page * large_page;
     if (begin < end && has_large_pages(m_capacity * sizeof(T)))
       madvise(reinterpret_cast<char*>(m_data) + begin, end - begin, MADV_DONTNEED);
 #else
-    (void)k;
+    (void)first, (void)last;
 #endif
   }
 
@@ -106,7 +90,7 @@ public:
     if (m_data != nullptr)
       Large_page_allocator<T>().deallocate(m_data, m_capacity);
     m_data = nullptr;
-    m_capacity = m_released = 0;
+    m_capacity = 0;
   }
 
 private:
@@ -115,7 +99,6 @@ private:
 
   T* m_data = nullptr;
   std::size_t m_capacity = 0;
-  std::size_t m_released = 0;
 };
 
 } // namespace internal
