@@ -71,7 +71,7 @@ public:
     , m_vertices(std::move(cells))
     , m_vertices_of_points(std::move(vertices_of_points))
   {
-    m_vertices.release_back(m_stride * m_number_of_cells);
+    m_vertices.release(m_stride * m_number_of_cells, m_vertices.capacity());
   }
   /// \endcond
 
@@ -149,7 +149,7 @@ public:
         for (std::size_t k = 0; k < 4; ++k)
           if (is_infinite(neighbors[c * m_stride + k]))
             neighbors[c * m_stride + k] = none;
-    m_vertices.release_back(m_stride * m_number_of_cells);
+    m_vertices.release(m_stride * m_number_of_cells, m_vertices.capacity());
   }
 
   /// gives up the neighbours; the vertices become one array without gaps.
@@ -185,7 +185,7 @@ private:
     for (std::size_t c = 1; m_stride == 8 && c < m_number_of_cells; ++c)
       std::copy_n(data + 8 * c, 4, data + 4 * c);
     m_stride = 4;
-    m_vertices.release_back(4 * m_number_of_cells);
+    m_vertices.release(4 * m_number_of_cells, m_vertices.capacity());
   }
 
   int m_dimension = -1;
