@@ -25,6 +25,11 @@
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -32,6 +37,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 const int exit_different = 2;
@@ -51,6 +57,8 @@ void report_input(const Options& options, const Surface& surface, Report& report
   report("surface faces", surface.faces.size());
   report("traits", options.traits);
   report("seed", options.seed);
+  if (options.threads > 1)
+    report("threads", options.threads);
 }
 
 // What is good to know and no error.
@@ -101,13 +109,14 @@ int run(const Options& options, const Surface& surface, Output& output, Report& 
   if (options.compare)
     is_equal = compare_with_plain(surface, traits, options.seed, options.repetitions, tr, report,
                                   messages);
-  if (options.stats) {
-    messages.step("counting");
-    report_surface(surface, tr, vertices, report);
-    report_seconds(surface, traits, options.seed, report);
-    report_insertions(surface, traits, options.seed, report);
-    messages.clear();
-  }
+  if constexpr (!std::is_same<Traits, Parallel_traits>::value)
+    if (options.stats) {
+      messages.step("counting");
+      report_surface(surface, tr, vertices, report);
+      report_seconds(surface, traits, options.seed, report);
+      report_insertions(surface, traits, options.seed, report);
+      messages.clear();
+    }
   return is_equal ? EXIT_SUCCESS : exit_different;
 }
 
@@ -123,6 +132,14 @@ int run(const Options& options, Report& report, Messages& messages)
     return run(options, surface, output, report, messages, CGAL::Tracing_traits_3());
   if (options.traits == "plain")
     return run(options, surface, output, report, messages, CGAL::Plain_insertion_traits_3());
+#ifdef CGAL_LINKED_WITH_TBB
+  if (options.threads > 1) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
+    tbb::task_arena arena(int(options.threads)); // more than the machine has, if so asked
+    return arena.execute(
+        [&] { return run(options, surface, output, report, messages, Parallel_traits()); });
+  }
+#endif
   return run(options, surface, output, report, messages, CGAL::Surface_insertion_traits_3());
 }
 

@@ -264,6 +264,14 @@ class Output(ProgramCase):
         self.write('a "name".off', TORUS.read_text())
         self.assertEqual(json.loads(self.works('a "name".off', "--json"))["input"], 'a "name".off')
 
+    def test_threads(self):
+        if "built without TBB" in self.run_program(TORUS, "--threads", 2).stderr:
+            self.skipTest("TBB was not found")
+        self.works(TORUS, "--threads", 3, "--compare", "--repetitions", 1, prints=[r"\nthreads: +3\n", r"\nequal: +yes\n"])
+        self.refuses("'--threads' needs the default traits", TORUS, "--threads", 2, "--traits", "plain")
+        self.refuses("'--stats' counts what one thread does", TORUS, "--threads", 2, "--stats")
+        self.refuses("option '--threads' needs a whole number from 1", TORUS, "--threads", 0)
+
     def test_quiet_and_verbose(self):
         self.write("points.xyz", "0 0 0", "1 0 0", "5 0 0")
         self.assertEqual(self.works("points.xyz", "--quiet", "--output", "points.vtu"), "")

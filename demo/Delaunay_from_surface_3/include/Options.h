@@ -29,7 +29,7 @@ struct Options
   std::string input, from; // `from`: empty if the extension says it
   std::string output, to;  // `to`: of written_formats; both are empty if nothing is written
   std::string traits;
-  unsigned int seed = 0, repetitions = 5;
+  unsigned int seed = 0, repetitions = 5, threads = 1;
   bool inside = false, mark_inside = false;
   bool compare = false, stats = false, json = false, quiet = false, verbose = false;
 };
@@ -94,13 +94,25 @@ inline void check_output(const Options& options)
     throw std::runtime_error("'--quiet' and '--verbose' exclude each other");
 }
 
+inline void check_threads(const Options& options)
+{
+#ifndef CGAL_LINKED_WITH_TBB
+  if (options.threads > 1)
+    throw std::runtime_error("this program was built without TBB: it has one thread only");
+#endif
+  if (options.threads > 1 && options.traits != "default")
+    throw std::runtime_error("'--threads' needs the default traits");
+  if (options.threads > 1 && options.stats)
+    throw std::runtime_error("'--stats' counts what one thread does: it excludes '--threads'");
+}
+
 // Reads the command line. Prints --help and --version, and then returns nothing.
 // Throws std::exception with one clear line.
 inline std::optional<Options> parse_command_line(int argc, char* argv[])
 {
   namespace po = boost::program_options;
   Options options;
-  long long seed = options.seed, repetitions = options.repetitions;
+  long long seed = options.seed, repetitions = options.repetitions, threads = options.threads;
 
   po::options_description all; // help.txt explains them
   all.add_options()("output,o", po::value(&options.output))("from", po::value(&options.from))(
@@ -108,9 +120,10 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
       "mark-inside", po::bool_switch(&options.mark_inside))(
       "traits", po::value(&options.traits)->default_value("default"))("seed", po::value(&seed))(
       "compare", po::bool_switch(&options.compare))("repetitions", po::value(&repetitions))(
-      "stats", po::bool_switch(&options.stats))("json", po::bool_switch(&options.json))(
-      "quiet", po::bool_switch(&options.quiet))("verbose", po::bool_switch(&options.verbose))(
-      "help,h", "")("version", "")("input", po::value(&options.input));
+      "threads", po::value(&threads))("stats", po::bool_switch(&options.stats))(
+      "json", po::bool_switch(&options.json))("quiet", po::bool_switch(&options.quiet))(
+      "verbose", po::bool_switch(&options.verbose))("help,h", "")("version", "")(
+      "input", po::value(&options.input));
   const po::positional_options_description positional =
       po::positional_options_description().add("input", 1);
   po::variables_map given;
@@ -135,6 +148,8 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
     throw std::runtime_error("option '--repetitions' needs '--compare'");
   options.seed = checked_number("seed", seed, 0);
   options.repetitions = checked_number("repetitions", repetitions, 1);
+  options.threads = checked_number("threads", threads, 1);
+  check_threads(options);
   check_output(options);
   if (!options.output.empty())
     options.to = output_format(options);

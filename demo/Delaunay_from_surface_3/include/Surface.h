@@ -5,17 +5,20 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_H
 
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -32,14 +35,24 @@ struct Surface
   bool is_manifold = false;
 };
 
+// The default with many threads.
+struct Parallel_traits : CGAL::Surface_insertion_traits_3
+{
+};
+
+template <class Traits>
+using Concurrency_of = std::conditional_t<std::is_same<Traits, Parallel_traits>::value,
+                                          CGAL::Parallel_tag, CGAL::Sequential_tag>;
+
 // Inserts the surface by the function of the package that fits it; `np` are its named parameters.
 template <class Tr, class Traits, class NamedParameters>
 void insert_surface(Tr& tr, const Surface& surface, const Traits& traits, const NamedParameters& np)
 {
+  using Tag = Concurrency_of<Traits>;
   if (surface.is_manifold)
-    CGAL::insert_surface_vertices_3(tr, surface.mesh, traits, np);
+    CGAL::insert_surface_vertices_3<Tag>(tr, surface.mesh, traits, np);
   else
-    CGAL::insert_surface_points_3(tr, surface.points, surface.faces, traits, np);
+    CGAL::insert_surface_points_3<Tag>(tr, surface.points, surface.faces, traits, np);
 }
 
 // The same, watched by `visitor`; returns the vertex of each point.
