@@ -7,6 +7,7 @@
 
 #include <Delaunay_from_surface_3_files/one_line.h>
 
+#include <cstdio>
 #include <iostream>
 #include <string>
 
