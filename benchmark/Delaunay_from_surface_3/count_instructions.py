@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Counts the instructions that plain CGAL and the default take for the small meshes of a folder, whose times are too
+short to be measured, and writes them as JSON. Needs valgrind and insert_once, the program beside this script.
+
+Valgrind rounds to nearest always. CGAL's interval arithmetic asks for other modes, and without them plain CGAL may not
+end where points are degenerate: a mesh that takes longer than the time limit is said not to be counted.
+
+  count_instructions.py DIR --program ./insert_once --most-vertices 2999 --output small_meshes.json"""
+
+import argparse
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+EXTENSIONS = {".off", ".ply", ".obj", ".stl"}
+FUNCTIONS = ["insert_once_by_plain_cgal", "insert_once_by_default"]
+MOST_BYTES = 150  # of a file, for each of the vertices that it may have: larger ones are not tried
+
+
+def instructions(program, mesh, time_limit):
+    """Those of both functions, and the number of vertices; None if the program fails or takes too long."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "out"
+        options = [f"--toggle-collect={name}" for name in FUNCTIONS] + ["--dump-before=insert_once_between"]
+        command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", *options, program, mesh]
+        try:
+            run = subprocess.run(command, capture_output=True, text=True, timeout=time_limit)
+        except subprocess.TimeoutExpired:
+            return None
+        if run.returncode != 0:
+            return None
+        total = lambda file: int(re.search(r"^totals: (\d+)", file.read_text(), re.MULTILINE)[1])
+        return {"vertices": int(run.stdout), "plain": total(Path(f"{out}.1")), "package": total(out)}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path, metavar="DIR")
+    parser.add_argument("--program", default="./insert_once", help="insert_once")
+    parser.add_argument("--most-vertices", type=int, default=2999, metavar="N", help="larger meshes are left out")
+    parser.add_argument("--time-limit", type=float, default=60, metavar="SECONDS", help="for each (default 60)")
+    parser.add_argument("--output", type=Path, default=Path("small_meshes.json"), metavar="FILE")
+    options = parser.parse_args()
+    command = " ".join(["count_instructions.py", *map(shlex.quote, sys.argv[1:])])
+    results, not_counted = [], []
+    for mesh in sorted(p for p in options.folder.rglob("*") if p.suffix.lower() in EXTENSIONS and p.is_file()):
+        if os.path.getsize(mesh) > MOST_BYTES * options.most_vertices:
+            continue
+        counts = instructions(options.program, mesh, options.time_limit)
+        if counts is None:
+            not_counted.append(str(mesh.relative_to(options.folder)))
+            print(f"{mesh.name}: not counted", flush=True)
+        elif counts["vertices"] <= options.most_vertices:
+            results.append({"mesh": str(mesh.relative_to(options.folder)), **counts})
+            print(f"{mesh.name}: {counts['vertices']} vertices, {counts['plain'] / counts['package']:.2f}", flush=True)
+    report = {"command": command, "instructions": results, "not_counted": not_counted}
+    options.output.write_text(json.dumps(report, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()
