@@ -4,7 +4,8 @@
 
 // Measures how the default keeps up with plain CGAL where an order of insertion can go wrong: solids
 // as CAD makes them, in three numberings and with coordinates rounded in four ways, and surfaces that
-// are degenerate, wrong or of quadratic size. Times in turn, and counts. Writes JSON.
+// are degenerate, wrong or of quadratic size. Times in turn, and counts. Or only counts, of nets
+// drawn by other rules. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
@@ -12,14 +13,18 @@
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+#include <Delaunay_from_surface_3_surfaces/io.h>
 #include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
+#include <Delaunay_from_surface_3_surfaces/refine.h>
 #include <Delaunay_from_surface_3_surfaces/renumber.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
@@ -126,11 +131,17 @@ public:
 
   void by_default(Triangulation& tr, Watch& watch) const
   {
+    with(CGAL::Surface_insertion_traits_3(), tr, watch);
+  }
+
+  template <class Traits>
+  void with(const Traits& traits, Triangulation& tr, Watch& watch) const
+  {
     const auto np = CGAL::parameters::visitor(std::ref(watch));
     if (m_is_mesh)
-      CGAL::insert_surface_vertices_3(tr, m_mesh, np);
+      CGAL::insert_surface_vertices_3(tr, m_mesh, traits, np);
     else
-      CGAL::insert_surface_points_3(tr, m_surface.points, m_surface.faces, np);
+      CGAL::insert_surface_points_3(tr, m_surface.points, m_surface.faces, traits, np);
   }
 
   void by_plain_cgal(Triangulation& tr) const
@@ -187,11 +198,52 @@ Json measure_case(const Case& c, std::size_t repetitions)
           {"order_was_replaced", watch.order_was_replaced}};
 }
 
+// The default with nets in blocks of another size; see Surface_net_rounds.
+struct Nets_in_blocks : CGAL::Surface_insertion_traits_3
+{
+  std::size_t block = 1;
+  Insertion_plan insertion_plan_object(unsigned int seed) const
+  {
+    return Insertion_plan(seed, block);
+  }
+};
+
+template <class Traits>
+Json counts_of(const Insertion& insertion, const Traits& traits, std::size_t n)
+{
+  Triangulation tr;
+  Watch watch;
+  insertion.with(traits, tr, watch);
+  return {{"cells_destroyed", rounded(double(watch.counts.cells_destroyed) / double(n), 1e2)},
+          {"cells_tested_to_start",
+           rounded(double(watch.counts.cells_tested_to_start) / double(n), 1e2)},
+          {"order_was_replaced", watch.order_was_replaced}};
+}
+
+Json count_case(const Case& c, const std::vector<std::size_t>& blocks)
+{
+  const Insertion insertion(c.surface);
+  const std::size_t n = c.surface.points.size();
+  Json counts = Json::array();
+  for (const std::size_t block : blocks) {
+    Nets_in_blocks traits;
+    traits.block = block;
+    counts.push_back(counts_of(insertion, traits, n));
+  }
+  return {{"family", c.family},
+          {"kind", c.kind},
+          {"coordinates", c.coordinates},
+          {"points", n},
+          {"nets", counts},
+          {"random_rounds", counts_of(insertion, CGAL::Point_insertion_traits_3(), n)}};
+}
+
 struct Options
 {
   std::vector<std::size_t> sizes = {3000, 20000, 200000};
   std::size_t repetitions = 9;
-  std::string output = "orders.json";
+  std::vector<std::size_t> blocks;
+  std::string scan, output = "orders.json";
 };
 
 Options read_options(int argc, char** argv)
@@ -203,6 +255,9 @@ Options read_options(int argc, char** argv)
   add("help,h", "say this and stop");
   add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."), "numbers of vertices");
   add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn");
+  add("blocks", po::value(&o.blocks)->multitoken()->value_name("N..."),
+      "count only, with nets in blocks of so many vertices (1: by index)");
+  add("scan", po::value(&o.scan)->value_name("FILE"), "a mesh that is refined to these sizes, too");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
   po::variables_map values;
   po::store(po::parse_command_line(argc, argv, options), values);
@@ -224,16 +279,23 @@ try {
   report["command"] = "measure_orders";
   for (int i = 1; i < argc; ++i)
     report["command"] = report["command"].get<std::string>() + " " + argv[i];
-  report["repetitions"] = options.repetitions;
+  if (options.blocks.empty())
+    report["repetitions"] = options.repetitions;
+  else
+    report["blocks"] = options.blocks;
   report["results"] = Json::array();
   const Measure measure = [&](const Case& c) {
-    Json result = measure_case(c, options.repetitions);
+    Json result = options.blocks.empty() ? measure_case(c, options.repetitions)
+                                         : count_case(c, options.blocks);
     std::cerr << result.dump() << "\n";
     report["results"].push_back(std::move(result));
   };
   for (const std::size_t n : options.sizes) {
     for_cad_solids(n, measure);
     for_other_surfaces(n, measure);
+    if (!options.scan.empty())
+      measure({"scan", "refined", roundings[0],
+               surfaces::densified(surfaces::read_mesh(options.scan), n, 0.05, seed)});
   }
   std::ofstream(options.output) << std::setw(1) << report << "\n";
 } catch (const std::exception& e) {

@@ -13,8 +13,9 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
 
-names the stages of the predicates behind floating point, in the order in which they are asked. Digits
-have 60 bits; a stage of integers serves points whose differences are such integers times a power of 2.
+names the stages of the predicates behind floating point, in the order in which they are asked.
+Digits have 60 bits; a stage of integers serves points whose differences are such integers times a
+power of 2.
 */
 enum Exact_stage {
   HALF_DIGIT,            ///< integers of 30 bits.

@@ -26,8 +26,8 @@ order, and rounds that end at N_h = ⌈n / log⁽ʰ⁾ n⌉ (log to base 2, iter
 log* n, and at n. Here log* n is the largest h with log⁽ʰ⁾ n ≥ 1. Where two round ends coincide, or
 one is not less than n, the empty round is dropped.
 
-It is the plan for `Conflict_history_hints_3`, whose bounds need every order to be random, that of the first
-round too. `Log_star_rounds` is the same for points that are located by walking.
+It is the plan for `Conflict_history_hints_3`, whose bounds need every order to be random, that of
+the first round too. `Log_star_rounds` is the same for points that are located by walking.
 
 O(n).
 

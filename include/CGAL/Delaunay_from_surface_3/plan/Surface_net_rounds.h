@@ -45,16 +45,16 @@ starts at the net vertex of its cluster, inserted in an earlier round
 (`Insertion_order::starting_places`).
 
 A net is chosen greedily in a random order of the vertices, which the seed decides (of more than
-32768 vertices block by block of 1024 successive ones, in random order inside each). In the order of
-the indices it would be as regular as the numbering: CAD numbers vertices along profiles and rings,
-and such nets destroy up to 18 times as many cells as random rounds do. Vertices with more than
-three times as many edges as the average come first: it is better to insert the middle of a fan
-before the fan. The members of a cluster of more than `large_cluster` come in the order of
+32768 vertices block by block of `block` successive ones, 1024, in random order inside each). In the
+order of the indices it would be as regular as the numbering: CAD numbers vertices along profiles
+and rings, and such nets destroy up to 18 times as many cells as random rounds do. Vertices with
+more than three times as many edges as the average come first: it is better to insert the middle of
+a fan before the fan. The members of a cluster of more than `large_cluster` come in the order of
 `spatial_sort()`, and start at the point before if that is nearer than the net vertex.
 
-Where there are no edges or more than 2^32, or they join points that are not near each other, as a look
-at a thousand of them on two levels tells, `Geometric_rounds` orders the points, and no starting places
-are named.
+Where there are no edges or more than 2^32, or they join points that are not near each other, as a
+look at a thousand of them on two levels tells, `Geometric_rounds` orders the points, and no
+starting places are named.
 
 A level that keeps more than 90 % of its vertices (isolated vertices, graphs with few edges) ends
 the hierarchy; what is left then, and the last few dozen vertices, are ordered by
@@ -82,9 +82,16 @@ public:
   /// the size from which the inside of a cluster is sorted in space.
   static constexpr std::size_t large_cluster = 32;
 
-  /// draws the nets by `seed`, and hands it to `Geometric_rounds`.
-  explicit Surface_net_rounds(unsigned int seed = 0)
+  /*!
+  makes the plan.
+
+  \param seed draws the nets, and is handed to `Geometric_rounds`
+  \param block of more than 32768 vertices, so many successive ones, rounded up to a power of 2, are
+  a block; 1 is the order of the indices
+  */
+  explicit Surface_net_rounds(unsigned int seed = 0, std::size_t block = 1024)
     : m_seed(seed)
+    , m_block(block)
   {
   }
 
@@ -117,7 +124,8 @@ private:
     using namespace Delaunay_from_surface_3::internal;
     const Net_hierarchy<Index> nets(
         lower_neighbors<Index>(graph, index_map, points.size()), coarsest, stall, m_seed,
-        [&](std::size_t i, std::size_t j) { return squared_distance(points[i], points[j]); });
+        [&](std::size_t i, std::size_t j) { return squared_distance(points[i], points[j]); },
+        m_block);
     if (!joins_near_points(points, nets))
       return fallback_plan()(points, gt, graph, index_map);
     Insertion_order plan;
@@ -268,6 +276,7 @@ private:
   }
 
   unsigned int m_seed;
+  std::size_t m_block;
 };
 
 } // namespace Delaunay_from_surface_3

@@ -5,17 +5,18 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_PREDICATES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_PREDICATES_H
 
-// Is a cell in conflict with a point? The stages are asked in this order, and each leaves open what it
-// cannot decide. Costs are those of a sphere test, in ns (measure_predicates), to the end of the stage:
+// Is a cell in conflict with a point? The stages are asked in this order, and each leaves open what
+// it cannot decide. Costs are those of a sphere test, in ns (measure_predicates), to the end of the
+// stage:
 //
-//   stage           what it decides                                         cost  header
-//   first filter    signs farther from 0 than doubles err                     15  Sphere_filter.h
-//   flat circle     infinite cells in planes across an axis                    -  flat_beyond_sign.h
-//   HALF_DIGIT      differences that are integers of 30 bits, 0 included      80  exact_signs.h
-//   ONE_DIGIT       the same of 60 bits                                      135  exact_signs.h
-//   DOUBLE_DOUBLE   farther from 0 than sums of two doubles err              240  Double_double.h
-//   TWO_DIGITS      integers of 120 bits, 0 included                         440  exact_signs.h
-//   KERNEL          all that is left                                        2500  Perturbed_predicates.h
+//   stage           what it decides                                  cost  header
+//   first filter    signs farther from 0 than doubles err              15  Sphere_filter.h
+//   flat circle     infinite cells in planes across an axis             -  flat_beyond_sign.h
+//   HALF_DIGIT      differences as integers of 30 bits, 0 included     80  exact_signs.h
+//   ONE_DIGIT       the same of 60 bits                               135  exact_signs.h
+//   DOUBLE_DOUBLE   farther from 0 than sums of two doubles err       240  Double_double.h
+//   TWO_DIGITS      integers of 120 bits, 0 included                  440  exact_signs.h
+//   KERNEL          all that is left                                 2500  Perturbed_predicates.h
 //
 // Where the sign is 0, the stage goes on with CGAL's perturbation.
 
@@ -34,8 +35,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The predicates of one insertion. Exact: as Perturbed_predicates. The new point is a vertex p, in no
-// cell yet.
+// The predicates of one insertion. Exact: as Perturbed_predicates. The new point is a vertex p, in
+// no cell yet.
 template <class Id, class Exact>
 class Compact_predicates
 {

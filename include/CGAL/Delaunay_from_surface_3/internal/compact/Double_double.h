@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_DOUBLE_DOUBLE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_DOUBLE_DOUBLE_H
 
-// A stage of the sphere test between integers of one digit and of two: the determinant in sums of two
-// doubles. It decides nearly all of what has too many bits for one digit, at less than half the price
-// of two.
+// A stage of the sphere test between integers of one digit and of two: the determinant in sums of
+// two doubles. It decides nearly all of what has too many bits for one digit, at less than half the
+// price of two.
 //
 // A product or sum of two such numbers is wrong by less than 2^-100 of (the sum of) the absolute
 // values of what enters, and differences of two doubles are exact. So the bound of the first stage

@@ -5,19 +5,19 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_FIXED_INTEGER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_FIXED_INTEGER_H
 
-// Integers for determinants, of a width that the compiler knows: no allocation, no loop that runs at
-// run time, and no branch.
+// Integers for determinants, of a width that the compiler knows: no allocation, no loop that runs
+// at run time, and no branch.
 //
-// A number is a sum of digits times powers of 2^60, with 2^63 for the sign and 8 times the room of a
-// digit. Products are added up column by column in 128 bits and carried only when a sum is complete:
-// carrying is most of the work where digits are as wide as words. A product has the bits of its
-// factors together, so the width of a polynomial follows from its degree.
+// A number is a sum of digits times powers of 2^60, with 2^63 for the sign and 8 times the room of
+// a digit. Products are added up column by column in 128 bits and carried only when a sum is
+// complete: carrying is most of the work where digits are as wide as words. A product has the bits
+// of its factors together, so the width of a polynomial follows from its degree.
 //
-// Let coordinates be at most 2^(30 H) in absolute value. Then minors of two columns are at most
-// 2 · 2^(60 H), squared lengths 3 · 2^(60 H), minors of three columns 6 · 2^(90 H), and the highest
+// Let coordinates be at most 2^(30 H) in absolute value. Then minors of two columns are at most 2 ·
+// 2^(60 H), squared lengths 3 · 2^(60 H), minors of three columns 6 · 2^(90 H), and the highest
 // digit of each is at most 2^62.6. The columns of the sphere's determinant are sums of at most 4 H
-// products, each at most 2^122.6, or, the highest, of 4 that are at most 2^124.2. With H <= 4 all is
-// less than 2^127, what is carried included. The other columns have fewer terms.
+// products, each at most 2^122.6, or, the highest, of 4 that are at most 2^124.2. With H <= 4 all
+// is less than 2^127, what is carried included. The other columns have fewer terms.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/determinants.h>
 

@@ -8,9 +8,9 @@
 // The differences v - p are exact as sums of two doubles. The power of 2 that brings the largest of
 // them just under 2^60 makes all of them integers, unless the least bit of one is more than 60 bits
 // below the largest; then the same is tried with 120 bits. Numbers of single precision and lattices
-// need fewer than 30 more often than not, at half the price. Nothing is ever rounded away: what does
-// not fit is left open. That 60 bits are not enough shows most often in the lower parts of the sums,
-// before any digit is computed.
+// need fewer than 30 more often than not, at half the price. Nothing is ever rounded away: what
+// does not fit is left open. That 60 bits are not enough shows most often in the lower parts of the
+// sums, before any digit is computed.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Fixed_integer.h>

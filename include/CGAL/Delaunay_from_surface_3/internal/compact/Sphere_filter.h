@@ -7,11 +7,12 @@
 
 // The first stage of the predicates: the determinants in double, with one bound on their error.
 //
-// A determinant of four rows is a sum of 24 products x y z w; each goes through at most 17 roundings, 3 + 5 of them in its
-// factors. By the inequality of Hadamard type for permanents (Carlen, Lieb, Loss 2006) the products
-// that share w sum up to at most 2/√3 m^(3/2) in absolute value where m bounds all w; so the error
-// is at most 4 · 2/√3 · 17 u m^(5/2) < 80 u m^(5/2) with u = 2^-53. In the same way it is less than
-// 16 u m^(3/2) for three rows (x, y, z). Contraction to fma only removes roundings.
+// A determinant of four rows is a sum of 24 products x y z w; each goes through at most 17
+// roundings, 3 + 5 of them in its factors. By the inequality of Hadamard type for permanents
+// (Carlen, Lieb, Loss 2006) the products that share w sum up to at most 2/√3 m^(3/2) in absolute
+// value where m bounds all w; so the error is at most 4 · 2/√3 · 17 u m^(5/2) < 80 u m^(5/2) with u
+// = 2^-53. In the same way it is less than 16 u m^(3/2) for three rows (x, y, z). Contraction to
+// fma only removes roundings.
 //
 // Coordinates are at most 1 in absolute value (the caller scales them by a power of 2). Hence
 // nothing overflows, and what underflows changes a result by less than `tiny`.

@@ -14,8 +14,8 @@
 //   beyond   positive: p is beyond the finite facet of an infinite cell, or in its plane and inside
 //            its circle;
 //   0        not decided, or on it where the stage is exact.
-// A cell (v0, v1, v2, v3) is positively oriented if (v1 - v0, v2 - v0, v3 - v0) is right-handed; in an
-// infinite cell the infinite vertex v3 stands for a point beyond the facet.
+// A cell (v0, v1, v2, v3) is positively oriented if (v1 - v0, v2 - v0, v3 - v0) is right-handed; in
+// an infinite cell the infinite vertex v3 stands for a point beyond the facet.
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -78,9 +78,9 @@ determinant_of(const Row<Number>& a, const Row<Number>& b, const Row<Number>& c)
   return a.z * minor_of(b, c) + b.z * minor_of(c, a) + c.z * minor_of(a, b);
 }
 
-// The determinant of four rows, positive if p is inside the sphere of the cell, as the sum of each w
-// times these. That of a vertex is the orientation of the cell with p in the vertex's place: positive
-// if p is on the inner side of the facet opposite to it.
+// The determinant of four rows, positive if p is inside the sphere of the cell, as the sum of each
+// w times these. That of a vertex is the orientation of the cell with p in the vertex's place:
+// positive if p is on the inner side of the facet opposite to it.
 template <class Number>
 struct Sphere_cofactors
 {
@@ -107,9 +107,9 @@ struct Sphere_cofactors
   }
 };
 
-// The same for three rows in one plane with p. There w is an affine function of any two coordinates in
-// which the triangle has an area; the sum of each w times these has the sign of that area if p is
-// inside the circle. They add up to the area.
+// The same for three rows in one plane with p. There w is an affine function of any two coordinates
+// in which the triangle has an area; the sum of each w times these has the sign of that area if p
+// is inside the circle. They add up to the area.
 template <class Number>
 struct Circle_cofactors
 {

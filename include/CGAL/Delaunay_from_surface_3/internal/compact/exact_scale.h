@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The power of 2 that makes the largest coordinate in absolute value at least 1/2 and less than 1, as
-// near as the range of numbers allows. It multiplies all coordinates exactly; if there are some that
-// it would make too small for that, returns 0. All coordinates must be doubles. Linear.
+// The power of 2 that makes the largest coordinate in absolute value at least 1/2 and less than 1,
+// as near as the range of numbers allows. It multiplies all coordinates exactly; if there are some
+// that it would make too small for that, returns 0. All coordinates must be doubles. Linear.
 template <class Point>
 double exact_scale(const std::vector<Point>& points)
 {

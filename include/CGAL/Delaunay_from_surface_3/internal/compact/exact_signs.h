@@ -8,8 +8,9 @@
 // The exact stages: signs of the determinants in integers of fixed width, and CGAL's perturbation
 // where they are 0.
 //
-// The differences v - p are integers times a power of 2. Where these have few bits (30, 60 or 120, see
-// Integer_differences.h) the signs follow from products of integers; what has more is left open.
+// The differences v - p are integers times a power of 2. Where these have few bits (30, 60 or 120,
+// see Integer_differences.h) the signs follow from products of integers; what has more is left
+// open.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
@@ -35,8 +36,8 @@ inline bool is_lexicographically_less(const double* a, const double* b)
 }
 
 // CGAL's symbolic perturbation (Devillers, Teillaud 2003): the paraboloid is raised at the
-// lexicographically greatest of the points, and so on down. Raising it at a vertex has the sign of the
-// vertex's cofactor; raising it at p moves p out.
+// lexicographically greatest of the points, and so on down. Raising it at a vertex has the sign of
+// the vertex's cofactor; raising it at p moves p out.
 template <int N, class Sign_of_cofactor>
 int perturbed_sign(const double* const* vertices, const double* p, const Sign_of_cofactor& sign_of)
 {

@@ -5,8 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_FLAT_BEYOND_SIGN_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_FLAT_BEYOND_SIGN_H
 
-// The flat sides of parts are parallel to the axes more often than not, and have a great many points.
-// There the test against an infinite cell is that against a circle in a plane, in two coordinates.
+// The flat sides of parts are parallel to the axes more often than not, and have a great many
+// points. There the test against an infinite cell is that against a circle in a plane, in two
+// coordinates.
 //
 // A determinant of rows (x, y, w) is a sum of 6 products x y w; each goes through at most 11
 // roundings, 1 + 1 + 4 of them in its factors. Where m bounds all w the products sum up to at most

@@ -17,16 +17,16 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // How much work an order may make before another takes its place. No order that only looks at the
-// surface bounds the cells that insertions destroy; a random one does (Amenta, Choi, Rote 2003). So the
-// whole costs no more than the budget and one insertion in that order.
+// surface bounds the cells that insertions destroy; a random one does (Amenta, Choi, Rote 2003). So
+// the whole costs no more than the budget and one insertion in that order.
 class Insertion_budget
 {
 public:
   // Without bound.
   Insertion_budget() = default;
 
-  // Of so many destroyed cells for each point inserted, and for the first points together those of a
-  // thousand: there are too few of them to tell a good order from a bad one.
+  // Of so many destroyed cells for each point inserted, and for the first points together those of
+  // a thousand: there are too few of them to tell a good order from a bad one.
   explicit Insertion_budget(std::size_t cells_per_point)
     : m_cells_per_point(double(cells_per_point))
   {
@@ -38,8 +38,8 @@ public:
   }
 
 private:
-  // In destroyed cells. That three steps of a walk count as one is an estimate: a step makes one test,
-  // a destroyed cell two or three, and it is replaced as well.
+  // In destroyed cells. That three steps of a walk count as one is an estimate: a step makes one
+  // test, a destroyed cell two or three, and it is replaced as well.
   static double work(const Insertion_counts& counts)
   {
     return double(counts.cells_destroyed) + double(counts.cells_tested_to_start) / 3;

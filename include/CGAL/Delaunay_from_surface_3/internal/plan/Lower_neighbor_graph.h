@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// A graph on 0, …, n-1 in the form that nets are made from: for each vertex the neighbours with smaller
-// numbers, every edge once. For anyone else it models boost::VertexListGraph and boost::EdgeListGraph.
+// A graph on 0, …, n-1 in the form that nets are made from: for each vertex the neighbours with
+// smaller numbers, every edge once. For anyone else it models boost::VertexListGraph and
+// boost::EdgeListGraph.
 class Lower_neighbor_graph
 {
 public:

@@ -135,19 +135,20 @@ struct Net_hierarchy
 
   // Nets of the graph with these lower neighbours until at most `enough` vertices are left, or a
   // net keeps more than the share `stall` of them. `distance(i, j)` is one of vertices of the
-  // graph.
+  // graph. `block`: see Random_blocks.
   template <class Distance>
   Net_hierarchy(Lists<Index> lower, std::size_t enough, double stall, unsigned int seed,
-                const Distance& distance)
+                const Distance& distance, std::size_t block = Random_blocks::one_of_many)
     : points(1)
     , number_of_coarsest(lower.size())
   {
     Split_mix random(seed);
     while (number_of_coarsest > enough) {
       const std::size_t level = points.size() - 1;
-      const Net<Index> net = net_of(lower, random(), [&](std::size_t v, std::size_t u) {
-        return distance(point(level, v), point(level, u));
-      });
+      const Net<Index> net = net_of(
+          lower, random(),
+          [&](std::size_t v, std::size_t u) { return distance(point(level, v), point(level, u)); },
+          block);
       if (double(net.centers.size()) > stall * double(number_of_coarsest))
         break;
       clusters.push_back(members(net));

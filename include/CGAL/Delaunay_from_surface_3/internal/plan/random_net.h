@@ -6,19 +6,18 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_RANDOM_NET_H
 
 // A net of a graph, that is a maximal independent set, with the cluster of every net vertex: itself
-// and neighbours of it; of several net vertices beside it a vertex belongs to the nearest, or, where
-// there are many vertices, to the first.
+// and neighbours of it; of several net vertices beside it a vertex belongs to the nearest, or,
+// where there are many vertices, to the first.
 //
 // The net is the greedy one in a random order of the vertices. In the order of the numbers it would
 // be as regular as the numbering, and CAD numbers along profiles and rings: whole rings would come
 // one after the other. Where there are many vertices, blocks of successive numbers come one after
-// the other, and the order is random inside each. That keeps memory together, and stays near the order
-// of the numbers, which is a good one on scans. Hubs come before all others: the middle of a fan is
-// better there before the fan than after it. Chains
-// of vertices of which each waits for the one before have logarithmic length in random orders
-// (Blelloch, Fineman, Shun: Greedy sequential maximal independent set and matching are parallel on
-// average, SPAA 2012; Fischer, Noever: Tight analysis of parallel randomized greedy MIS, SODA
-// 2018).
+// the other, and the order is random inside each. That keeps memory together, and stays near the
+// order of the numbers, which is a good one on scans. Hubs come before all others: the middle of a
+// fan is better there before the fan than after it. Chains of vertices of which each waits for the
+// one before have logarithmic length in random orders (Blelloch, Fineman, Shun: Greedy sequential
+// maximal independent set and matching are parallel on average, SPAA 2012; Fischer, Noever: Tight
+// analysis of parallel randomized greedy MIS, SODA 2018).
 //
 // Cost: linear in vertices and edges. Every edge is stored at one of its ends only, at which it is
 // seen from both: a vertex asks those in its list, and tells them when it joins.
@@ -68,24 +67,25 @@ private:
   std::uint64_t m_state;
 };
 
-// The numbers 0, …, n-1 in random order; where they are many, block by block, in random order inside
-// each. The blocks share one permutation, each with a twist of its own. What belongs to one of many
-// blocks of a graph fits into the cache nearest to the processor.
+// The numbers 0, …, n-1 in random order; where they are many, block by block, in random order
+// inside each. The blocks share one permutation, each with a twist of its own. What belongs to one
+// of many blocks of a graph fits into the cache nearest to the processor.
 class Random_blocks
 {
 public:
   static constexpr std::size_t largest_block = std::size_t(1) << 15;
   static constexpr std::size_t one_of_many = std::size_t(1) << 10;
 
-  Random_blocks(std::size_t n, std::uint64_t seed)
+  // `block`: the size of one of many, rounded up to a power of 2.
+  Random_blocks(std::size_t n, std::uint64_t seed, std::size_t block = one_of_many)
     : m_n(n)
   {
     std::size_t size = 1;
-    while (size < (n <= largest_block ? n : one_of_many))
+    while (size < (n <= largest_block ? n : (std::min)(n, block)))
       size *= 2;
     Split_mix random(seed);
     m_inner.resize(size);
-    std::iota(m_inner.begin(), m_inner.end(), std::uint16_t(0));
+    std::iota(m_inner.begin(), m_inner.end(), std::uint32_t(0));
     random.shuffle(m_inner.begin(), m_inner.end());
     for (std::size_t first = 0; first < n; first += size)
       m_blocks.push_back({first, random() % size, random() % size});
@@ -112,7 +112,7 @@ private:
 
   std::size_t m_n;
   std::vector<Block> m_blocks;
-  std::vector<std::uint16_t> m_inner; // as many as a block has, a power of 2
+  std::vector<std::uint32_t> m_inner; // as many as a block has, a power of 2
 };
 
 template <class Index>
@@ -146,7 +146,7 @@ std::vector<Index> hubs_of(const Lists<Index>& lower, std::uint64_t seed)
 // neighbour that is. `hubs` come first.
 template <class Index>
 Large_vector<Index> random_net(const Lists<Index>& lower, const std::vector<Index>& hubs,
-                               std::uint64_t seed)
+                               std::uint64_t seed, std::size_t block)
 {
   enum State : char { UNSEEN, IN_NET, BESIDE };
   std::vector<char> state(lower.size(), UNSEEN);
@@ -168,7 +168,7 @@ Large_vector<Index> random_net(const Lists<Index>& lower, const std::vector<Inde
   };
   for (const Index v : hubs)
     decide(v);
-  Random_blocks(lower.size(), seed).for_each(decide);
+  Random_blocks(lower.size(), seed, block).for_each(decide);
   return center;
 }
 
@@ -197,8 +197,9 @@ void choose_nearest_centers(const Lists<Index>& lower, const Is_wanted& is_wante
         offer(v, *u);
 }
 
-// The same for the vertices in the clusters of hubs. A hub would keep all that are beside it, however
-// far away, and its cluster those of the next level, until one cluster has half of all vertices.
+// The same for the vertices in the clusters of hubs. A hub would keep all that are beside it,
+// however far away, and its cluster those of the next level, until one cluster has half of all
+// vertices.
 template <class Index, class Distance>
 void choose_nearest_instead_of_hubs(const Lists<Index>& lower, const std::vector<Index>& hubs,
                                     const Distance& distance, Large_vector<Index>& center)
@@ -214,16 +215,17 @@ void choose_nearest_instead_of_hubs(const Lists<Index>& lower, const std::vector
       lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, distance, center);
 }
 
-// The net and its clusters. `distance(v, u)` is asked for neighbours, one of which is in the net; where
-// there are many vertices it is asked for those beside hubs only: a pass over all points is dear there,
-// for a small gain.
+// The net and its clusters. `distance(v, u)` is asked for neighbours, one of which is in the net;
+// where there are many vertices it is asked for those beside hubs only: a pass over all points is
+// dear there, for a small gain.
 template <class Index, class Distance>
-Net<Index> net_of(const Lists<Index>& lower, std::uint64_t seed, const Distance& distance)
+Net<Index> net_of(const Lists<Index>& lower, std::uint64_t seed, const Distance& distance,
+                  std::size_t block = Random_blocks::one_of_many)
 {
   const std::size_t n = lower.size();
   const std::vector<Index> hubs = hubs_of(lower, seed);
   Net<Index> net;
-  net.cluster_of = random_net(lower, hubs, seed);
+  net.cluster_of = random_net(lower, hubs, seed, block);
   Large_vector<Index>& center = net.cluster_of;
   if (n <= Random_blocks::largest_block)
     choose_nearest_centers(
