@@ -23,7 +23,8 @@ namespace CGAL {
 
 inserts the points of a polygon soup into a Delaunay triangulation. The edges of the faces serve as
 the surface; the faces may be polygons, overlap, be oriented at random, or have edges with many
-faces. The result, and what holds after a stop or an exception, are those of
+faces. Where they are triangles that form a surface, oriented at random or not, a
+`Bounded_degree_subgraph` serves as for a mesh; elsewhere a spanning forest takes its place. The result, and what holds after a stop or an exception, are those of
 `insert_surface_vertices_3()`.
 
 <b>Complexity</b>: that of the parts of the traits, plus O(n + m) for n points and m sides of faces.
@@ -104,8 +105,9 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
 {
   using namespace Delaunay_from_surface_3::internal;
   return with_points_and_infos(tr, points, np, [&](const auto& converted, const auto& infos) {
-    const Soup_graph soup = soup_graph(faces, converted.size());
-    const Insertion_input input{converted,         soup.graph,      Identity_index_map(),
+    Soup_graph soup = soup_graph(faces, converted.size());
+    const Graph_of_faces<FaceRange> graph(std::move(soup.graph), faces);
+    const Insertion_input input{converted,         graph,           Identity_index_map(),
                                 soup.irregularity, Identity_name(), infos};
     return insert_surface<internal_np::point_t>(tr, input,
                                                 with_concurrency<ConcurrencyTag>(tr, traits), np);

@@ -61,32 +61,41 @@ BOOST_AUTO_TEST_CASE(graphs_that_have_nothing_to_do_with_the_points)
   check_graph(messy);
 }
 
-// Why a spanning forest serves where T is to have bounded degree and the input is no mesh.
-const std::vector<std::string> no_halfedges = {
-    "the subgraph needs halfedges, which a soup or a plain graph does not have"};
+// Why a spanning forest serves where T is to have bounded degree and the input is no surface.
+const std::vector<std::string> no_faces = {
+    "the subgraph needs a surface with faces, which a plain graph is not"};
 
 BOOST_AUTO_TEST_CASE(soups_that_are_no_surface)
 {
   const std::vector<Point> points = surfaces::sphere(40, 0.2).points;
   const Triangulation stock(points.begin(), points.end());
-  const auto reasons_for = [&](const Faces& faces) {
+  // Only one of the traits traces; it has a subgraph of bounded degree where the soup is a surface.
+  const auto reasons_for = [&](const Faces& faces, const std::string& refusal) {
     Watching_visitor visitor;
     check_with_all_traits(stock, [&](Triangulation& tr, const auto& traits) {
       return CGAL::insert_surface_points_3(tr, points, faces, traits,
                                            parameters::visitor(std::ref(visitor)));
     });
-    // Once for each traits. Only one of them traces, which a soup gives no halfedges for.
-    BOOST_TEST((visitor.reasons.empty() || visitor.reasons.size() == 3));
-    BOOST_TEST(visitor.reasons_of_subgraph == no_halfedges, boost::test_tools::per_element());
+    BOOST_TEST((visitor.reasons.empty() || visitor.reasons.size() == 3)); // once for each traits
+    BOOST_TEST((visitor.reasons_of_subgraph.empty() ? "" : visitor.reasons_of_subgraph.front()) ==
+               refusal);
     return visitor.reasons.empty() ? std::string() : visitor.reasons.front();
   };
-  BOOST_TEST(reasons_for({}) == "");
-  BOOST_TEST(reasons_for({{0, 1, 2}, {2, 1, 3}}) == "");
-  BOOST_TEST(reasons_for({{0, 1, 2}, {1, 2, 3}}) == ""); // the orientation does not matter
-  BOOST_TEST(reasons_for({{0, 1, 2, 3}, {4, 5, 6}, {}, {7}, {8, 9}}) ==
+  BOOST_TEST(reasons_for({}, "") == "");
+  BOOST_TEST(reasons_for({{0, 1, 2}, {2, 1, 3}}, "") == "");
+  BOOST_TEST(reasons_for({{0, 1, 2}, {1, 2, 3}}, "") == ""); // the orientation does not matter
+  BOOST_TEST(reasons_for({{0, 1, 2}, {0, 3, 4}},
+                         "vertex 0 is pinched: its edges form more than one fan") == "");
+  BOOST_TEST(reasons_for({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}},
+                         "vertex 0 is pinched: its edges form more than one fan") == "");
+  BOOST_TEST(reasons_for({{0, 4, 5}, {0, 1, 2}, {0, 2, 3}, {0, 3, 1}},
+                         "vertex 0 is pinched: its edges form more than one fan") == "");
+  BOOST_TEST(reasons_for({{0, 1, 1}}, "face 0 has a vertex twice") == "");
+  BOOST_TEST(reasons_for({{0, 1, 2, 3}, {4, 5, 6}, {}, {7}, {8, 9}}, "face 0 is not a triangle") ==
              "faces that are not triangles: 4, edges with more than two faces: 0");
   BOOST_TEST(
-      reasons_for({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {0, 1, 5}, {7, 8, 9}, {7, 8, 9}, {7, 8, 9}}) ==
+      reasons_for({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {0, 1, 5}, {7, 8, 9}, {7, 8, 9}, {7, 8, 9}},
+                  "edge (0, 1) is in more than two faces") ==
       "faces that are not triangles: 0, edges with more than two faces: 4");
 }
 
@@ -148,6 +157,6 @@ BOOST_AUTO_TEST_CASE(spanning_forest_where_the_subgraph_refuses_the_surface)
   BOOST_TEST(on_mesh.reasons_of_subgraph ==
                  std::vector<std::string>{"vertex 7 is not to my liking"},
              boost::test_tools::per_element());
-  BOOST_TEST(on_graph.reasons_of_subgraph == no_halfedges, boost::test_tools::per_element());
+  BOOST_TEST(on_graph.reasons_of_subgraph == no_faces, boost::test_tools::per_element());
   BOOST_TEST((on_mesh.reasons.empty() && on_graph.reasons.empty()));
 }

@@ -7,8 +7,13 @@
 
 // A spanning subgraph T of bounded degree, as Choi 2002, §3.2 asks for.
 
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Face_reader.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Halfedge_graph_reader.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -45,6 +50,18 @@ public:
         internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
         internal::Subgraph_kind::SUBGRAPH, out);
   }
+
+  /// does the same for the graph that `insert_surface_points_3()` makes of a polygon soup: the
+  /// cyclic order of the edges at each vertex is read from the faces, which may be oriented at random.
+  template <class GraphOfFaces, class VertexIndexMap, class EdgeOutputIterator>
+  auto operator()(const GraphOfFaces& graph, VertexIndexMap, EdgeOutputIterator out) const
+      -> decltype(static_cast<void>(graph.faces_of_soup()), EdgeOutputIterator(out))
+  {
+    return internal::write_bounded_degree_subgraph(
+        internal::Face_reader<std::decay_t<decltype(graph.faces_of_soup())>>(
+            graph.faces_of_soup(), graph.number_of_vertices()),
+        internal::Subgraph_kind::SUBGRAPH, out);
+  }
 };
 
 /*!
@@ -68,6 +85,17 @@ public:
   {
     return internal::write_bounded_degree_subgraph(
         internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
+        internal::Subgraph_kind::TREE, out);
+  }
+
+  /// does the same for the graph that `insert_surface_points_3()` makes of a polygon soup.
+  template <class GraphOfFaces, class VertexIndexMap, class EdgeOutputIterator>
+  auto operator()(const GraphOfFaces& graph, VertexIndexMap, EdgeOutputIterator out) const
+      -> decltype(static_cast<void>(graph.faces_of_soup()), EdgeOutputIterator(out))
+  {
+    return internal::write_bounded_degree_subgraph(
+        internal::Face_reader<std::decay_t<decltype(graph.faces_of_soup())>>(
+            graph.faces_of_soup(), graph.number_of_vertices()),
         internal::Subgraph_kind::TREE, out);
   }
 };

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// T, made by the functor of the traits. A functor may need more than the graph has, as halfedges,
+// T, made by the functor of the traits. A functor may need more than the graph has, as faces,
 // or refuse the surface by a Surface_input_error; a spanning forest serves then, and the visitor is
 // told why.
 template <class SurfaceSubgraph, class Graph, class VertexIndexMap, class Visitor>
@@ -36,7 +36,7 @@ Index_graph spanning_subgraph(const SurfaceSubgraph& subgraph, const Graph& grap
     }
   } else {
     visitor.subgraph_is_replaced(
-        "the subgraph needs halfedges, which a soup or a plain graph does not have");
+        "the subgraph needs a surface with faces, which a plain graph is not");
   }
   return index_graph(Spanning_forest(), graph, index_map, numbers);
 }

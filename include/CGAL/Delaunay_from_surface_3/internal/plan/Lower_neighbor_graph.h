@@ -97,6 +97,24 @@ private:
   std::size_t m_number_of_vertices = 0;
 };
 
+// The same with the faces that its edges come from, for whoever asks for more than edges. Keeps a reference
+// to the faces.
+template <class FaceRange>
+class Graph_of_faces : public Lower_neighbor_graph
+{
+public:
+  Graph_of_faces(Lower_neighbor_graph graph, const FaceRange& faces)
+    : Lower_neighbor_graph(std::move(graph))
+    , m_faces(faces)
+  {
+  }
+
+  const FaceRange& faces_of_soup() const { return m_faces; }
+
+private:
+  const FaceRange& m_faces;
+};
+
 inline auto vertices(const Lower_neighbor_graph& graph)
 {
   using Iterator = Lower_neighbor_graph::vertex_iterator;

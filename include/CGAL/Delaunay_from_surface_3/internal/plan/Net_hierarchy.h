@@ -76,6 +76,13 @@ Lists<Index> lower_neighbors(const Lower_neighbor_graph& graph, Identity_index_m
   return graph.lists();
 }
 
+template <class Index, class FaceRange>
+Lists<Index> lower_neighbors(const Graph_of_faces<FaceRange>& graph, Identity_index_map,
+                             std::size_t)
+{
+  return graph.lists();
+}
+
 // The members of every cluster, its net vertex first, the others in ascending order.
 template <class Index>
 Lists<Index> members(const Net<Index>& net)

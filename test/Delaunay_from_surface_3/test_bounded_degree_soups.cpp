@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A polygon soup that is a surface gets the same subgraph as the halfedge graph of its faces, however its faces are
+// oriented a certified one, and non-orientable surfaces too.
+
+#define BOOST_TEST_MODULE bounded_degree_soups
+#include <boost/test/included/unit_test.hpp>
+
+#include "named_surfaces.h"
+
+#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
+#include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
+
+#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/certify_spanning_subgraph.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<surfaces::Indexed_surface::Point_3>;
+using Pair = std::pair<std::size_t, std::size_t>;
+
+template <class Subgraph, class FaceRange>
+std::set<Pair> edges_of_soup(const FaceRange& faces, std::size_t n)
+{
+  namespace internal = DFS::internal;
+  const internal::Graph_of_faces<FaceRange> graph(internal::soup_graph(faces, n).graph, faces);
+  std::set<Pair> result;
+  Subgraph()(graph, internal::Identity_index_map(),
+             boost::make_function_output_iterator(
+                 [&](const Pair& e) { result.insert(std::minmax(e.first, e.second)); }));
+  return result;
+}
+
+// The mesh of the faces, in which the stored halfedge of a vertex is that of its first face: there a soup's list
+// begins.
+Mesh mesh_of(const surfaces::Indexed_surface& surface)
+{
+  Mesh mesh = surfaces::to_mesh<Mesh>(surface); // points and faces in their order
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  for (std::size_t f = faces.size(); f-- > 0;)
+    for (const auto h : halfedges_around_face(halfedge(faces[f], mesh), mesh))
+      mesh.set_halfedge(mesh.target(h), h);
+  return mesh;
+}
+
+template <class Subgraph>
+std::set<Pair> edges_of_mesh(const Mesh& mesh)
+{
+  std::set<Pair> result;
+  Subgraph()(mesh, get(boost::vertex_index, mesh),
+             boost::make_function_output_iterator([&](Mesh::Edge_index e) {
+               result.insert(
+                   std::minmax(std::size_t(mesh.vertex(e, 0)), std::size_t(mesh.vertex(e, 1))));
+             }));
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_same_edges_as_with_halfedges)
+{
+  for (tests::Named_surface& named : tests::ordinary_surfaces(2000))
+    BOOST_TEST_CONTEXT(named.name)
+    {
+      const Mesh mesh = mesh_of(named.surface);
+      const std::size_t n = named.surface.points.size();
+      BOOST_TEST((edges_of_soup<DFS::Bounded_degree_subgraph>(named.surface.faces, n) ==
+                  edges_of_mesh<DFS::Bounded_degree_subgraph>(mesh)));
+      BOOST_TEST((edges_of_soup<DFS::Bounded_degree_tree>(named.surface.faces, n) ==
+                  edges_of_mesh<DFS::Bounded_degree_tree>(mesh)));
+
+      // Faces oriented at random.
+      std::mt19937 random(1);
+      for (auto& face : named.surface.faces)
+        if (random() % 2)
+          std::swap(face[0], face[1]);
+      const auto soup = edges_of_soup<DFS::Bounded_degree_subgraph>(named.surface.faces, n);
+      std::vector<Mesh::Edge_index> edges;
+      for (const Pair& e : soup)
+        edges.push_back(mesh.edge(mesh.halfedge(Mesh::Vertex_index(Mesh::size_type(e.first)),
+                                                Mesh::Vertex_index(Mesh::size_type(e.second)))));
+      BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, edges).is_valid_subgraph());
+    }
+}
+
+// Random surfaces of every kind, against the certificate of the embedded graph.
+BOOST_AUTO_TEST_CASE(soups_of_any_surface)
+{
+  using namespace triangle_lists;
+  std::mt19937 random(2);
+  for (int seed = 0; seed < 400; ++seed) {
+    const Triangle_list s = cook(random_recipe(seed, seed % 2 == 0));
+    const Embedded_graph g = embed(s, random);
+    std::vector<Embedded_graph::Edge> edges;
+    for (const Pair& e : edges_of_soup<DFS::Bounded_degree_subgraph>(s.triangles, std::size_t(s.n)))
+      edges.push_back(edge(e.first, e.second, g.graph).first);
+    const auto certificate = CGAL::certify_spanning_subgraph(
+        g.graph, edges,
+        DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map()),
+        g.index_map());
+    BOOST_TEST(certificate.is_valid_subgraph());
+  }
+}
