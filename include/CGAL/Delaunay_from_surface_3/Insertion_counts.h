@@ -55,6 +55,13 @@ struct Insertion_counts
   /// those of these whose sign was 0, and was perturbed.
   std::size_t perturbed = 0;
 
+  /// insertions that gave way to one of another thread, with nothing changed, and were tried again. What
+  /// they tested and would have destroyed is in the other counts.
+  std::size_t clashes = 0;
+
+  /// points that clashed twice, and were left to the calling thread.
+  std::size_t put_off = 0;
+
   /// adds those of another worker.
   Insertion_counts& operator+=(const Insertion_counts& other)
   {
@@ -67,6 +74,8 @@ struct Insertion_counts
       facet_tests_by_stage[stage] += other.facet_tests_by_stage[stage];
     }
     perturbed += other.perturbed;
+    clashes += other.clashes;
+    put_off += other.put_off;
     return *this;
   }
 };

@@ -164,8 +164,8 @@ Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
     triangulation.insert_round(first, last, subject.vertex_of, hints, [] { return true; });
   }
   triangulation.finish();
-  return {subject.complex.is_valid(), subject.cells(), triangulation.number_of_clashes(),
-          triangulation.number_of_points_put_off()};
+  return {subject.complex.is_valid(), subject.cells(), triangulation.counts().clashes,
+          triangulation.counts().put_off};
 }
 
 } // namespace tests

@@ -88,6 +88,13 @@ public:
   Insertion_try insert(Id p, Id start, Id& present,
                        std::size_t most_cells = (std::numeric_limits<std::size_t>::max)())
   {
+    const Insertion_try outcome = announce(p, start, present, most_cells);
+    return outcome == Insertion_try::DONE ? write(p) : outcome;
+  }
+
+  // The first half: finds the zone and announces it; DONE: as far as that goes.
+  Insertion_try announce(Id p, Id start, Id& present, std::size_t most_cells)
+  {
     Predicates predicates(m_exact, m_shared.complex(), m_zone.counts);
     Read_announced<Id> read(most_cells);
     const Location location = walk(predicates, p, start, read);
@@ -98,18 +105,23 @@ public:
       return Insertion_try::PRESENT;
     }
     m_zone.words[0] = read.word();
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-    if constexpr (std::is_same<Id, std::uint32_t>::value)
-      if (m_is_wide)
-        return insert_in<Wide_explore_announced<Protocol>>(predicates, p, location.cell);
-#endif
-    return insert_in<Explore_announced<Id, Protocol>>(predicates, p, location.cell);
+    if (!dig(predicates, p, location.cell))
+      return withdraw(Insertion_try::CLASH);
+    return has_cells_for_star() ? Insertion_try::DONE : withdraw(Insertion_try::NO_CELLS);
   }
 
-  const Insertion_counts& counts() const
+  // The second half: writes the star of p if nobody interfered.
+  Insertion_try write(Id p)
   {
-    return m_zone.counts;
+    if (Protocol::has_fence)
+      full_fence();
+    if (!is_zone_still_true())
+      return withdraw(Insertion_try::CLASH);
+    write_star(p);
+    return Insertion_try::DONE;
   }
+
+  const Insertion_counts& counts() const { return m_zone.counts; }
 
 private:
   Location walk(Predicates& predicates, Id p, Id start, Read_announced<Id>& read) const
@@ -123,23 +135,31 @@ private:
                                                                   start, read);
   }
 
-  // Digs from a cell that was found in conflict under the word in the zone, and writes the star if nobody
-  // interfered.
-  template <class Explore>
-  Insertion_try insert_in(Predicates& predicates, Id p, Id cell)
+  // Digs from a cell that was found in conflict under the word in the zone.
+  bool dig(Predicates& predicates, Id p, Id cell)
   {
-    Complex& complex = m_shared.complex();
-    Explore explore(m_zone, m_shared.lanes(), m_number);
-    if (!Dig_conflict_zone<Explore&>()(complex, predicates, m_zone, p, cell, explore))
-      return withdraw(Insertion_try::CLASH);
-    if (!has_cells_for_star())
-      return withdraw(Insertion_try::NO_CELLS);
-    if (Protocol::has_fence)
-      full_fence();
-    if (!explore.is_still_true(complex.cells(), m_zone.number_of_cells))
-      return withdraw(Insertion_try::CLASH);
-    write_star(p);
-    return Insertion_try::DONE;
+    return with_explore([&](auto explore) {
+      return Dig_conflict_zone<decltype(explore)&>()(m_shared.complex(), predicates, m_zone, p,
+                                                     cell, explore);
+    });
+  }
+
+  bool is_zone_still_true()
+  {
+    return with_explore([&](const auto& explore) {
+      return explore.is_still_true(m_shared.complex().cells(), m_zone.number_of_cells);
+    });
+  }
+
+  template <class F>
+  bool with_explore(const F& f)
+  {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+    if constexpr (std::is_same<Id, std::uint32_t>::value)
+      if (m_is_wide)
+        return f(Wide_explore_announced<Protocol>(m_zone, m_shared.lanes(), m_number));
+#endif
+    return f(Explore_announced<Id, Protocol>(m_zone, m_shared.lanes(), m_number));
   }
 
   Insertion_try withdraw(Insertion_try outcome)

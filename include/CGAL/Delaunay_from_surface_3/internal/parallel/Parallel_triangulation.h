@@ -88,14 +88,12 @@ public:
 
   Insertion_counts counts() const
   {
-    Insertion_counts sum;
+    Insertion_counts sum = m_counts;
     for (const auto& worker : m_workers)
       sum += worker->counts();
     return sum;
   }
   std::size_t number_of_workers() const { return m_executor.number_of_workers(); }
-  std::size_t number_of_clashes() const { return m_number_of_clashes; }
-  std::size_t number_of_points_put_off() const { return m_number_put_off; }
 
 private:
   // What the workers of a round share, and what each has for itself.
@@ -207,8 +205,8 @@ private:
   {
     const std::size_t any = (std::numeric_limits<std::size_t>::max)();
     for (auto& own : round.own) {
-      m_number_put_off += own.put_off.size();
-      m_number_of_clashes += own.clashes;
+      m_counts.put_off += own.put_off.size();
+      m_counts.clashes += own.clashes;
       own.clashes = 0;
       for (const std::size_t i : own.put_off)
         while (!insert_point(round, 0, i, any)) {
@@ -230,7 +228,7 @@ private:
   const Executor m_executor;
   const Parallel_rules m_rules;
   std::vector<std::unique_ptr<Worker>> m_workers;
-  std::size_t m_number_of_clashes = 0, m_number_put_off = 0;
+  Insertion_counts m_counts; // those that are not a worker's
 };
 
 } // namespace internal

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DELAUNAY_FROM_SURFACE_3_BENCHMARK_SIMULATE_WORKERS_H
+#define DELAUNAY_FROM_SURFACE_3_BENCHMARK_SIMULATE_WORKERS_H
+
+// How often many workers get into each other's way, found by one thread that plays them all: in turn each
+// writes the star whose zone it announced before, and announces the next, so that every zone stays
+// announced while all others act. Wherever many cores can be had they clash less: their insertions
+// overlap for a part of the time only.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/parallel/Insertion_worker.h>
+#include <CGAL/Delaunay_from_surface_3/internal/parallel/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/internal/parallel/Segments.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace threads {
+
+class Simulation
+{
+  using Id = std::uint32_t;
+  using Point = CGAL::Epick::Point_3;
+  using Complex = CGAL::Delaunay_from_surface_3::internal::Compact_complex<Id>;
+  using Exact = CGAL::Delaunay_from_surface_3::internal::Perturbed_predicates<CGAL::Epick>;
+  using Worker = CGAL::Delaunay_from_surface_3::internal::Insertion_worker<Id, Exact>;
+  using Try = CGAL::Delaunay_from_surface_3::internal::Insertion_try;
+
+public:
+  // Of a plan's points; `points` are in its order.
+  Simulation(const std::vector<Point>& points,
+             const CGAL::Delaunay_from_surface_3::Insertion_order& plan, unsigned workers)
+    : m_plan(plan)
+    , m_complex(points.size(),
+                [&](std::size_t i) {
+                  return std::array<double, 3>{points[i].x(), points[i].y(), points[i].z()};
+                })
+    , m_shared(m_complex, workers)
+    , m_vertex_of(points.size(), 0)
+  {
+    const auto simplex = CGAL::Delaunay_from_surface_3::internal::starting_simplex(
+        m_exact, points.size(), [this](std::size_t i) {
+          return m_complex.vertex(Complex::vertex_of_point(i)).coordinates;
+        });
+    std::array<Id, 4> v;
+    for (std::size_t k = 0; k < 4; ++k)
+      v[k] = m_vertex_of[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
+    m_any_vertex = v[0];
+    m_complex.start(v);
+    m_shared.make_room(12 * points.size()); // it cannot grow while zones are announced
+    for (unsigned t = 0; t < workers; ++t)
+      m_workers.push_back(std::make_unique<Worker>(m_exact, m_shared, t));
+  }
+
+  // Inserts all points; returns for each round the number of insertions that were rolled back.
+  std::vector<std::size_t> run()
+  {
+    std::vector<std::size_t> rolled_back;
+    std::size_t first = 0;
+    for (const std::size_t last : m_plan.round_ends) {
+      rolled_back.push_back(round(first, last));
+      first = last;
+    }
+    return rolled_back;
+  }
+
+private:
+  // As Parallel_triangulation cuts rounds, but for pieces.
+  std::size_t round(std::size_t first, std::size_t last)
+  {
+    namespace internal = CGAL::Delaunay_from_surface_3::internal;
+    const internal::Parallel_rules rules;
+    std::size_t number = (std::min)(m_workers.size(), (last - first) / rules.points_per_worker);
+    number = first < rules.first_points || number == 0 ? 1 : number;
+    internal::Segments segments(first, last, number);
+    std::vector<std::size_t> announced(number, none), put_off;
+    std::vector<internal::Segments::Range> chunks(number, {0, 0});
+    std::size_t rolled_back = 0;
+    for (bool is_active = true; is_active;) {
+      is_active = false;
+      for (std::size_t t = 0; t < number; ++t) {
+        const auto clash = [&](std::size_t i) {
+          ++rolled_back;
+          put_off.push_back(i);
+        };
+        if (announced[t] != none) {
+          if (finish(t, announced[t]) == Try::CLASH)
+            clash(announced[t]);
+          announced[t] = none;
+        }
+        if (chunks[t].first == chunks[t].second)
+          chunks[t] = segments.take(t, rules.chunk);
+        if (chunks[t].first == chunks[t].second)
+          continue;
+        is_active = true;
+        const std::size_t i = chunks[t].first++;
+        if (const Try outcome = announce(t, i); outcome == Try::CLASH)
+          clash(i);
+        else if (outcome == Try::DONE)
+          announced[t] = i;
+      }
+    }
+    for (const std::size_t i : put_off)
+      if (announce(0, i) == Try::DONE)
+        finish(0, i);
+    return rolled_back;
+  }
+
+  // Room is made when nothing is announced by this worker: lanes of others would be lost.
+  Try announce(std::size_t t, std::size_t i)
+  {
+    if (m_vertex_of[i] != 0)
+      return Try::PRESENT;
+    Id present = Complex::vertex_of_point(i);
+    const Try outcome = m_workers[t]->announce(present, start(i), present,
+                                               (std::numeric_limits<std::size_t>::max)());
+    if (outcome == Try::PRESENT)
+      m_vertex_of[i] = present;
+    return outcome == Try::NO_CELLS ? Try::CLASH : outcome;
+  }
+
+  Try finish(std::size_t t, std::size_t i)
+  {
+    const Try outcome = m_workers[t]->write(Complex::vertex_of_point(i));
+    if (outcome == Try::DONE)
+      m_vertex_of[i] = Complex::vertex_of_point(i);
+    return outcome;
+  }
+
+  Id start(std::size_t i) const
+  {
+    std::size_t place = m_plan.starting_places[i];
+    while (m_vertex_of[place] == 0 && place != 0)
+      place = m_plan.starting_places[place];
+    const Id v = m_vertex_of[place];
+    return m_complex.vertex(v != 0 ? v : m_any_vertex).cell;
+  }
+
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  const CGAL::Delaunay_from_surface_3::Insertion_order& m_plan;
+  Exact m_exact{CGAL::Epick()};
+  Complex m_complex;
+  CGAL::Delaunay_from_surface_3::internal::Shared_complex<Id> m_shared;
+  std::vector<Id> m_vertex_of;
+  Id m_any_vertex = 0;
+  std::vector<std::unique_ptr<Worker>> m_workers;
+};
+
+} // namespace threads
+
+#endif // DELAUNAY_FROM_SURFACE_3_BENCHMARK_SIMULATE_WORKERS_H

@@ -1,0 +1,252 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Measures what threads gain: whole calls into an ordinary triangulation, by one thread and by more, beside
+// plain CGAL and its Parallel_tag, in turn; and, by simulation, how often up to 64 workers would get
+// into each other's way. Writes JSON.
+
+#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/surfaces.h>
+#include <Delaunay_from_surface_3_surfaces/degenerate.h>
+#include <Delaunay_from_surface_3_threads/simulate_workers.h>
+
+#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/insert_surface_points_3.h>
+
+#include <boost/program_options.hpp>
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace po = boost::program_options;
+namespace DFS = CGAL::Delaunay_from_surface_3;
+using CGAL::Epick;
+using comparison::Json;
+using comparison::rounded;
+using surfaces::Indexed_surface;
+using Triangulation = CGAL::Delaunay_triangulation_3<Epick>;
+using Parallel_triangulation = CGAL::Delaunay_triangulation_3<
+    Epick, CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Epick>,
+                                                CGAL::Delaunay_triangulation_cell_base_3<Epick>,
+                                                CGAL::Parallel_tag>>;
+
+constexpr std::uint64_t seed = 2024;
+
+// Wall-clock seconds of the parts of a call, and what the insertions did.
+struct Watch : CGAL::Default_surface_insertion_visitor_3
+{
+  double plan = 0, insertion = 0, finish = 0;
+  DFS::Insertion_counts counts;
+
+  void phase_begins(CGAL::Surface_insertion_phase phase)
+  {
+    using Phase = CGAL::Surface_insertion_phase;
+    if (phase == Phase::LOCATION || phase == Phase::UPDATE || phase == Phase::TRACE)
+      return;
+    const double now = comparison::Steady_seconds()();
+    (phase == Phase::SUBGRAPH ? plan
+     : phase == Phase::FINISH ? insertion
+                              : finish) += phase == Phase::PLAN ? 0 : now - m_since;
+    m_since = now;
+  }
+  template <class Target, class Hints>
+  void insertion_ends(const Target& target, const Hints&)
+  {
+    counts = target.counts();
+  }
+
+private:
+  double m_since = 0;
+};
+
+struct Times
+{
+  std::vector<double> wall, cpu;
+
+  template <class Work>
+  void add(const Work& work)
+  {
+    const comparison::Time time = comparison::time_of(work);
+    wall.push_back(time.wall);
+    cpu.push_back(time.cpu);
+  }
+  Json json() const
+  {
+    return {{"median_wall", rounded(comparison::median(wall))},
+            {"median_cpu", rounded(comparison::median(cpu))},
+            {"wall", wall}};
+  }
+};
+
+struct Options
+{
+  std::vector<std::string> names;
+  std::vector<std::size_t> sizes = {64000, 256000, 1000000};
+  std::vector<std::size_t> threads = {1, 2};
+  std::vector<unsigned> simulated;
+  std::size_t repetitions = 5;
+  std::string data_dir = "build/data/meshes", output = "threads.json";
+};
+
+template <class F>
+void with_threads(std::size_t number, const F& f)
+{
+  tbb::global_control control(tbb::global_control::max_allowed_parallelism, number);
+  tbb::task_arena(int(number)).execute(f);
+}
+
+void insert(Triangulation& tr, const Indexed_surface& surface, std::size_t threads, Watch& watch)
+{
+  const auto np = CGAL::parameters::visitor(std::ref(watch));
+  if (threads == 1)
+    CGAL::insert_surface_points_3<CGAL::Sequential_tag>(tr, surface.points, surface.faces, np);
+  else
+    CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces, np);
+}
+
+Json phases(const Watch& watch)
+{
+  return {{"plan", rounded(watch.plan)},
+          {"insertion", rounded(watch.insertion)},
+          {"finish", rounded(watch.finish)},
+          {"clashes", watch.counts.clashes},
+          {"put_off", watch.counts.put_off}};
+}
+
+Json measure_times(const Indexed_surface& surface, const Options& options)
+{
+  Times plain, plain_parallel;
+  std::map<std::size_t, Times> ours;
+  std::map<std::size_t, Watch> watches;
+  for (std::size_t r = 0; r < options.repetitions; ++r) {
+    Triangulation expected;
+    plain.add([&] { expected.insert(surface.points.begin(), surface.points.end()); });
+    for (const std::size_t threads : options.threads)
+      with_threads(threads, [&] {
+        Triangulation tr;
+        Watch watch;
+        ours[threads].add([&] { insert(tr, surface, threads, watch); });
+        watches[threads] = watch;
+        if (r == 0 && tr != expected)
+          throw std::runtime_error("not equal to plain CGAL");
+      });
+    with_threads(options.threads.back(), [&] {
+      CGAL::Bbox_3 box = CGAL::bbox_3(surface.points.begin(), surface.points.end());
+      Parallel_triangulation::Lock_data_structure locks(box, 50);
+      Parallel_triangulation tr(Epick(), &locks);
+      plain_parallel.add([&] { tr.insert(surface.points.begin(), surface.points.end()); });
+    });
+  }
+  Json result = {{"plain", plain.json()}, {"plain_parallel", plain_parallel.json()}};
+  for (const std::size_t threads : options.threads) {
+    Json of_threads = ours[threads].json();
+    of_threads["phases"] = phases(watches[threads]);
+    result["threads_" + std::to_string(threads)] = of_threads;
+  }
+  return result;
+}
+
+// Per number of workers the insertions rolled back, by round.
+Json simulate(const Indexed_surface& surface, const std::vector<unsigned>& numbers)
+{
+  namespace internal = DFS::internal;
+  const auto soup = internal::soup_graph(surface.faces, surface.points.size());
+  const DFS::Insertion_order plan = DFS::Surface_net_rounds(0)(surface.points, Epick(), soup.graph,
+                                                               internal::Identity_index_map());
+  if (plan.starting_places.empty())
+    return nullptr;
+  const auto points = internal::permuted(surface.points, plan.order);
+  Json result = {{"round_ends", plan.round_ends}};
+  for (const unsigned number : numbers)
+    result["workers_" + std::to_string(number)] = threads::Simulation(points, plan, number).run();
+  return result;
+}
+
+std::vector<comparison::Named_surface> chosen_surfaces(const Options& options)
+{
+  auto all = comparison::named_surfaces(options.data_dir);
+  all.push_back(shuffled(all[0]));
+  all.push_back(shuffled(all[1]));
+  std::vector<comparison::Named_surface> result;
+  for (const auto& surface : all)
+    if (options.names.empty() ||
+        std::find(options.names.begin(), options.names.end(), surface.name) != options.names.end())
+      result.push_back(surface);
+  return result;
+}
+
+Options read_options(int argc, char** argv)
+{
+  Options o;
+  po::options_description options("Measures what threads gain.\n\nOptions");
+  auto add = options.add_options();
+  add("help,h", "say this and stop");
+  add("surfaces", po::value(&o.names)->multitoken()->value_name("NAME..."), "default: all");
+  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."), "numbers of vertices");
+  add("threads", po::value(&o.threads)->multitoken()->value_name("N..."), "numbers of threads");
+  add("simulate", po::value(&o.simulated)->multitoken()->value_name("N..."),
+      "numbers of workers that one thread plays, to count rollbacks");
+  add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn; 0: no times");
+  add("data-dir", po::value(&o.data_dir)->value_name("DIR"), "the meshes of libcgal-demo");
+  add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
+  po::variables_map values;
+  po::store(po::parse_command_line(argc, argv, options), values);
+  po::notify(values);
+  if (values.count("help")) {
+    std::cout << options;
+    std::exit(EXIT_SUCCESS);
+  }
+  return o;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  const Options options = read_options(argc, argv);
+  Json report = {{"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
+  report["machine"]["load_before"] = comparison::load_average();
+  report["command"] = "measure_threads";
+  for (int i = 1; i < argc; ++i)
+    report["command"] = report["command"].get<std::string>() + " " + argv[i];
+  report["repetitions"] = options.repetitions;
+  report["results"] = Json::array();
+  for (const std::size_t n : options.sizes)
+    for (const auto& named : chosen_surfaces(options)) {
+      if (n < named.least_size)
+        continue;
+      const Indexed_surface surface = named.make(n, seed);
+      Json result = {{"surface", named.name}, {"points", surface.points.size()}};
+      if (options.repetitions > 0)
+        result["times"] = measure_times(surface, options);
+      if (!options.simulated.empty())
+        result["rolled_back"] = simulate(surface, options.simulated);
+      std::cerr << result.dump() << "\n";
+      report["results"].push_back(std::move(result));
+    }
+  std::ofstream(options.output) << std::setw(1) << report << "\n";
+} catch (const std::exception& e) {
+  std::cerr << "measure_threads: " << e.what() << "\n";
+  return EXIT_FAILURE;
+}
