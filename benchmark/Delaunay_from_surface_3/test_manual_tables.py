@@ -53,6 +53,9 @@ class Manual_tables(unittest.TestCase):
     def test_orders(self):
         self.check("Orders.txt", "order_tables.py", "orders*.json", "demo_meshes.json")
 
+    def test_threads(self):
+        self.check("Threads.txt", "thread_tables.py", "threads*.json")
+
 
 if __name__ == "__main__":
     unittest.main()
