@@ -6,12 +6,17 @@
 // trace and from elsewhere; how many triangles a trace crosses; and what becomes of it when T is not Delaunay.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/jitter.h>
+#include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/topology.h>
 #include <Delaunay_from_surface_3_theory/report.h>
 #include <Delaunay_from_surface_3_theory/surfaces.h>
 #include <Delaunay_from_surface_3_theory/whole_runs.h>
 
+#include <CGAL/euclidean_minimum_spanning_tree_3.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -48,7 +53,7 @@ Options)";
 struct Options
 {
   std::vector<std::string> surfaces;
-  std::vector<std::size_t> sizes, time_sizes;
+  std::vector<std::size_t> sizes, time_sizes, subgraph_sizes;
   std::size_t hypothesis_size = 32768, threads = 1;
   std::string output = "location_costs.json", data_dir, cache_dir, command;
   unsigned int seed = 0;
@@ -69,6 +74,9 @@ po::options_description describe(Options& o)
   add("hypothesis-size",
       po::value(&o.hypothesis_size)->value_name("N")->default_value(o.hypothesis_size),
       "number of points with which the hypothesis is made to fail; 0: not at all");
+  add("subgraph-sizes", po::value(&o.subgraph_sizes)->multitoken()->value_name("N..."),
+      "numbers of points to compare subgraphs T at, with both histories; then nothing else is "
+      "measured");
   add("output,o", po::value(&o.output)->value_name("FILE")->default_value(o.output),
       "where the JSON goes");
   add("data-dir,d", po::value(&o.data_dir)->value_name("FOLDER"),
@@ -82,11 +90,26 @@ po::options_description describe(Options& o)
   return options;
 }
 
+std::vector<Theory_surface> with_marching_cubes(std::vector<Theory_surface> surfaces)
+{
+  surfaces.push_back({"marching-cubes", "marching cubes on a smooth sum of waves", false,
+                      std::size_t(1) << 30, [](std::size_t n) {
+                        const auto side = std::size_t(std::lround(std::sqrt(double(n) / 4.2)));
+                        return surfaces::marching_cubes(surfaces::random_waves(side, 6, 1));
+                      }});
+  surfaces.push_back({"room", "six walls that bulge inwards, and a point in the middle, in no face",
+                      false, std::size_t(1) << 30,
+                      [](std::size_t n) { return surfaces::room(n, 1); }});
+  return surfaces;
+}
+
 std::vector<Theory_surface> chosen_surfaces(const Options& options)
 {
   std::vector<Theory_surface> chosen;
+  const std::vector<Theory_surface> all =
+      theory_surfaces(options.data_dir, options.cache_dir, options.seed);
   for (const Theory_surface& surface :
-       theory_surfaces(options.data_dir, options.cache_dir, options.seed)) {
+       options.subgraph_sizes.empty() ? all : with_marching_cubes(all)) {
     const auto& names = options.surfaces;
     if (names.empty() || std::find(names.begin(), names.end(), surface.name) != names.end())
       chosen.push_back(surface);
@@ -177,6 +200,40 @@ void break_hypothesis(const Theory_surface& surface, const Options& options, Jso
     measure("random edges", share, original, with_random_edges(tree, share, options.seed));
 }
 
+// Subgraphs for T side by side: the bounded degree subgraph, the minimum spanning forest of F, any spanning forest, and
+// the Euclidean minimum spanning tree, which need not be in F.
+Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned int seed)
+{
+  const Indexed_surface indexed = surface.make(size);
+  const std::size_t n = indexed.points.size();
+  const Edges edges = edges_of(indexed);
+  const comparison::Triangulation tr(indexed.points.begin(), indexed.points.end());
+  std::map<comparison::Kernel::Point_3, std::size_t> number;
+  for (std::size_t v = 0; v < n; ++v)
+    number[indexed.points[v]] = v;
+  Edges emst;
+  CGAL::euclidean_minimum_spanning_tree_3(
+      tr, boost::make_function_output_iterator([&](const auto& e) {
+        emst.push_back(edge(number.at(e.first->point()), number.at(e.second->point())));
+      }));
+  const std::map<std::string, Edges> subgraphs = {
+      {"subgraph of bounded degree", bounded_degree_edges(indexed)},
+      {"minimum spanning forest of F", minimum_spanning_forest(indexed)},
+      {"a spanning forest of F", random_spanning_tree(edges, n, seed)},
+      {"Euclidean minimum spanning tree", emst},
+      {"all of F", edges}};
+  Json result = {{"surface", surface.name}, {"size", size}, {"points", n}};
+  for (const auto& [name, T] : subgraphs) {
+    Laboratory laboratory(indexed.points, edges, T, seed);
+    const std::vector<Round_cost> rounds = laboratory.run();
+    result["subgraphs"][name] = {
+        {"assumptions", assumptions_as_json(laboratory, indexed, edges, T)},
+        {"locations", locations_as_json(rounds)},
+        {"traces", traces_as_json(rounds)}};
+  }
+  return result;
+}
+
 // a + b log2 n for every surface and way, without and with the cells that traces enter.
 Json fits(const Json& results)
 {
@@ -216,6 +273,7 @@ Json description_of(const Options& options, const std::vector<Theory_surface>& s
           {"fits", Json::object()},
           {"results", Json::array()},
           {"hypothesis", Json::array()},
+          {"subgraphs", Json::array()},
           {"times", Json::array()}};
 }
 
@@ -259,6 +317,15 @@ void run(const Options& options)
       write(report, options.output);
     };
   };
+  if (!options.subgraph_sizes.empty()) {
+    everywhere(
+        surfaces, options.subgraph_sizes, options.threads,
+        [&](const Theory_surface& surface, std::size_t size) {
+          return compare_subgraphs(surface, size, options.seed);
+        },
+        keep_in("subgraphs"));
+    return;
+  }
   for (const Theory_surface& surface : surfaces)
     if (options.hypothesis_size > 0 && surface.meets_assumptions)
       break_hypothesis(surface, options, report);

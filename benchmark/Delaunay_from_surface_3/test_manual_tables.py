@@ -47,6 +47,9 @@ class Manual_tables(unittest.TestCase):
     def test_theory(self):
         self.check("Theory.txt", "plot_location_costs.py", "location_costs.json")
 
+    def test_statements(self):
+        self.check("Statements.txt", "statement_tables.py", "subgraphs_traced*.json")
+
     def test_subgraphs(self):
         self.check("bounded_degree_subgraphs.txt", "subgraph_tables.py", "subgraph_*.json")
 

@@ -7,8 +7,8 @@
 from manual_tables import cell, commands_of, machine_of, table
 
 WAYS = {  # colour and label; the order is that of the legends and tables
-    "history-root": ("#7a3b00", "history DAG, from the root"),
-    "history-trace": ("#d00000", "history DAG, from the last trace (the paper)"),
+    "history-root": ("#7a3b00", "history by containment, from the root"),
+    "history-trace": ("#d00000", "history by containment, from the last trace"),
     "walk-trace": ("#e69f00", "walk, from the last trace"),
     "walk-neighbor": ("#56b4e9", "walk, from the nearest surface neighbour"),
     "fast-location": ("#009e73", "Fast_location, random order"),

@@ -11,6 +11,7 @@
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
 #include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
+#include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>
 #include <Delaunay_from_surface_3_surfaces/renumber.h>
@@ -53,6 +54,8 @@ Shapes (--vertices says about how many points to make):
   lattice         box with square holes, of any --genus, on the integer lattice
   thin-plate      two square lattices at distance --thickness
   torus           regular grid on a torus
+  marching-cubes  marching cubes on a smooth sum of random waves
+  noise           marching cubes on nothing but noise
   terrain         hilly land with a boundary
   coplanar        square lattice in one plane
   collinear       points on one line, triangles without area
@@ -76,6 +79,7 @@ Surfaces that mislead:
   random-faces    points of a thick sphere, faces that join three of them at random
   two-lines       a band from line to line, which are askew: quadratically many cells
   nearly-flat     random points of a square, off their plane by up to 1e-12
+  room            six walls that bulge inwards, and a point in the middle that sees them all
 
 Options)";
 
@@ -173,6 +177,17 @@ Indexed_surface make_shape(const po::variables_map& options)
       {"star", [&] { return surfaces::star(n, seed); }},
       {"random-faces", [&] { return surfaces::faces_at_random(n, seed); }},
       {"two-lines", [&] { return surfaces::two_lines(n); }},
+      {"marching-cubes",
+       [&] {
+         const auto side = static_cast<std::size_t>(std::lround(std::sqrt(double(n) / 4.2)));
+         return surfaces::marching_cubes(surfaces::random_waves(side, 6, seed));
+       }},
+      {"noise",
+       [&] {
+         const auto side = static_cast<std::size_t>(std::lround(std::cbrt(double(n) / 1.4)));
+         return surfaces::marching_cubes(surfaces::noise(side, seed));
+       }},
+      {"room", [&] { return surfaces::room(n, seed); }},
       {"nearly-flat", [&] { return surfaces::nearly_flat(n, 1e-12, seed); }},
       {"loop",
        [&] {

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
@@ -23,6 +24,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace theory {
@@ -47,6 +49,8 @@ struct Location_cost
 enum Way {
   HISTORY_FROM_ROOT,
   HISTORY_FROM_TRACE,
+  CONFLICTS_FROM_ROOT,
+  CONFLICTS_FROM_TRACE,
   WALK_FROM_NEIGHBOR,
   WALK_FROM_RANDOM,
   NUMBER_OF_WAYS
@@ -56,8 +60,9 @@ struct Round_cost
 {
   std::size_t end = 0; // N_h
   std::array<Location_cost, NUMBER_OF_WAYS> ways;
-  Location_cost trace;       // at the end of the round; no points after the last
-  std::size_t crossings = 0; // of T with the triangles of D(S_{N_h})
+  Location_cost trace;          // at the end of the round; no points after the last
+  Location_cost conflict_trace; // the same where conflict sets are recorded
+  std::size_t crossings = 0;    // of T with the triangles of D(S_{N_h})
 };
 
 class Laboratory
@@ -67,7 +72,8 @@ class Laboratory
   using Vertex = Target::Vertex;
 
 public:
-  // Point v of `points` is vertex v of the surface and the subgraph.
+  // Point v of `points` is vertex v of the surface and the subgraph. The history of all conflicts, which
+  // takes 3 kB per point, is kept up to 2^17 points.
   Laboratory(const std::vector<comparison::Kernel::Point_3>& points, const Edges& surface,
              const Edges& subgraph, unsigned int seed)
     : m_plan(CGAL::Delaunay_from_surface_3::Random_log_star_rounds(seed)(
@@ -82,6 +88,8 @@ public:
     , m_random(seed)
     , m_stride(1 + points.size() / 65536)
   {
+    if (points.size() <= 140000)
+      m_conflicts.emplace(m_target, m_subgraph);
   }
   Laboratory(const Laboratory&) = delete;
   Laboratory& operator=(const Laboratory&) = delete;
@@ -108,6 +116,8 @@ public:
     return m_history.history();
   }
 
+  bool keeps_conflicts() const { return m_conflicts.has_value(); }
+
   // The vertices, in the order of the points given. To be called last.
   std::vector<Vertex> take_vertices()
   {
@@ -121,6 +131,36 @@ private:
     Cell cell;
     std::size_t nodes_entered;
   };
+
+  using Conflicts = CGAL::Delaunay_from_surface_3::Conflict_history_hints_3<Target, Index_graph>;
+
+  // Tells both of an update.
+  struct Both_histories
+  {
+    static constexpr bool observes_conflict_zone = true;
+    template <class CellIterator>
+    void before_update(std::size_t i, CellIterator first, CellIterator last)
+    {
+      by_containment.before_update(i, first, last);
+      if (by_conflict != nullptr)
+        by_conflict->before_update(i, first, last);
+    }
+    void after_update(std::size_t i, Vertex v)
+    {
+      by_containment.after_update(i, v);
+      if (by_conflict != nullptr)
+        by_conflict->after_update(i, v);
+    }
+    CGAL::Delaunay_from_surface_3::History_hints_3<Target, Index_graph>& by_containment;
+    Conflicts* by_conflict;
+  };
+
+  Start start_by_conflicts(std::size_t i, bool is_from_root)
+  {
+    const std::size_t before = m_conflicts->nodes_visited();
+    const Cell cell = is_from_root ? m_conflicts->start_from_root(i) : m_conflicts->start(i);
+    return {cell, m_conflicts->nodes_visited() - before};
+  }
 
   const CGAL::Delaunay_from_surface_3::Predicate_counts& counts() const
   {
@@ -146,7 +186,13 @@ private:
       const Cell cell = m_history.start(i);
       return Start{cell, m_history.nodes_entered() - before};
     });
-    m_target.insert(i, location, m_history);
+    if (m_conflicts) {
+      if (i % m_stride == 0)
+        count(i, round.ways[CONFLICTS_FROM_ROOT], [&] { return start_by_conflicts(i, true); });
+      count(i, round.ways[CONFLICTS_FROM_TRACE], [&] { return start_by_conflicts(i, false); });
+    }
+    Both_histories histories = {m_history, m_conflicts ? &*m_conflicts : nullptr};
+    m_target.insert(i, location, histories);
     m_neighbors.after_update(i, m_target.vertex(i));
   }
 
@@ -170,6 +216,12 @@ private:
     round.trace.points = m_history.trace();
     round.trace.cells_entered = (counts() - before).cells_entered();
     round.trace.calls = (counts() - before).all();
+    if (m_conflicts) {
+      const CGAL::Delaunay_from_surface_3::Predicate_counts then = counts();
+      round.conflict_trace.points = m_conflicts->trace();
+      round.conflict_trace.cells_entered = round.trace.cells_entered;
+      round.conflict_trace.calls = (counts() - then).all();
+    }
     for (std::size_t i = 0; i < m_points.size(); ++i)
       for (auto [j, end] = adjacent_vertices(i, m_subgraph); j != end; ++j)
         if (i < *j)
@@ -197,6 +249,7 @@ private:
   Counted_triangulation m_tr;
   Target m_target;
   CGAL::Delaunay_from_surface_3::History_hints_3<Target, Index_graph> m_history;
+  std::optional<Conflicts> m_conflicts;
   CGAL::Delaunay_from_surface_3::Neighbor_hints_3<Target, Index_graph> m_neighbors;
   surfaces::Random m_random;
   std::size_t m_stride; // the two long ways are taken by a sample of the points, if they are many

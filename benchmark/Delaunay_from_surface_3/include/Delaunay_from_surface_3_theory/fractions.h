@@ -9,6 +9,7 @@
 
 #include <Delaunay_from_surface_3_theory/trees.h>
 
+#include <CGAL/Delaunay_from_surface_3/delaunay_share.h>
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/squared_distance_3.h>
 
@@ -54,11 +55,8 @@ double delaunay_triangles(const Triangulation& tr,
                           const std::vector<typename Triangulation::Vertex_handle>& vertices,
                           const std::vector<Indexed_surface::Face>& faces)
 {
-  return fraction(faces, [&](const Indexed_surface::Face& face) {
-    typename Triangulation::Cell_handle c;
-    int i, j, k;
-    return tr.is_facet(vertices[face[0]], vertices[face[1]], vertices[face[2]], c, i, j, k);
-  });
+  const auto share = CGAL::Delaunay_from_surface_3::delaunay_share(tr, vertices, faces);
+  return share.triangles == 0 ? 1. : double(share.delaunay_triangles) / double(share.triangles);
 }
 
 // The Euclidean minimum spanning tree, by Kruskal over the Delaunay edges (§3.1); sorted. Of edges of the same

@@ -24,8 +24,9 @@ using comparison::rounded;
 
 inline const char* name_of(std::size_t way)
 {
-  static const char* const names[NUMBER_OF_WAYS] = {"history-root", "history-trace",
-                                                    "walk-neighbor", "walk-random"};
+  static const char* const names[NUMBER_OF_WAYS] = {"history-root",   "history-trace",
+                                                    "conflicts-root", "conflicts-trace",
+                                                    "walk-neighbor",  "walk-random"};
   return names[way];
 }
 
@@ -44,14 +45,21 @@ inline Json locations_as_json(const std::vector<Round_cost>& rounds)
     Location_cost sum;
     for (const Round_cost& round : rounds)
       sum += round.ways[way];
-    result[name_of(way)] = per_point(sum.cells_entered, sum.calls, sum.points);
+    if (sum.points > 0)
+      result[name_of(way)] = per_point(sum.cells_entered, sum.calls, sum.points);
   }
-  Location_cost trace;
-  for (const Round_cost& round : rounds)
-    trace += round.trace;
-  const Json traces = per_point(trace.cells_entered, trace.calls, rounds.back().end);
-  result[name_of(HISTORY_FROM_TRACE)]["trace_cells_entered"] = traces["cells_entered"];
-  result[name_of(HISTORY_FROM_TRACE)]["trace_calls"] = traces["calls"];
+  const auto add_traces = [&](Way way, Location_cost Round_cost::*part) {
+    Location_cost trace;
+    for (const Round_cost& round : rounds)
+      trace += round.*part;
+    const Json traces = per_point(trace.cells_entered, trace.calls, rounds.back().end);
+    if (result.contains(name_of(way))) {
+      result[name_of(way)]["trace_cells_entered"] = traces["cells_entered"];
+      result[name_of(way)]["trace_calls"] = traces["calls"];
+    }
+  };
+  add_traces(HISTORY_FROM_TRACE, &Round_cost::trace);
+  add_traces(CONFLICTS_FROM_TRACE, &Round_cost::conflict_trace);
   return result;
 }
 

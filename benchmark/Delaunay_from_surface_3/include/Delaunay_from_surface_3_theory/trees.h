@@ -12,6 +12,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Minimum_spanning_forest.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -72,6 +73,22 @@ inline Index_graph graph_of(const Edges& edges, const std::vector<std::size_t>& 
   }
   return Index_graph(boost::edges_are_unsorted_multi_pass, darts.begin(), darts.end(),
                      numbers.size());
+}
+
+// The minimum spanning forest of F.
+inline Edges minimum_spanning_forest(const Indexed_surface& surface)
+{
+  const Edges all = edges_of(surface);
+  std::vector<std::size_t> numbers(surface.points.size());
+  for (std::size_t v = 0; v < numbers.size(); ++v)
+    numbers[v] = v;
+  const Index_graph graph = graph_of(all, numbers);
+  Edges forest;
+  CGAL::Delaunay_from_surface_3::Minimum_spanning_forest<Indexed_surface::Point_3>(surface.points)(
+      graph, get(boost::vertex_index, graph),
+      boost::make_function_output_iterator(
+          [&](const auto& e) { forest.push_back(edge(source(e, graph), target(e, graph))); }));
+  return forest;
 }
 
 // A spanning tree of the graph with edges in random order: T is still a subset of F.

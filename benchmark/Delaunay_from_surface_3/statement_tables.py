@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Puts what location_costs --subgraph-sizes measured on the manual's page of the paper's statements.
+
+  statement_tables.py results/subgraphs_traced*.json --manual Statements.txt
+"""
+
+import argparse
+import json
+
+import manual_tables
+from manual_tables import commands_of, table
+from theory_tables import cells_of_traces, mean_crossings, percent
+
+ORDER = ["subgraph of bounded degree", "minimum spanning forest of F", "a spanning forest of F",
+         "Euclidean minimum spanning tree", "all of F"]
+
+
+def measured(reports):
+    """(names, result) for every surface, size and subgraph."""
+    for r in sorted((r for report in reports for r in report["subgraphs"]), key=lambda r: (r["surface"], r["size"])):
+        for k, name in enumerate(ORDER):
+            yield ([r["surface"], str(r["points"])] if k == 0 else ["", ""]) + [name], r["subgraphs"][name]
+
+
+def traced(reports):
+    rows = []
+    for names, r in measured(reports):
+        found = r["assumptions"]
+        rows.append(names + [str(found["subgraph_degree"]), percent(found["subgraph_edges_delaunay"]),
+                             percent(found["emst_edges_in_subgraph"]), f"{mean_crossings(r):.2f}",
+                             f"{cells_of_traces(r):.2f}"])
+    return table(["surface", "points", "T", "degree", "T in D(S)", "EMST in T", "crossings per trace and point",
+                  "cells entered per traced point"], rows, 3)
+
+
+def located(reports):
+    rows = []
+    for names, r in measured(reports):
+        if names[2] not in ("subgraph of bounded degree", "Euclidean minimum spanning tree"):
+            continue
+        cells = []
+        for way in ("conflicts-trace", "history-trace", "conflicts-root", "history-root"):
+            cost = r["locations"][way]
+            cells += [f'{cost["cells_entered"]:.1f}', f'{cost["calls"]:.0f}']
+        cells += [f'{r["locations"][way]["trace_calls"]:.0f}' for way in ("conflicts-trace", "history-trace")]
+        rows.append(names + cells)
+    return table(["surface", "points", "T", "conflicts, from the trace: nodes", "calls",
+                  "containment, from the trace: nodes", "calls", "conflicts, from the root: nodes", "calls",
+                  "containment, from the root: nodes", "calls", "traces with conflict sets: calls", "traces: calls"],
+                 rows, 3)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("results", nargs="+", help="what location_costs wrote")
+    manual_tables.add_options(parser)
+    arguments = parser.parse_args()
+    reports = []
+    for name in sorted(arguments.results):
+        with open(name, encoding="utf-8") as file:
+            reports.append(json.load(file))
+    manual_tables.serve(arguments, {"traced": traced(reports), "located": located(reports),
+                                    "command_of_subgraphs": commands_of(*reports)})
+
+
+if __name__ == "__main__":
+    main()
