@@ -3,12 +3,14 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Puts what measure_orders and check_meshes wrote as tables on the manual's page on orders; needs nothing but Python.
+"""Puts what measure_orders, check_meshes and count_instructions.py wrote as tables on the manual's page on orders; needs
+nothing but Python.
 
-  order_tables.py results/orders*.json --tables
-  order_tables.py results/orders*.json --manual Orders.txt [--check]
+  order_tables.py results/{orders,orders_200k,nets_200k,demo_meshes,small_meshes}.json --tables
+  order_tables.py results/{orders,orders_200k,nets_200k,demo_meshes,small_meshes}.json --manual Orders.txt [--check]
 
-Blocks: one table for each size, a summary of all, the meshes of libcgal-demo, machine, and commands.
+Blocks: one table for each size, a summary of all, machine, and commands; the rules for nets; the meshes of libcgal-demo,
+by times, and the small ones by instructions.
 """
 
 import argparse
@@ -31,9 +33,12 @@ def size_of(row, sizes):
     return min(sizes, key=lambda n: abs(math.log(n / row["points"])))
 
 
+def order_row_names(row):
+    return [row["family"], ", ".join(filter(None, [row["kind"], row["coordinates"] if is_cad(row) else ""]))]
+
+
 def order_row(row):
-    kind = ", ".join(filter(None, [row["kind"], row["coordinates"] if is_cad(row) else ""]))
-    return [row["family"], kind, row["points"], f'{row["median_ratio"]:.2f}', f'{row["lower_limit_of_ratio"]:.2f}',
+    return [*order_row_names(row), row["points"], f'{row["median_ratio"]:.2f}', f'{row["lower_limit_of_ratio"]:.2f}',
             f'{row["cells_destroyed"]:.1f}', f'{row["cells_tested_to_start"]:.1f}',
             "yes" if row["order_was_replaced"] else ""]
 
@@ -76,12 +81,55 @@ def block_of_meshes(report, least_vertices):
     return head + "\n\n" + table(["mesh", "vertices", "ratio"], [[cell(v) for v in row] for row in rows])
 
 
+def net_name(block, points):
+    return "by index" if block == 1 else "random" if block >= points else f"blocks of {block}"
+
+
+def count_cell(counts):
+    return f'{counts["cells_destroyed"]:.1f} / {counts["cells_tested_to_start"]:.1f}' + (
+        " *" if counts["order_was_replaced"] else "")
+
+
+def blocks_of_nets(report):
+    rows = report["results"]
+    most = max(row["points"] for row in rows)
+    titles = ["surface", "numbering and coordinates, or what it is", "points",
+              *(net_name(block, most) for block in report["blocks"]), "random rounds"]
+    lines = [[cell(v) for v in (*order_row_names(row), row["points"])] +
+             [count_cell(c) for c in (*row["nets"], row["random_rounds"])] for row in rows]
+    for name, chosen in (("solids as CAD makes them", list(filter(is_cad, rows))),
+                         ("other surfaces", [row for row in rows if not is_cad(row)])):
+        columns = zip(*((*row["nets"], row["random_rounds"]) for row in chosen))
+        lines.append([name, "geometric mean, destroyed", ""] +
+                     [f'{geometric_mean([c["cells_destroyed"] for c in column]):.1f}' for column in columns])
+    return {"nets": table(titles, lines, 2), "nets_command": commands_of(report)}
+
+
+SMALL_SIZES = (10, 100, 1000, 3000)
+
+
+def blocks_of_instructions(report):
+    rows, first = [], 4  # points: fewer have no triangulation in space
+    for end in SMALL_SIZES:
+        ratios = [m["plain"] / m["package"] for m in report["instructions"] if first <= m["vertices"] < end]
+        if ratios:
+            rows.append([f"{first} to {end - 1}", len(ratios), f"{geometric_mean(ratios):.2f}", f"{min(ratios):.2f}",
+                         sum(r < 1 for r in ratios)])
+        first = end
+    titles = ["vertices", "meshes", "geometric mean", "least", "below 1"]
+    return {"small": table(titles, [[cell(v) for v in row] for row in rows]), "small_command": commands_of(report)}
+
+
 def all_blocks(reports):
     """{name: text} of all that the manual shows."""
-    blocks = blocks_of_orders([r for r in reports if "results" in r], (3000, 20000, 200000))
+    blocks = blocks_of_orders([r for r in reports if "repetitions" in r], (3000, 20000, 200000))
     for report in reports:
         if "meshes" in report:
             blocks["meshes"] = block_of_meshes(report, 3000)
+        if "blocks" in report:
+            blocks.update(blocks_of_nets(report))
+        if "instructions" in report:
+            blocks.update(blocks_of_instructions(report))
     return blocks
 
 

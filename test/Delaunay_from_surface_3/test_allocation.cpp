@@ -34,6 +34,15 @@ void* allocate(std::size_t size, std::size_t alignment)
   throw std::bad_alloc();
 }
 
+// A function of its own: where a compiler sees free() take what operator new has returned, it warns.
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+void release(void* p) noexcept
+{
+  std::free(p);
+}
+
 } // namespace
 
 void* operator new(std::size_t size)
@@ -50,27 +59,27 @@ void* operator new(std::size_t size, std::align_val_t a)
 }
 void operator delete(void* p) noexcept
 {
-  std::free(p);
+  release(p);
 }
 void operator delete[](void* p) noexcept
 {
-  std::free(p);
+  release(p);
 }
 void operator delete(void* p, std::size_t) noexcept
 {
-  std::free(p);
+  release(p);
 }
 void operator delete[](void* p, std::size_t) noexcept
 {
-  std::free(p);
+  release(p);
 }
 void operator delete(void* p, std::align_val_t) noexcept
 {
-  std::free(p);
+  release(p);
 }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept
 {
-  std::free(p);
+  release(p);
 }
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -115,8 +115,8 @@ Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cl
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     last_met_by[c] = Index(c);
     for (std::size_t k = clusters.first[c]; k < clusters.first[c + 1]; ++k) {
-      prefetch(&lower.first[clusters.items[(std::min)(k + 16, last)]]);
-      prefetch(lower.begin(clusters.items[(std::min)(k + 8, last)]));
+      prefetch(&lower.first[clusters.items[(std::min)(k + prefetch_distance, last)]]);
+      prefetch(lower.begin(clusters.items[(std::min)(k + near_prefetch_distance, last)]));
       const Index v = clusters.items[k];
       for (const Index *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
         const Index d = cluster_of[*u];

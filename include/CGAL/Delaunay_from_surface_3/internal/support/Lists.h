@@ -40,7 +40,8 @@ Lists<Index> in_lists(std::size_t n, std::size_t m, const ListOf& list_of, const
   lists.items.resize(m);
   // first[i + 1] runs from the begin to the end of the list i
   for (std::size_t k = 0; k < m; ++k) {
-    prefetch(lists.items.data() + lists.first[list_of((std::min)(k + 16, m - 1)) + 1]);
+    prefetch(lists.items.data() +
+             lists.first[list_of((std::min)(k + prefetch_distance, m - 1)) + 1]);
     lists.items[lists.first[list_of(k) + 1]++] = item_of(k);
   }
   lists.first.pop_back();
