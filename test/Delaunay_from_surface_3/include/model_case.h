@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DELAUNAY_FROM_SURFACE_3_TESTS_MODEL_CASE_H
+#define DELAUNAY_FROM_SURFACE_3_TESTS_MODEL_CASE_H
+
+// What the model of the handshake inserts into, and how its cells lie in memory. See insertion_model.h.
+
+#include "memory_models.h"
+
+#include <string>
+#include <vector>
+
+namespace model {
+
+struct Point
+{
+  int x, height;
+};
+
+// What a worker is to insert, and from which cell its walk starts.
+struct Task
+{
+  Byte vertex;
+  Byte start;
+};
+
+// Vertices 1, 2, …, n form the chain at first, the k-th cell between k + 1 and k + 2.
+struct Case
+{
+  const char* name;
+  std::vector<Point> points;            // vertex v is points[v - 1]
+  unsigned chain;                       // so many of them are there at first
+  std::vector<std::vector<Task>> tasks; // of each worker
+  unsigned fresh_cells;                 // that each worker has
+  bool tries_again;                     // once, what clashed
+
+  unsigned number_of_workers() const { return unsigned(tasks.size()); }
+  unsigned number_of_cells() const { return chain - 1 + number_of_workers() * fresh_cells; }
+  Point point(Byte v) const { return v == 0 ? Point{0, 0} : points[v - 1u]; }
+  bool is_below(Byte p, Byte a, Byte b) const
+  {
+    const Point q = point(p), s = point(a), t = point(b);
+    const int turn = (t.x - s.x) * (q.height - s.height) - (q.x - s.x) * (t.height - s.height);
+    return t.x > s.x ? turn < 0 : turn > 0;
+  }
+};
+
+// --- cells in memory ---------------------------------------------------------------------------
+
+constexpr Byte busy = 128; // the highest bit of the first vertex
+
+inline Byte link_to(unsigned cell, unsigned facet)
+{
+  return Byte(2 * cell + facet);
+}
+
+// Facet k is opposite to vertex k: it is the other vertex. link_to(c, k) leads to cell c through its facet k.
+struct Layout
+{
+  unsigned workers;
+
+  Location v(unsigned cell, unsigned k) const { return cell * (4 + workers) + k; }
+  Location link(unsigned cell, unsigned k) const { return v(cell, 2 + k); }
+  Location lane(unsigned cell, unsigned worker) const { return v(cell, 4 + worker); }
+};
+
+inline std::vector<Byte> initial_memory(const Case& c)
+{
+  const Layout at{c.number_of_workers()};
+  std::vector<Byte> memory(c.number_of_cells() * (4 + at.workers), 0);
+  const unsigned last = c.chain - 2;
+  for (unsigned k = 0; k < c.number_of_cells(); ++k) {
+    memory[at.v(k, 0)] = k <= last ? Byte(k + 1) : busy;
+    if (k <= last) {
+      memory[at.v(k, 1)] = Byte(k + 2);
+      memory[at.link(k, 0)] = k < last ? link_to(k + 1, 1) : link_to(k, 0);
+      memory[at.link(k, 1)] = k > 0 ? link_to(k - 1, 0) : link_to(k, 1);
+    }
+  }
+  return memory;
+}
+
+} // namespace model
+
+#endif // DELAUNAY_FROM_SURFACE_3_TESTS_MODEL_CASE_H
