@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace threads {
@@ -58,7 +59,7 @@ public:
       v[k] = m_vertex_of[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
     m_any_vertex = v[0];
     m_complex.start(v);
-    m_shared.make_room(12 * points.size()); // it cannot grow while zones are announced
+    m_shared.make_room(24 * points.size()); // it cannot grow while zones are announced
     for (unsigned t = 0; t < workers; ++t)
       m_workers.push_back(std::make_unique<Worker>(m_exact, m_shared, t));
   }
@@ -117,7 +118,6 @@ private:
     return rolled_back;
   }
 
-  // Room is made when nothing is announced by this worker: lanes of others would be lost.
   Try announce(std::size_t t, std::size_t i)
   {
     if (m_vertex_of[i] != 0)
@@ -127,7 +127,9 @@ private:
                                                (std::numeric_limits<std::size_t>::max)());
     if (outcome == Try::PRESENT)
       m_vertex_of[i] = present;
-    return outcome == Try::NO_CELLS ? Try::CLASH : outcome;
+    if (outcome == Try::NO_CELLS)
+      throw std::length_error("the simulation has too few cells");
+    return outcome;
   }
 
   Try finish(std::size_t t, std::size_t i)
