@@ -51,6 +51,20 @@ double bytes_per_point(std::size_t n, const Work& work)
 
 } // namespace
 
+// First: once large blocks were given back, glibc takes larger ones than before from the heap, where what
+// lies between them stays.
+BOOST_AUTO_TEST_CASE(points_on_a_surface)
+{
+  if (!forget_peak())
+    return;
+  const auto surface = surfaces::genus_surface(1, 400000, 0.05);
+  BOOST_TEST_REQUIRE(forget_peak());
+  const double peak = bytes_per_point(
+      surface.points.size(), [&] { CGAL::delaunay_3_arrays(surface.points, surface.faces); });
+  BOOST_TEST_MESSAGE("surface: peak " << peak << " bytes per point");
+  BOOST_TEST(peak < 300);
+}
+
 BOOST_AUTO_TEST_CASE(points_in_a_cube)
 {
   if (!forget_peak()) {
@@ -76,16 +90,4 @@ BOOST_AUTO_TEST_CASE(points_in_a_cube)
   BOOST_TEST(extra < 120);
   arrays.drop_neighbors();
   BOOST_TEST(memory("VmRSS") < kept - 90 * n);
-}
-
-BOOST_AUTO_TEST_CASE(points_on_a_surface)
-{
-  if (!forget_peak())
-    return;
-  const auto surface = surfaces::genus_surface(1, 400000, 0.05);
-  BOOST_TEST_REQUIRE(forget_peak());
-  const double peak = bytes_per_point(
-      surface.points.size(), [&] { CGAL::delaunay_3_arrays(surface.points, surface.faces); });
-  BOOST_TEST_MESSAGE("surface: peak " << peak << " bytes per point");
-  BOOST_TEST(peak < 300);
 }
