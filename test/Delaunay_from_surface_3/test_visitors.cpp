@@ -106,7 +106,20 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_everything)
   BOOST_TEST(visitor.phases[Phase::FINISH] == 1u);
   BOOST_TEST(visitor.phases[Phase::DONE] == 1u);
   BOOST_TEST(visitor.reasons.empty());
-  BOOST_TEST(visitor.reasons_of_subgraph.size() == 1u); // a soup: T is a spanning forest
+  BOOST_TEST(visitor.reasons_of_subgraph.empty());
+}
+
+// Three triangles at one edge are no surface: T is a spanning forest.
+BOOST_AUTO_TEST_CASE(visitor_is_told_of_another_subgraph)
+{
+  const std::vector<Triangulation::Point> points = {
+      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, -1}};
+  const std::vector<std::vector<std::size_t>> faces = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+  Triangulation tr;
+  Watching_visitor visitor;
+  CGAL::insert_surface_points_3(tr, points, faces, CGAL::Tracing_traits_3(),
+                                CGAL::parameters::visitor(std::ref(visitor)));
+  BOOST_TEST(visitor.reasons_of_subgraph.size() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(visitor_is_told_in_the_order_documented)
