@@ -10,8 +10,7 @@
 //
 // On x86 every load acquires and every store releases, and compilers keep volatile accesses in their
 // order: volatile words are enough, if all that is shared is read and written by these functions.
-// GCC and clang take an atomic access for one of all memory, and load every pointer again after it;
-// that made inserting a third slower.
+// GCC takes an atomic access for one of all memory, and loads every pointer again after it.
 
 #include <atomic>
 #include <cstddef>
