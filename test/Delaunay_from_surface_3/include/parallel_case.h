@@ -11,6 +11,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/is_delaunay.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Parallel_triangulation.h>
@@ -22,6 +23,7 @@
 #include <cstdint>
 #include <map>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace tests {
@@ -164,8 +166,8 @@ Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
     triangulation.insert_round(first, last, subject.vertex_of, hints, [] { return true; });
   }
   triangulation.finish();
-  return {subject.complex.is_valid(), subject.cells(), triangulation.counts().clashes,
-          triangulation.counts().put_off};
+  return {DFS::internal::is_delaunay(subject.complex, subject.exact), subject.cells(),
+          triangulation.counts().clashes, triangulation.counts().put_off};
 }
 
 } // namespace tests

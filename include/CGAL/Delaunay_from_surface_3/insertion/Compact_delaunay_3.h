@@ -18,6 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/exact_scale.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/is_delaunay.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
@@ -195,23 +196,11 @@ public:
   }
 
   /// returns how many threads may insert at the same time.
-  std::size_t number_of_threads() const
-  {
-    if constexpr (is_parallel)
-      return m_kernel.number_of_workers();
-    else
-      return 1;
-  }
+  std::size_t number_of_threads() const { return m_kernel.number_of_workers(); }
 
   /// returns how many points a call of `insert_round()` should have at once, at least, when so many
   /// are inserted: for many threads enough to be worth their start.
-  std::size_t size_of_piece(std::size_t inserted) const
-  {
-    if constexpr (is_parallel)
-      return m_kernel.size_of_piece(inserted);
-    else
-      return 256;
-  }
+  std::size_t size_of_piece(std::size_t inserted) const { return m_kernel.size_of_piece(inserted); }
 
   /// inserts the points `first`, …, `last - 1`: one after the other, or by several threads. Then each
   /// thread has a copy of `hints`, and of the visitor only `go_further()` is called, in the thread that
@@ -267,9 +256,8 @@ protected:
   // To be called before that.
   void finish_insertions()
   {
-    if constexpr (is_parallel)
-      m_kernel.finish();
-    CGAL_expensive_postcondition(m_kernel.is_valid());
+    m_kernel.finish();
+    CGAL_expensive_postcondition(internal::is_delaunay(m_complex, m_exact));
   }
   /// \endcond
 

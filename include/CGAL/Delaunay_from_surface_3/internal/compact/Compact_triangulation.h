@@ -65,23 +65,10 @@ public:
 
   const Insertion_counts& counts() const { return m_zone.counts; }
 
-  // Are links and vertices right, and is no cell in conflict with the vertex across a facet? Linear.
-  bool is_valid() const
-  {
-    if (!m_complex.is_valid())
-      return false;
-    Insertion_counts uncounted;
-    Predicates predicates(m_exact, m_complex, uncounted);
-    for (std::size_t c = 0; c < m_complex.cells_end(); ++c)
-      for (const Id link : m_complex.cell(c).links) {
-        if (Complex::is_dead(m_complex.cell(c)))
-          break;
-        const Id across = m_complex.cell(link >> 2).v[link & 3];
-        if (across != Complex::infinite && predicates.is_in_conflict(m_complex.cell(c), across))
-          return false;
-      }
-    return true;
-  }
+  // The same words as those of many threads (Parallel_triangulation.h).
+  static constexpr std::size_t number_of_workers() { return 1; }
+  static constexpr std::size_t size_of_piece(std::size_t) { return 256; }
+  static void finish() {}
 
 private:
   Location walk(Predicates& predicates, Id p, Id start) const
