@@ -97,14 +97,7 @@ struct Subject
     : complex(points.size(), [&](std::size_t i) { return points[i]; })
     , vertex_of(points.size(), 0)
   {
-    const auto simplex = DFS::internal::starting_simplex(exact, points.size(), [&](std::size_t i) {
-      return complex.vertex(Complex::vertex_of_point(i)).coordinates;
-    });
-    std::array<Id, 4> v;
-    for (std::size_t k = 0; k < 4; ++k)
-      v[k] = vertex_of[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
-    any_vertex = v[0];
-    complex.start(v);
+    any_vertex = DFS::internal::start_complex(exact, complex, vertex_of);
   }
 
   // The finite and infinite cells, each point by the smallest number of its duplicates.

@@ -50,15 +50,8 @@ public:
     , m_shared(m_complex, workers)
     , m_vertex_of(points.size(), 0)
   {
-    const auto simplex = CGAL::Delaunay_from_surface_3::internal::starting_simplex(
-        m_exact, points.size(), [this](std::size_t i) {
-          return m_complex.vertex(Complex::vertex_of_point(i)).coordinates;
-        });
-    std::array<Id, 4> v;
-    for (std::size_t k = 0; k < 4; ++k)
-      v[k] = m_vertex_of[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
-    m_any_vertex = v[0];
-    m_complex.start(v);
+    m_any_vertex =
+        CGAL::Delaunay_from_surface_3::internal::start_complex(m_exact, m_complex, m_vertex_of);
     m_shared.make_room(24 * points.size()); // it cannot grow while zones are announced
     for (unsigned t = 0; t < workers; ++t)
       m_workers.push_back(std::make_unique<Worker>(m_exact, m_shared, t));

@@ -15,22 +15,18 @@
 #include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/exact_scale.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Scaled_points.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/is_delaunay.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Tbb_executor.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/assertions.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -62,6 +58,7 @@ export gives the cells back as it goes.
 \tparam Id an unsigned integer type for the numbers of vertices and cells: there can be 2^(b-2)
 cells for b bits. A constructor or an insertion that needs more throws a `std::length_error`;
 `Wider_target` can take the work over from the beginning.
+\tparam Executor runs the threads that insert; by default there is one. See `Parallel_target`.
 
 \cgalModels{InsertionTarget_3}
 */
@@ -69,10 +66,7 @@ template <class Triangulation, class Id, class Executor = internal::Alone>
 class Compact_delaunay_with_ids_3
 {
   using Geom_traits = typename Triangulation::Geom_traits;
-  // On doubles all exact predicates agree. Those that make points of doubles fastest are asked.
-  static constexpr bool has_doubles = std::is_same<typename Geom_traits::FT, double>::value;
-  using Predicates = internal::Perturbed_predicates<
-      std::conditional_t<has_doubles, Geom_traits, Exact_predicates_inexact_constructions_kernel>>;
+  using Predicates = internal::Perturbed_predicates_on_doubles<Geom_traits>;
   using Complex = internal::Compact_complex<Id>;
   static constexpr bool is_parallel = !std::is_same<Executor, internal::Alone>::value;
   using Kernel =
@@ -116,15 +110,18 @@ public:
                               const Executor& executor = Executor())
     : m_tr(tr)
     , m_points(points)
-    , m_exact(traits_for_doubles(tr.geom_traits()))
-    , m_not_double(internal::first_not_double(points))
-    , m_scale(m_not_double == points.size() ? internal::exact_scale(points) : 0)
-    , m_complex(is_ready() ? points.size() : 0, [this](std::size_t i) { return scaled(i); })
+    , m_exact(tr.geom_traits())
+    , m_scaled_points(points)
+    , m_obstacle(obstacle_of_input())
+    , m_complex(m_obstacle ? 0 : points.size(), m_scaled_points)
     , m_executor(executor)
-    , m_kernel(make_kernel())
+    , m_kernel(m_exact, m_complex, m_executor)
     , m_vertices(points.size(), Vertex())
-    , m_obstacle(begin())
   {
+    if (!m_obstacle)
+      m_any_vertex = internal::start_complex(m_exact, m_complex, m_vertices);
+    if (!m_obstacle && m_any_vertex == Vertex())
+      m_obstacle = "the points lie in one plane";
   }
 
   /// returns why the points cannot be inserted this way; nothing if they can.
@@ -228,8 +225,8 @@ public:
       const std::size_t i = Complex::point_of_vertex(v);
       return m_vertices[i] == v ? &m_points[i] : nullptr;
     };
-    m_handles =
-        export_complex(m_tr, m_complex, point, Creation_order{m_order, m_vertices}, m_executor);
+    m_handles = export_complex(m_tr, m_complex, point, Creation_order<Vertex>{m_order, m_vertices},
+                               m_executor);
     fill_upper_levels(m_tr, m_handles);
   }
 
@@ -262,76 +259,23 @@ protected:
   /// \endcond
 
 private:
-  static auto traits_for_doubles(const Geom_traits& gt)
-  {
-    if constexpr (has_doubles)
-      return gt;
-    else
-      return Exact_predicates_inexact_constructions_kernel();
-  }
-
-  // The k-th vertex to be created, k > 0.
-  struct Creation_order
-  {
-    const std::vector<std::size_t>* order;
-    const std::vector<Vertex>& vertices;
-    bool is_own() const { return order == nullptr; }
-    std::size_t operator()(std::size_t k) const
-    {
-      return is_own() ? k : std::size_t(vertices[(*order)[k - 1]]);
-    }
-  };
-
-  Kernel make_kernel()
-  {
-    if constexpr (is_parallel)
-      return Kernel(m_exact, m_complex, m_executor);
-    else
-      return Kernel(m_exact, m_complex);
-  }
-
-  std::array<double, 3> scaled(std::size_t i) const
-  {
-    const std::array<double, 3> p = *internal::double_coordinates(m_points[i]);
-    return {p[0] * m_scale, p[1] * m_scale, p[2] * m_scale};
-  }
-
-  bool is_ready() const { return m_tr.number_of_vertices() == 0 && m_scale != 0; }
-
-  // Returns what stands against the insertion; if nothing does, makes the first cells.
-  std::optional<std::string> begin()
+  std::optional<std::string> obstacle_of_input() const
   {
     if (m_tr.number_of_vertices() > 0)
       return "the triangulation is not empty";
-    if (m_not_double < m_points.size())
-      return "a coordinate of point " + std::to_string(m_not_double) + " is not a double";
-    if (m_scale == 0)
-      return "the coordinates are of too different size";
-    const auto simplex =
-        internal::starting_simplex(m_exact, m_points.size(), [this](std::size_t i) {
-          return m_complex.vertex(Complex::vertex_of_point(i)).coordinates;
-        });
-    if (!simplex.is_found)
-      return "the points lie in one plane";
-    std::array<Id, 4> v;
-    for (std::size_t k = 0; k < 4; ++k)
-      v[k] = m_vertices[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
-    m_any_vertex = v[0];
-    m_complex.start(v);
-    return std::nullopt;
+    return m_scaled_points.obstacle();
   }
 
   Triangulation& m_tr;
   const std::vector<Point>& m_points;
   Predicates m_exact;
-  std::size_t m_not_double; // the first such point, or the number of points
-  double m_scale;           // 0: there is none
+  internal::Scaled_points<Point> m_scaled_points;
+  std::optional<std::string> m_obstacle;
   Complex m_complex;
   Executor m_executor;
   Kernel m_kernel;
   std::vector<Vertex> m_vertices;
   Vertex m_any_vertex = Vertex(); // where no other is known
-  std::optional<std::string> m_obstacle;
   std::vector<typename Triangulation::Vertex_handle> m_handles;
   const std::vector<std::size_t>* m_order = nullptr;
 };

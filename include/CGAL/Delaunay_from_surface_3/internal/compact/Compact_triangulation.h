@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Walk_to_conflict.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/vectors.h>
 
 #include <cstddef>
@@ -35,7 +36,7 @@ public:
   using Location = Compact_location<Id>;
 
   // Of the vertices of `complex`, which has started. Keeps references.
-  Compact_triangulation(const Exact& exact, Complex& complex)
+  Compact_triangulation(const Exact& exact, Complex& complex, const Alone& = Alone())
     : m_exact(exact)
     , m_complex(complex)
   {

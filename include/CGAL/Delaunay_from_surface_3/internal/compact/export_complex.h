@@ -145,6 +145,20 @@ export_cells(Tds& tds, Compact_complex<Id>& complex, const std::vector<Vertex>& 
   return cells;
 }
 
+// The k-th vertex to be created, k > 0: in the order of the numbers, or in that in which `order`, if it
+// is there, first names points.
+template <class Vertex>
+struct Creation_order
+{
+  const std::vector<std::size_t>* order;
+  const std::vector<Vertex>& vertices; // by point
+  bool is_own() const { return order == nullptr; }
+  std::size_t operator()(std::size_t k) const
+  {
+    return is_own() ? k : std::size_t(vertices[(*order)[k - 1]]);
+  }
+};
+
 // The vertices alone, but for the infinite one. Returns their handles by vertex, none where there is no
 // vertex. point(v) and in_order(k): as in export_complex().
 template <class Triangulation, class PointOf, class InOrder, class Executor>

@@ -5,11 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_STARTING_SIMPLEX_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_STARTING_SIMPLEX_H
 
+#include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
+
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -41,6 +44,24 @@ Starting_simplex starting_simplex(const Predicates& predicates, std::size_t n, c
               true};
   }
   return {{}, false};
+}
+
+// Starts a complex with such points, and notes them in vertex_of, by point. Returns one of these
+// vertices; 0 if the points lie in one plane.
+template <class Exact, class Id>
+Id start_complex(const Exact& exact, Compact_complex<Id>& complex, std::vector<Id>& vertex_of)
+{
+  using Complex = Compact_complex<Id>;
+  const auto simplex = starting_simplex(exact, vertex_of.size(), [&](std::size_t i) {
+    return complex.vertex(Complex::vertex_of_point(i)).coordinates;
+  });
+  if (!simplex.is_found)
+    return 0;
+  std::array<Id, 4> v;
+  for (std::size_t k = 0; k < 4; ++k)
+    v[k] = vertex_of[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
+  complex.start(v);
+  return v[0];
 }
 
 } // namespace internal
