@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The claims of Choi 2002, measured: what it costs to locate a point, by history and by walk, from the last
-// trace and from elsewhere; how many triangles a trace crosses; and what becomes of it when T is not Delaunay.
+// The claims of Choi 2002, measured: what it costs to locate a point, by history and by walk, from
+// the last trace and from elsewhere; how many triangles a trace crosses; and what becomes of it
+// when T is not Delaunay.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
@@ -200,8 +201,8 @@ void break_hypothesis(const Theory_surface& surface, const Options& options, Jso
     measure("random edges", share, original, with_random_edges(tree, share, options.seed));
 }
 
-// Subgraphs for T side by side: the bounded degree subgraph, the minimum spanning forest of F, any spanning forest, and
-// the Euclidean minimum spanning tree, which need not be in F.
+// Subgraphs for T side by side: the bounded degree subgraph, the minimum spanning forest of F, any
+// spanning forest, and the Euclidean minimum spanning tree, which need not be in F.
 Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned int seed)
 {
   const Indexed_surface indexed = surface.make(size);
@@ -277,8 +278,9 @@ Json description_of(const Options& options, const std::vector<Theory_surface>& s
           {"times", Json::array()}};
 }
 
-// Calls measure(surface, size) for all surfaces and sizes, smaller sizes first, and hands every result to keep()
-// as soon as it is there. Counts depend on nothing that other threads do; times do.
+// Calls measure(surface, size) for all surfaces and sizes, smaller sizes first, and hands every
+// result to keep() as soon as it is there. Counts depend on nothing that other threads do; times
+// do.
 template <class Measure, class Keep>
 void everywhere(const std::vector<Theory_surface>& surfaces, const std::vector<std::size_t>& sizes,
                 std::size_t number_of_threads, const Measure& measure, const Keep& keep)

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What each kind of user gains, from the points to the end of what they do with the triangulation: plain
-// CGAL and this package in turn. Writes JSON.
+// What each kind of user gains, from the points to the end of what they do with the triangulation:
+// plain CGAL and this package in turn. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>

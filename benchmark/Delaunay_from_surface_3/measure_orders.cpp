@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures how the default keeps up with plain CGAL where an order of insertion can go wrong: solids
-// as CAD makes them, in three numberings and with coordinates rounded in four ways, and surfaces that
-// are degenerate, wrong or of quadratic size. Times in turn, and counts. Or only counts, of nets
-// drawn by other rules. Writes JSON.
+// Measures how the default keeps up with plain CGAL where an order of insertion can go wrong:
+// solids as CAD makes them, in three numberings and with coordinates rounded in four ways, and
+// surfaces that are degenerate, wrong or of quadratic size. Times in turn, and counts. Or only
+// counts, of nets drawn by other rules. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>

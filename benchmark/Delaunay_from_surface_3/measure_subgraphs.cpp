@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Measures the subgraphs of bounded degree: time and memory per vertex, degrees by genus with both
-// kinds of cut, degrees beside their bounds on surfaces of all kinds, and what a user would otherwise take. Writes JSON, and an SVG plot of the times.
+// kinds of cut, degrees beside their bounds on surfaces of all kinds, and what a user would
+// otherwise take. Writes JSON, and an SVG plot of the times.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_subgraphs/heap_peak.h>
@@ -55,7 +56,8 @@ struct Options
   std::string output = "subgraphs.json", plot = "subgraphs.svg";
 };
 
-// The function is called with a vector to write edges to; returns the smallest processor time of all calls.
+// The function is called with a vector to write edges to; returns the smallest processor time of
+// all calls.
 template <class Function>
 double nanoseconds_per_vertex(const Mesh& mesh, std::size_t repetitions, const Function& function)
 {

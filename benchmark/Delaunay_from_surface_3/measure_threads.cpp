@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures what threads gain: whole calls into an ordinary triangulation, by one thread and by more, beside
-// plain CGAL and its Parallel_tag, in turn; and, by simulation, how often up to 64 workers would get
-// into each other's way. Writes JSON.
+// Measures what threads gain: whole calls into an ordinary triangulation, by one thread and by
+// more, beside plain CGAL and its Parallel_tag, in turn; and, by simulation, how often up to 64
+// workers would get into each other's way. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>

@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A peer of compare_with_plain: CGAL's insert(first, last). It is built twice: as plain_peer, and
-// as plain_peer_sse2_max with CGAL_USE_SSE2_MAX, which must not meet code without it in one program.
+// as plain_peer_sse2_max with CGAL_USE_SSE2_MAX, which must not meet code without it in one
+// program.
 
 #include <Delaunay_from_surface_3_comparison/points_file.h>
 

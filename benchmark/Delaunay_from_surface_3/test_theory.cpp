@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What measures the theory, measured itself: crossings against all triangles one by one, shares where they are
-// known, minimum spanning trees against all pairs of points, and the laboratory against plain CGAL.
+// What measures the theory, measured itself: crossings against all triangles one by one, shares
+// where they are known, minimum spanning trees against all pairs of points, and the laboratory
+// against plain CGAL.
 
 #define BOOST_TEST_MODULE test_theory
 #include <boost/test/included/unit_test.hpp>
@@ -136,7 +137,8 @@ BOOST_AUTO_TEST_CASE(restricted_delaunay_surfaces_are_delaunay)
   }
 }
 
-// A kite folded along its longer diagonal, under a fifth point: that diagonal is in no empty sphere.
+// A kite folded along its longer diagonal, under a fifth point: that diagonal is in no empty
+// sphere.
 BOOST_AUTO_TEST_CASE(shares_by_hand)
 {
   const Indexed_surface kite = {{{-2, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 5}},
@@ -170,7 +172,8 @@ BOOST_AUTO_TEST_CASE(minimum_spanning_trees_are_those_of_all_pairs)
   }
 }
 
-// Trees that are to break the hypothesis span all the same, and break it more the more they are changed.
+// Trees that are to break the hypothesis span all the same, and break it more the more they are
+// changed.
 BOOST_AUTO_TEST_CASE(changed_trees_span)
 {
   const Indexed_surface surface = surfaces::delaunay_sphere(1000);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Alpha shapes of points: both of CGAL's classes take over a triangulation that is already built. They are
-// the same as from points that the classes insert themselves.
+// Alpha shapes of points: both of CGAL's classes take over a triangulation that is already built.
+// They are the same as from points that the classes insert themselves.
 
 #include <CGAL/insert_points_3.h>
 

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The medial axis inside a surface, approximated by poles (Amenta, Bern: Surface reconstruction by Voronoi
-// filtering, 1999): of each sample, the farthest Voronoi vertex of its cell that lies inwards. Around it is
-// an inner ball that touches the surface at the sample. The medial axis of a solid torus is a circle.
+// The medial axis inside a surface, approximated by poles (Amenta, Bern: Surface reconstruction by
+// Voronoi filtering, 1999): of each sample, the farthest Voronoi vertex of its cell that lies
+// inwards. Around it is an inner ball that touches the surface at the sample. The medial axis of a
+// solid torus is a circle.
 
 #include <CGAL/insert_surface_vertices_3.h>
 
@@ -36,7 +37,8 @@ using Triangulation = CGAL::Delaunay_triangulation_3<K, Tds>;
 
 const double large_radius = 2, small_radius = 0.5;
 
-// A torus of n by n vertices, each a bit out of line, so that it is no grid; and the normals of the vertices.
+// A torus of n by n vertices, each a bit out of line, so that it is no grid; and the normals of the
+// vertices.
 Mesh make_torus(unsigned n, std::vector<Vector>& normals)
 {
   Mesh mesh;
@@ -64,8 +66,8 @@ struct Ball
   double radius;
 };
 
-// For each sample the ball around its inner pole. The cells around a vertex are the Voronoi vertices of its
-// cell; those of the convex hull have none.
+// For each sample the ball around its inner pole. The cells around a vertex are the Voronoi
+// vertices of its cell; those of the convex hull have none.
 std::vector<Ball> inner_balls(const Triangulation& tr)
 {
   std::vector<Ball> balls;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A surface from points alone: CGAL's advancing front takes a Delaunay triangulation that is already
-// built. Its result is that of the function which inserts the points itself.
+// A surface from points alone: CGAL's advancing front takes a Delaunay triangulation that is
+// already built. Its result is that of the function which inserts the points itself.
 
 #include <CGAL/insert_points_3.h>
 

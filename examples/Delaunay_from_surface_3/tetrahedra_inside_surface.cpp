@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Which tetrahedra lie inside a closed surface? Where the triangulation has all triangles of the surface,
-// as it has if the samples are dense, they fill it; elsewhere the centroids decide, and the volumes differ.
+// Which tetrahedra lie inside a closed surface? Where the triangulation has all triangles of the
+// surface, as it has if the samples are dense, they fill it; elsewhere the centroids decide, and
+// the volumes differ.
 
 #include <CGAL/insert_surface_vertices_3.h>
 

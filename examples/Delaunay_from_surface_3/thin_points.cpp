@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points are left out if they are too near a vertex of the cell that they fall into, as reconstruction from
-// images thins its points. What is left out depends on the order of the insertions, which go one by one.
-// All it takes is an insertion target of one's own, which asks before it inserts.
+// Points are left out if they are too near a vertex of the cell that they fall into, as
+// reconstruction from images thins its points. What is left out depends on the order of the
+// insertions, which go one by one. All it takes is an insertion target of one's own, which asks
+// before it inserts.
 
 #include <CGAL/insert_points_along_graph_3.h>
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes a surface with its cut graph (red) and its subgraph of bounded degree (blue) as coloured PLY.
-// Edges are drawn as thin prisms, which every viewer shows: ParaView, MeshLab.
+// Writes a surface with its cut graph (red) and its subgraph of bounded degree (blue) as coloured
+// PLY. Edges are drawn as thin prisms, which every viewer shows: ParaView, MeshLab.
 
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>

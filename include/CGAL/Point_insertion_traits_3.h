@@ -16,9 +16,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is what inserts points without a surface: a biased randomised insertion order, each point from the one
-before it, into a compact triangulation that is written into the user's at the end. Where that cannot
-serve, CGAL's own insertion does.
+is what inserts points without a surface: a biased randomised insertion order, each point from the
+one before it, into a compact triangulation that is written into the user's at the end. Where that
+cannot serve, CGAL's own insertion does.
 
 O(n log n) expected for the order, plus what the insertions take.
 

@@ -57,12 +57,13 @@ std::vector<std::size_t> numbers_of_points(const Triangulation& tr,
 /*!
 \ingroup PkgDelaunayFromSurface3Ref
 
-returns whether the edges of a surface contain a Euclidean minimum spanning tree of its vertices. If they
-do, `Delaunay_from_surface_3::Minimum_spanning_forest` finds it without the triangulation
+returns whether the edges of a surface contain a Euclidean minimum spanning tree of its vertices. If
+they do, `Delaunay_from_surface_3::Minimum_spanning_forest` finds it without the triangulation
 (\cgalCite{choi-dtsm-02}, §3.1).
 
-It compares the lengths of the edges of two trees, exactly: those of the surface's own minimum spanning
-forest and those of `euclidean_minimum_spanning_tree_3()`. Vertices at the same point count as one.
+It compares the lengths of the edges of two trees, exactly: those of the surface's own minimum
+spanning forest and those of `euclidean_minimum_spanning_tree_3()`. Vertices at the same point count
+as one.
 
 <b>Complexity</b>: O(m log m) for m edges of the surface and the triangulation.
 

@@ -32,7 +32,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// From anything with coordinates [0], [1] and [2] that are numbers of C++, or a point of any kernel.
+// From anything with coordinates [0], [1] and [2] that are numbers of C++, or a point of any
+// kernel.
 template <class Item>
 struct Coordinates_map
 {

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The finite vertices of a triangulation, numbered from the lexicographically smallest on, so that a
-// number does not depend on the order in which they were inserted.
+// The finite vertices of a triangulation, numbered from the lexicographically smallest on, so that
+// a number does not depend on the order in which they were inserted.
 template <class Triangulation>
 struct Numbered_vertices
 {
@@ -68,10 +68,10 @@ euclidean_minimum_spanning_tree(const Triangulation& tr,
 /*!
 \ingroup PkgDelaunayFromSurface3Ref
 
-writes the edges of a Euclidean minimum spanning tree of the vertices of a Delaunay triangulation: of all
-trees that span them one whose edges have the smallest sum of lengths (\cgalCite{choi-dtsm-02}, §3.1). No
-vertex has a degree of more than 12. The triangulation may be of any dimension; the tree of collinear
-points is their chain, and a single point or none has no edge.
+writes the edges of a Euclidean minimum spanning tree of the vertices of a Delaunay triangulation:
+of all trees that span them one whose edges have the smallest sum of lengths
+(\cgalCite{choi-dtsm-02}, §3.1). No vertex has a degree of more than 12. The triangulation may be of
+any dimension; the tree of collinear points is their chain, and a single point or none has no edge.
 
 Lengths are compared exactly. Among edges of the same length those between lexicographically smaller
 points come first, so the tree does not depend on the order in which the points were inserted.
@@ -79,7 +79,8 @@ points come first, so the tree does not depend on the order in which the points 
 <b>Complexity</b>: O(m log m) for m edges of the triangulation.
 
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`. `Gt` is a %CGAL kernel with exact
-predicates, or derived from one: its `Compare_distance_3` compares the distances of two pairs of points.
+predicates, or derived from one: its `Compare_distance_3` compares the distances of two pairs of
+points.
 \tparam OutputIterator a model of `OutputIterator` that accepts
 `std::pair<Vertex_handle, Vertex_handle>`
 

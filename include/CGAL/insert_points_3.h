@@ -42,20 +42,20 @@ std::ptrdiff_t insert_range_of_points(Triangulation& tr, const Range& items,
 /*!
 \ingroup PkgDelaunayFromSurface3Ref
 
-inserts points into a Delaunay triangulation: no surface and no graph is needed. The result equals what
-`tr.insert(first, last)` makes of them. What holds after refused input, a stop or an exception is what
-`insert_surface_vertices_3()` says.
+inserts points into a Delaunay triangulation: no surface and no graph is needed. The result equals
+what `tr.insert(first, last)` makes of them. What holds after refused input, a stop or an exception
+is what `insert_surface_vertices_3()` says.
 
-Pairs of a point and an info (`std::pair`, or the tuples of a `boost::zip_iterator`) give the vertices
-their info, if no `point_map` is given. Of points that are equal the one with the smallest index gives
-the vertex its point and info, in every mode. That differs from `tr.insert(first, last)`, where the last
-in its own order gives the info.
+Pairs of a point and an info (`std::pair`, or the tuples of a `boost::zip_iterator`) give the
+vertices their info, if no `point_map` is given. Of points that are equal the one with the smallest
+index gives the vertex its point and info, in every mode. That differs from `tr.insert(first,
+last)`, where the last in its own order gives the info.
 
 <b>Complexity</b>: O(n log n) expected for the order of n points, plus what the insertions take.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
-of the triangulation. Any of them serves any triangulation: many threads can fill one that is made for
-a single thread. `Parallel_tag` needs TBB.
+of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
+for a single thread. `Parallel_tag` needs TBB.
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
 exact predicates.
 \tparam PointRange a range of points, of pairs of points and infos, or of items that `point_map` turns
@@ -82,8 +82,8 @@ below; any other does not compile
   \cgalParamNEnd
   \cgalParamNBegin{preserve_order}
     \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
-      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr` that
-      the compact triangulation of the traits can serve.}
+      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
+      that the compact triangulation of the traits can serve.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -91,13 +91,14 @@ below; any other does not compile
     \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
       passed by `std::ref()`}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
-      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by returning
-      `false`}
+      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by
+      returning `false`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
     \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
-      `tr`, in ascending order of the indices. It is otherwise that of `insert_surface_vertices_3()`.}
+      `tr`, in ascending order of the indices. It is otherwise that of
+      `insert_surface_vertices_3()`.}
     \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or a
       callable with such a pair, or with an index and a handle}
     \cgalParamDefault{`Emptyset_iterator`}

@@ -48,8 +48,8 @@ none.
 <b>Complexity</b>: that of the parts of the traits, plus O(n) for n points.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
-of the triangulation. Any of them serves any triangulation: many threads can fill one that is made for
-a single thread. `Parallel_tag` needs TBB.
+of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
+for a single thread. `Parallel_tag` needs TBB.
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
 exact predicates.
 \tparam PointRange as that of `insert_points_3()`: points, pairs of points and infos, or items that
@@ -89,8 +89,8 @@ below; any other does not compile
   \cgalParamNEnd
   \cgalParamNBegin{preserve_order}
     \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
-      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr` that
-      the compact triangulation of the traits can serve.}
+      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
+      that the compact triangulation of the traits can serve.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -98,13 +98,14 @@ below; any other does not compile
     \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
       passed by `std::ref()`}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
-      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by returning
-      `false`}
+      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by
+      returning `false`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
     \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
-      `tr`, in ascending order of the indices. It is otherwise that of `insert_surface_vertices_3()`.}
+      `tr`, in ascending order of the indices. It is otherwise that of
+      `insert_surface_vertices_3()`.}
     \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or a
       callable with such a pair, or with an index and a handle}
     \cgalParamDefault{`Emptyset_iterator`}
@@ -117,8 +118,8 @@ The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_m
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
 \throws Surface_input_error if a coordinate is not a finite number, the numbers of points and
-vertices or infos differ, the indices are not 0, …, n-1, or `preserve_order` cannot be had; `tr` is then
-unchanged
+vertices or infos differ, the indices are not 0, …, n-1, or `preserve_order` cannot be had; `tr` is
+then unchanged
 
 \sa `insert_surface_vertices_3()`
 */

@@ -24,14 +24,14 @@ namespace CGAL {
 inserts the points of a polygon soup into a Delaunay triangulation. The edges of the faces serve as
 the surface; the faces may be polygons, overlap, be oriented at random, or have edges with many
 faces. Where they are triangles that form a surface, oriented at random or not, a
-`Bounded_degree_subgraph` serves as for a mesh; elsewhere a spanning forest takes its place. The result, and what holds after a stop or an exception, are those of
-`insert_surface_vertices_3()`.
+`Bounded_degree_subgraph` serves as for a mesh; elsewhere a spanning forest takes its place. The
+result, and what holds after a stop or an exception, are those of `insert_surface_vertices_3()`.
 
 <b>Complexity</b>: that of the parts of the traits, plus O(n + m) for n points and m sides of faces.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
-of the triangulation. Any of them serves any triangulation: many threads can fill one that is made for
-a single thread. `Parallel_tag` needs TBB.
+of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
+for a single thread. `Parallel_tag` needs TBB.
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
 exact predicates.
 \tparam PointRange as that of `insert_points_3()`: points, pairs of points and infos, or items that
@@ -63,8 +63,8 @@ below; any other does not compile
   \cgalParamNEnd
   \cgalParamNBegin{preserve_order}
     \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
-      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr` that
-      the compact triangulation of the traits can serve.}
+      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
+      that the compact triangulation of the traits can serve.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -72,13 +72,14 @@ below; any other does not compile
     \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
       passed by `std::ref()`}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
-      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by returning
-      `false`}
+      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by
+      returning `false`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
     \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
-      `tr`, in ascending order of the indices. It is otherwise that of `insert_surface_vertices_3()`.}
+      `tr`, in ascending order of the indices. It is otherwise that of
+      `insert_surface_vertices_3()`.}
     \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or a
       callable with such a pair, or with an index and a handle}
     \cgalParamDefault{`Emptyset_iterator`}

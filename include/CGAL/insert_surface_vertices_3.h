@@ -72,8 +72,8 @@ thrown by its own insertion it may only be cleared or destroyed.
 faces, and a largest index k.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
-of the triangulation. Any of them serves any triangulation: many threads can fill one that is made for
-a single thread. `Parallel_tag` needs TBB.
+of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
+for a single thread. `Parallel_tag` needs TBB.
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
 exact predicates.
 \tparam FaceGraph a model of `VertexListGraph`, `EdgeListGraph` and `FaceListGraph`
@@ -111,8 +111,8 @@ below; any other does not compile
   \cgalParamNEnd
   \cgalParamNBegin{preserve_order}
     \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
-      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr` that
-      the compact triangulation of the traits can serve.}
+      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
+      that the compact triangulation of the traits can serve.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -120,17 +120,17 @@ below; any other does not compile
     \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
       passed by `std::ref()`}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
-      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by returning
-      `false`}
+      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by
+      returning `false`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
     \cgalParamDescription{receives a pair for every vertex of `mesh` inserted, in their order: the vertex
-      and its handle in `tr`. Duplicates are paired with the same handle. After a stop nothing is written
-      if `tr` was empty, else the vertices inserted so far.}
+      and its handle in `tr`. Duplicates are paired with the same handle. After a stop nothing is
+      written if `tr` was empty, else the vertices inserted so far.}
     \cgalParamType{a model of `OutputIterator` accepting
-      `std::pair<boost::graph_traits<FaceGraph>::%vertex_descriptor, Vertex_handle>`, or a callable with
-      such a pair, or with a vertex and a handle}
+      `std::pair<boost::graph_traits<FaceGraph>::%vertex_descriptor, Vertex_handle>`, or a callable
+      with such a pair, or with a vertex and a handle}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
@@ -141,8 +141,8 @@ The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_m
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
 \throws Surface_input_error if a coordinate is not a finite number, an index is negative or too large, two
-vertices have the same index, the number of infos is not that of the vertices, or `preserve_order` cannot
-be had; `tr` is then unchanged
+vertices have the same index, the number of infos is not that of the vertices, or `preserve_order`
+cannot be had; `tr` is then unchanged
 
 \sa `insert_surface_points_3()`
 \sa `insert_points_along_graph_3()`

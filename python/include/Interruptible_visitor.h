@@ -16,8 +16,8 @@ namespace python {
 
 namespace py = pybind11;
 
-// Takes the interpreter lock now and then, for signals and for the user's function. What that raises,
-// KeyboardInterrupt too, goes through the package as an exception.
+// Takes the interpreter lock now and then, for signals and for the user's function. What that
+// raises, KeyboardInterrupt too, goes through the package as an exception.
 class Interruptible_visitor : public CGAL::Default_surface_insertion_visitor_3
 {
 public:

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Every stage of the compact kernel's predicates next to exact rational numbers and, where a
-// determinant is 0, to CGAL's perturbation over these. A stage may leave a sign open, and must never
-// say a wrong one. See fuzz_campaign.h for the options.
+// determinant is 0, to CGAL's perturbation over these. A stage may leave a sign open, and must
+// never say a wrong one. See fuzz_campaign.h for the options.
 
 #include "check_signs.h"
 #include "fuzz_campaign.h"
@@ -26,8 +26,8 @@ namespace {
 
 using namespace fuzz;
 
-// As the kernel does it: a power of 2 that makes all coordinates at most 1 in absolute value. Returns
-// whether that is exact; where it is not, the kernel does not serve.
+// As the kernel does it: a power of 2 that makes all coordinates at most 1 in absolute value.
+// Returns whether that is exact; where it is not, the kernel does not serve.
 bool scale(Points& points)
 {
   double largest = 0;

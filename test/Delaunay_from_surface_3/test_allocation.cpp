@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whichever allocation fails, an empty triangulation stays empty and usable. Not with `Fast_location`:
-// its upper levels are filled by CGAL's own insertion, which keeps a table per thread. An exception
-// leaves entries there, and a later insertion into any triangulation of that type stumbles on them.
+// Whichever allocation fails, an empty triangulation stays empty and usable. Not with
+// `Fast_location`: its upper levels are filled by CGAL's own insertion, which keeps a table per
+// thread. An exception leaves entries there, and a later insertion into any triangulation of that
+// type stumbles on them.
 
 #define BOOST_TEST_MODULE test_allocation
 #include <boost/test/included/unit_test.hpp>
@@ -34,7 +35,8 @@ void* allocate(std::size_t size, std::size_t alignment)
   throw std::bad_alloc();
 }
 
-// A function of its own: where a compiler sees free() take what operator new has returned, it warns.
+// A function of its own: where a compiler sees free() take what operator new has returned, it
+// warns.
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the arrays of many points need at the peak, beyond the points. A process of its own: the peak is
-// what the system has counted since it began.
+// What the arrays of many points need at the peak, beyond the points. A process of its own: the
+// peak is what the system has counted since it began.
 
 #define BOOST_TEST_MODULE test_arrays_memory
 #include <boost/test/included/unit_test.hpp>
@@ -51,8 +51,8 @@ double bytes_per_point(std::size_t n, const Work& work)
 
 } // namespace
 
-// First: once large blocks were given back, glibc takes larger ones than before from the heap, where what
-// lies between them stays.
+// First: once large blocks were given back, glibc takes larger ones than before from the heap,
+// where what lies between them stays.
 BOOST_AUTO_TEST_CASE(points_on_a_surface)
 {
   if (!forget_peak())

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bounds on the degree are tight: on bouquets with pockets they are attained, for every kind of surface and for
-// the tree as well. And the loop that peels a disc gives what the recursion of Choi 2002, Fig. 3, gives.
+// The bounds on the degree are tight: on bouquets with pockets they are attained, for every kind of
+// surface and for the tree as well. And the loop that peels a disc gives what the recursion of Choi
+// 2002, Fig. 3, gives.
 
 #define BOOST_TEST_MODULE bounded_degree_attained
 #include <boost/test/included/unit_test.hpp>
@@ -56,9 +57,9 @@ Degrees certified_degrees(const Embedded_graph& g)
   return {of_subgraph.maximum_degree, of_tree.maximum_degree, of_subgraph.largest_degree_bound};
 }
 
-// The largest degrees found in some orders of the vertices, each time by turning around the lists of those that lead
-// to the corner, one after the other: where the search has to choose between two middle edges the direction decides,
-// and the sides of the polygon are to be the cut.
+// The largest degrees found in some orders of the vertices, each time by turning around the lists
+// of those that lead to the corner, one after the other: where the search has to choose between two
+// middle edges the direction decides, and the sides of the polygon are to be the cut.
 Degrees largest_degrees(const Bouquet& bouquet)
 {
   std::mt19937 random(1);
@@ -83,7 +84,8 @@ Degrees largest_degrees(const Bouquet& bouquet)
 
 } // namespace
 
-// Each copy of the one vertex has to lead to its pocket: that is an edge for each on top of the cut's.
+// Each copy of the one vertex has to lead to its pocket: that is an edge for each on top of the
+// cut's.
 BOOST_AUTO_TEST_CASE(bounds_are_attained_on_closed_surfaces)
 {
   for (int h = 2; h <= 8; ++h) // on the projective plane the two pockets would have the same edge
@@ -128,8 +130,8 @@ BOOST_AUTO_TEST_CASE(bounds_are_attained_on_surfaces_with_boundary)
 
 namespace {
 
-// bsg(G, C) as Fig. 3 has it: recursive, with sets. Of the vertices without chord the one that `choose` prefers
-// is taken.
+// bsg(G, C) as Fig. 3 has it: recursive, with sets. Of the vertices without chord the one that
+// `choose` prefers is taken.
 class Literal_recursion
 {
 public:
@@ -236,9 +238,9 @@ Literal_recursion::Edge_set peeled(const Triangle_list& disc, std::vector<int> o
 
 } // namespace
 
-// The forward loop on the same discs: what the package gives is connected, spanning, of degree 3, contains the rim
-// and has as many edges as the recursion, which is what Fig. 3 promises; and for the same choice of z the two agree
-// edge by edge.
+// The forward loop on the same discs: what the package gives is connected, spanning, of degree 3,
+// contains the rim and has as many edges as the recursion, which is what Fig. 3 promises; and for
+// the same choice of z the two agree edge by edge.
 BOOST_AUTO_TEST_CASE(the_loop_does_what_the_recursion_does)
 {
   for (unsigned int seed = 0; seed < 200; ++seed) {

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lists of edges that describe no surface: each must be refused, with the place named, and nothing written.
+// Lists of edges that describe no surface: each must be refused, with the place named, and nothing
+// written.
 
 #define BOOST_TEST_MODULE bounded_degree_bad_lists
 #include <boost/test/included/unit_test.hpp>
@@ -170,7 +171,8 @@ BOOST_AUTO_TEST_CASE(an_edge_alone_is_refused)
   check_says(refusal(g), {"edge (0, 1) lies in no triangle"});
 }
 
-// Two random entries of a random list change places: refused, or, where both orders describe a surface, served.
+// Two random entries of a random list change places: refused, or, where both orders describe a
+// surface, served.
 BOOST_AUTO_TEST_CASE(random_damage_never_goes_unnoticed)
 {
   int refused = 0;

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The forms for halfedge graphs: Surface_mesh, Polyhedron_3, Linear_cell_complex; what they refuse, and how.
+// The forms for halfedge graphs: Surface_mesh, Polyhedron_3, Linear_cell_complex; what they refuse,
+// and how.
 
 #define BOOST_TEST_MODULE bounded_degree_halfedge_graphs
 #include <boost/test/included/unit_test.hpp>
@@ -325,11 +326,13 @@ BOOST_AUTO_TEST_CASE(empty_and_isolated)
   BOOST_TEST(certificate.number_of_graph_components == 2u);
 }
 
-// Regression: a disc whose three boundary edges are doubled by chords. All its counts are 4, so that counting edges
-// finds no vertex to peel; simple is a precondition and the message names both edges.
+// Regression: a disc whose three boundary edges are doubled by chords. All its counts are 4, so
+// that counting edges finds no vertex to peel; simple is a precondition and the message names both
+// edges.
 BOOST_AUTO_TEST_CASE(doubled_boundary_edges_are_refused_by_name)
 {
-  // The triangle 0 1 2 with an ear on each side, and outside every ear a second edge between its two feet.
+  // The triangle 0 1 2 with an ear on each side, and outside every ear a second edge between its
+  // two feet.
   Surface_mesh mesh = mesh_of(6, {{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}});
   for (int tip : {3, 4, 5}) {
     auto h = mesh.halfedge(Surface_mesh::Vertex_index(tip));

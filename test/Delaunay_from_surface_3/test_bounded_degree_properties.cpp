@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Spanning subgraphs of thousands of random surfaces as graphs of Boost.Graph: spheres, discs, handles, cross-caps, punctures,
-// several components. Everything is certified, and the cut is checked to leave discs.
+// Spanning subgraphs of thousands of random surfaces as graphs of Boost.Graph: spheres, discs,
+// handles, cross-caps, punctures, several components. Everything is certified, and the cut is
+// checked to leave discs.
 
 #define BOOST_TEST_MODULE bounded_degree_properties
 #include <boost/test/included/unit_test.hpp>
@@ -90,8 +91,8 @@ Counted count(const Triangle_list& s)
   return result;
 }
 
-// Without the cut edges the triangles of each component must still hang together, and their count of edges
-// must be that of discs.
+// Without the cut edges the triangles of each component must still hang together, and their count
+// of edges must be that of discs.
 std::string check_cut(const Triangle_list& s, const Embedded_graph& g, const Edges& cut,
                       std::size_t components)
 {
@@ -131,7 +132,8 @@ std::string check_cut(const Triangle_list& s, const Embedded_graph& g, const Edg
   return "";
 }
 
-// Inner vertices - inner edges + triangles of the open pieces: 1 for an open disc, 2 for a sphere that is not cut.
+// Inner vertices - inner edges + triangles of the open pieces: 1 for an open disc, 2 for a sphere
+// that is not cut.
 std::ptrdiff_t open_characteristic(const Triangle_list& s, const Embedded_graph& g,
                                    const Edges& cut)
 {
@@ -257,7 +259,8 @@ BOOST_AUTO_TEST_CASE(families)
     }
 }
 
-// Small surfaces, where the bounds are near: some are attained, as the proofs say they can be, none is exceeded.
+// Small surfaces, where the bounds are near: some are attained, as the proofs say they can be, none
+// is exceeded.
 BOOST_AUTO_TEST_CASE(bounds_are_met_and_never_exceeded)
 {
   struct Degrees

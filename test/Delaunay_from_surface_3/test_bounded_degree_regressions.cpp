@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Named regressions: inputs on which a plausible bookkeeping of the cycle deadlocks. Each is first run through that
-// bookkeeping, to show that it still is such an input.
+// Named regressions: inputs on which a plausible bookkeeping of the cycle deadlocks. Each is first
+// run through that bookkeeping, to show that it still is such an input.
 
 #define BOOST_TEST_MODULE bounded_degree_regressions
 #include <boost/test/included/unit_test.hpp>
@@ -27,8 +27,8 @@ namespace {
 
 enum class Bookkeeping { ONE_WAY_MARKS, ALL_AT_ONCE, ONE_AT_A_TIME };
 
-// Peels a disc by textbook means (sets of neighbours, O(n^2)); returns whether every vertex is reached. What a vertex
-// without chord is, is up to the bookkeeping.
+// Peels a disc by textbook means (sets of neighbours, O(n^2)); returns whether every vertex is
+// reached. What a vertex without chord is, is up to the bookkeeping.
 class Textbook_peeling
 {
 public:
@@ -146,10 +146,12 @@ DFS::Spanning_subgraph_certificate certified_subgraph(const Triangle_list& s)
       g.index_map());
 }
 
-// Only the ears 1, 3 and 5 have no chord; peeling an ear makes a chord an edge of the cycle, which must free its ends.
+// Only the ears 1, 3 and 5 have no chord; peeling an ear makes a chord an edge of the cycle, which
+// must free its ends.
 Triangle_list disc_with_chords()
 {
-  // A hexagon 0..5 with the chords 0-2, 2-4, 4-0 and the vertex 6 inside the middle triangle: only the ears 1, 3 and 5 are free.
+  // A hexagon 0..5 with the chords 0-2, 2-4, 4-0 and the vertex 6 inside the middle triangle: only
+  // the ears 1, 3 and 5 are free.
   return {7, {{0, 1, 2}, {2, 3, 4}, {4, 5, 0}, {0, 2, 6}, {2, 4, 6}, {4, 0, 6}}};
 }
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A polygon soup that is a surface gets the same subgraph as the halfedge graph of its faces, however its faces are
-// oriented a certified one, and non-orientable surfaces too.
+// A polygon soup that is a surface gets the same subgraph as the halfedge graph of its faces,
+// however its faces are oriented a certified one, and non-orientable surfaces too.
 
 #define BOOST_TEST_MODULE bounded_degree_soups
 #include <boost/test/included/unit_test.hpp>
@@ -49,8 +49,8 @@ std::set<Pair> edges_of_soup(const FaceRange& faces, std::size_t n)
   return result;
 }
 
-// The mesh of the faces, in which the stored halfedge of a vertex is that of its first face: there a soup's list
-// begins.
+// The mesh of the faces, in which the stored halfedge of a vertex is that of its first face: there
+// a soup's list begins.
 Mesh mesh_of(const surfaces::Indexed_surface& surface)
 {
   Mesh mesh = surfaces::to_mesh<Mesh>(surface); // points and faces in their order

@@ -166,8 +166,8 @@ BOOST_AUTO_TEST_CASE(large_cavities)
   }
 }
 
-// Stars of hundreds of cells, and then conflict zones as large: the arrays of zone and boundary must
-// grow together. The boundary's once did not, when a star was larger than its zone.
+// Stars of hundreds of cells, and then conflict zones as large: the arrays of zone and boundary
+// must grow together. The boundary's once did not, when a star was larger than its zone.
 BOOST_AUTO_TEST_CASE(knot_with_a_quadratic_triangulation)
 {
   const std::size_t n = 1000;
@@ -290,7 +290,8 @@ BOOST_AUTO_TEST_CASE(labels_start_again_when_ids_run_out)
   }
 }
 
-// The filters go past the predicates of the traits: any that is not the kernel's own must stop them.
+// The filters go past the predicates of the traits: any that is not the kernel's own must stop
+// them.
 template <class Predicate>
 struct Replaced : Predicate
 {

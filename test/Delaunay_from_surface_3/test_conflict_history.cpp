@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The history of all conflicts gives all cells in conflict with a point and no others: compared with all
-// cells one by one, from the root and from everything recorded on the way. With it the paper's algorithm
-// gives what CGAL's own insertion gives.
+// The history of all conflicts gives all cells in conflict with a point and no others: compared
+// with all cells one by one, from the root and from everything recorded on the way. With it the
+// paper's algorithm gives what CGAL's own insertion gives.
 
 #define BOOST_TEST_MODULE test_conflict_history
 #include <boost/test/included/unit_test.hpp>
@@ -107,8 +107,8 @@ BOOST_AUTO_TEST_CASE(searches_from_the_root_find_all_conflicts)
     }
 }
 
-// The conflict sets of all points are recorded whenever the number of points has doubled; from each the
-// later ones are found.
+// The conflict sets of all points are recorded whenever the number of points has doubled; from each
+// the later ones are found.
 BOOST_AUTO_TEST_CASE(searches_from_recorded_sets_find_all_conflicts)
 {
   struct Recorded
@@ -219,8 +219,9 @@ BOOST_AUTO_TEST_CASE(history_begins_with_what_is_there)
   }
 }
 
-// Lemma 4: from the triangulation of k points to that of i the sum of 4 c_j / j is visited, c_j cells being in
-// conflict with a point among j: for points well inside, where all these cells are finite.
+// Lemma 4: from the triangulation of k points to that of i the sum of 4 c_j / j is visited, c_j
+// cells being in conflict with a point among j: for points well inside, where all these cells are
+// finite.
 BOOST_AUTO_TEST_CASE(searches_are_as_long_as_lemma_4_says)
 {
   const std::size_t k = 1000, i = 8000;
@@ -264,8 +265,8 @@ BOOST_AUTO_TEST_CASE(searches_are_as_long_as_lemma_4_says)
   BOOST_TEST(visited == expected, boost::test_tools::tolerance(0.1));
 }
 
-// TracingDT with the paper's Q, on everything from a single point to degenerate surfaces; as meshes too, where T
-// is of bounded degree and no forest.
+// TracingDT with the paper's Q, on everything from a single point to degenerate surfaces; as meshes
+// too, where T is of bounded degree and no forest.
 BOOST_AUTO_TEST_CASE(the_papers_algorithm_gives_plain_triangulations)
 {
   std::vector<tests::Named_surface> all = tests::tiny_and_flat_surfaces();
@@ -290,8 +291,8 @@ BOOST_AUTO_TEST_CASE(the_papers_algorithm_with_exact_constructions)
         .check<CGAL::History_tracing_traits_3>();
 }
 
-// After each trace the records are the conflict sets, with several components and duplicates; and every start is
-// in conflict with its point.
+// After each trace the records are the conflict sets, with several components and duplicates; and
+// every start is in conflict with its point.
 BOOST_AUTO_TEST_CASE(records_are_conflict_sets)
 {
   using Graph = CGAL::Delaunay_from_surface_3::internal::Index_graph;

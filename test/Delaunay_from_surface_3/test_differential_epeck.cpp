@@ -63,7 +63,8 @@ struct Target_visitor : CGAL::Default_surface_insertion_visitor_3
   void target_is_replaced(const std::string& r) { reason = r; }
 };
 
-// Inserts the points and compares with plain CGAL. Returns why the compact triangulation could not serve.
+// Inserts the points and compares with plain CGAL. Returns why the compact triangulation could not
+// serve.
 template <class Tr>
 std::string check_exact_numbers(const std::vector<typename Tr::Point>& points)
 {

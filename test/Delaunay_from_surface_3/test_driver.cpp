@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What stands around the loop of Fig. 1: plans are checked, an order that is too dear is replaced, the
-// end of the insertion is told; and points without a surface.
+// What stands around the loop of Fig. 1: plans are checked, an order that is too dear is replaced,
+// the end of the insertion is told; and points without a surface.
 
 #define BOOST_TEST_MODULE test_driver
 #include <boost/test/included/unit_test.hpp>
@@ -60,7 +60,8 @@ struct Given_traits : CGAL::Surface_insertion_traits_3
   Given_plan insertion_plan_object(unsigned int) const { return plan; }
 };
 
-// Inserts six points by the plan. Returns what the exception says; the triangulation must be unchanged.
+// Inserts six points by the plan. Returns what the exception says; the triangulation must be
+// unchanged.
 std::string refusal(const DFS::Insertion_order& plan)
 {
   const std::vector<Point> points = random_points(6);

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The stages of the compact kernel's predicates against exact arithmetic: they may leave a sign open,
-// and must never give a wrong one; and its perturbation against CGAL's. Also built with the machine's
-// own instructions and contraction to fma.
+// The stages of the compact kernel's predicates against exact arithmetic: they may leave a sign
+// open, and must never give a wrong one; and its perturbation against CGAL's. Also built with the
+// machine's own instructions and contraction to fma.
 
 #define BOOST_TEST_MODULE test_filters
 #include <boost/test/included/unit_test.hpp>
@@ -155,8 +155,8 @@ signs_of(Wide_sphere_filter, const double* const* v, const double* const* opposi
 }
 #endif
 
-// The cell's neighbours as the kernel sees them: here beyond facet k lies `apex`, and the neighbour's
-// sphere is that of (apex, facet).
+// The cell's neighbours as the kernel sees them: here beyond facet k lies `apex`, and the
+// neighbour's sphere is that of (apex, facet).
 template <class Filter>
 void check_neighbors(const Five& f, const Record& apex, Tallies& tallies)
 {

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The handshake of the parallel kernel, in a small model whose executions are all tried, under three
-// memory models: insertions that clash never both write, no reader takes a torn cell for a whole one, and
-// what is there at the end is right. Without any one of its parts it fails.
+// The handshake of the parallel kernel, in a small model whose executions are all tried, under
+// three memory models: insertions that clash never both write, no reader takes a torn cell for a
+// whole one, and what is there at the end is right. Without any one of its parts it fails.
 
 #define BOOST_TEST_MODULE test_handshake
 #include <boost/test/included/unit_test.hpp>
@@ -18,9 +18,9 @@ namespace {
 
 using namespace model;
 
-// The chain has its vertices at 0, 10, 20, … on a parabola. A point in cell c, so far from its left end,
-// is in conflict with that cell if it is not more than so high above the parabola; with the next cells if
-// it is low enough.
+// The chain has its vertices at 0, 10, 20, … on a parabola. A point in cell c, so far from its left
+// end, is in conflict with that cell if it is not more than so high above the parabola; with the
+// next cells if it is low enough.
 Point above(unsigned cell, int offset, int height)
 {
   const int x = 10 * int(cell) + offset;
@@ -196,8 +196,8 @@ BOOST_AUTO_TEST_CASE(without_the_busy_bit)
   check_wrong(&Protocol::heeds_busy);
 }
 
-// Each order of a load or store that is needed where processors reorder. That outer links are released is
-// not: the release fence when the cell behind was opened does as well.
+// Each order of a load or store that is needed where processors reorder. That outer links are
+// released is not: the release fence when the cell behind was opened does as well.
 BOOST_AUTO_TEST_CASE(without_an_order)
 {
   BOOST_TEST(error<Views>(without(&Protocol::acquires_words)) != "");

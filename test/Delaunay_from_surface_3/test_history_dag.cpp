@@ -49,8 +49,8 @@ using Traits =
 
 namespace {
 
-// The leaf is the place that CGAL finds, or, where the point lies on several cells or sees several facets
-// of the convex hull, another one that is right.
+// The leaf is the place that CGAL finds, or, where the point lies on several cells or sees several
+// facets of the convex hull, another one that is right.
 void check_is_place(const Triangulation& tr, const Dag& dag, Dag::Node node, const Point& p)
 {
   BOOST_TEST_REQUIRE(dag.is_leaf(node));
@@ -154,7 +154,8 @@ BOOST_AUTO_TEST_CASE(descents_from_the_root_find_every_point)
     }
 }
 
-// Every point is recorded whenever the number of points has doubled, and then found from each record.
+// Every point is recorded whenever the number of points has doubled, and then found from each
+// record.
 BOOST_AUTO_TEST_CASE(descents_from_recorded_ancestors_find_every_point)
 {
   for (const Point_set& set : point_sets(300))
@@ -207,8 +208,9 @@ BOOST_AUTO_TEST_CASE(leaves_are_the_cells_and_counts_add_up)
     }
 }
 
-// A star has one new vertex in all its cells, and the volume of what it destroyed if that was finite;
-// otherwise more, as the convex hull grows. And a destroyed cell's middle is in a cell of the star.
+// A star has one new vertex in all its cells, and the volume of what it destroyed if that was
+// finite; otherwise more, as the convex hull grows. And a destroyed cell's middle is in a cell of
+// the star.
 BOOST_AUTO_TEST_CASE(stars_cover_their_conflict_zones)
 {
   for (const Point_set& set : point_sets(300))
@@ -267,8 +269,9 @@ BOOST_AUTO_TEST_CASE(history_begins_with_what_is_there)
     check_is_place(tr, dag, dag.locate(p).node, p);
 }
 
-// Lemma 4 with its constant: from the triangulation of k points to that of i, 4 ln(i/k) nodes for points
-// well inside; less for those that were in infinite cells for a while, which have three vertices only.
+// Lemma 4 with its constant: from the triangulation of k points to that of i, 4 ln(i/k) nodes for
+// points well inside; less for those that were in infinite cells for a while, which have three
+// vertices only.
 BOOST_AUTO_TEST_CASE(descents_are_as_long_as_lemma_4_says)
 {
   const std::size_t k = 1000, i = 8000;
@@ -316,8 +319,8 @@ BOOST_AUTO_TEST_CASE(with_exact_constructions)
     tests::Stock_case<CGAL::Delaunay_triangulation_3<Exact_kernel>>(named).check<Traits>();
 }
 
-// Whenever a point is inserted its descent has found the cell that contains it, so that the walk after it
-// has nothing to do; and what is recorded contains the point.
+// Whenever a point is inserted its descent has found the cell that contains it, so that the walk
+// after it has nothing to do; and what is recorded contains the point.
 BOOST_AUTO_TEST_CASE(records_contain_their_points)
 {
   using Graph = CGAL::Delaunay_from_surface_3::internal::Index_graph;

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Numbers that broke the compact kernel once: coordinates of very different size, other rounding modes
-// than to nearest, more cells than ids. fuzz_insertions.cpp has what is like them by the million.
+// Numbers that broke the compact kernel once: coordinates of very different size, other rounding
+// modes than to nearest, more cells than ids. fuzz_insertions.cpp has what is like them by the
+// million.
 
 #define BOOST_TEST_MODULE test_hostile_numbers
 #include <boost/test/included/unit_test.hpp>

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// One vertex of a degree that grows with n, with all that the paper assumes: T is the Euclidean minimum spanning
-// tree, and the triangulation has linear size. The paper's Q locates a point by as many tests as it takes without
-// the hub; a history by containment, which looks through whole stars, takes more and more.
+// One vertex of a degree that grows with n, with all that the paper assumes: T is the Euclidean
+// minimum spanning tree, and the triangulation has linear size. The paper's Q locates a point by as
+// many tests as it takes without the hub; a history by containment, which looks through whole
+// stars, takes more and more.
 
 #define BOOST_TEST_MODULE test_hub
 #include <boost/test/included/unit_test.hpp>
@@ -93,9 +94,10 @@ Calls calls(const Room& room)
 
 } // namespace
 
-// Where all points start at records. From the root it takes O(log n) for the first n / log n points, which is O(1)
-// for each of all, but a constant that is reached slowly: the first points lie on the convex hull of so few that
-// not many cells are in conflict with them. There the same room without a hub is the measure.
+// Where all points start at records. From the root it takes O(log n) for the first n / log n
+// points, which is O(1) for each of all, but a constant that is reached slowly: the first points
+// lie on the convex hull of so few that not many cells are in conflict with them. There the same
+// room without a hub is the measure.
 BOOST_AUTO_TEST_CASE(the_papers_location_is_flat_beside_a_hub)
 {
   std::map<std::size_t, Calls> by_conflict, by_containment;

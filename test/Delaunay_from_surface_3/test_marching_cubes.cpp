@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Choi 2002, Lemma 6: the degree on a surface of marching cubes is bounded. The proof counts the edges of the loops
-// and says 8; there are 4, but diagonals too. All 2^18 ways in which the lattice points around an edge can lie
-// inside or outside are enumerated, for the table of the generator, for all its triangulations, and for CGAL's.
+// Choi 2002, Lemma 6: the degree on a surface of marching cubes is bounded. The proof counts the
+// edges of the loops and says 8; there are 4, but diagonals too. All 2^18 ways in which the lattice
+// points around an edge can lie inside or outside are enumerated, for the table of the generator,
+// for all its triangulations, and for CGAL's.
 
 #define BOOST_TEST_MODULE test_marching_cubes
 #include <boost/test/included/unit_test.hpp>
@@ -43,7 +44,8 @@ int point_of(int v, int c)
   return (v & 1) + (c & 1) + 3 * ((v >> 1) + (c >> 1 & 1)) + 9 * (c >> 2);
 }
 
-// An edge of voxel v as one of the lattice: 3 directions for each of the 8 points that may be lower ends.
+// An edge of voxel v as one of the lattice: 3 directions for each of the 8 points that may be lower
+// ends.
 Edges edge_bit(int v, const Corners& corners)
 {
   const int p = point_of(v, (std::min)(corners[0], corners[1])),
@@ -71,8 +73,8 @@ Edges neighbors(int v, const Triangles& triangles)
   return result;
 }
 
-// Calls look(cases) for all ways in which the 18 points can lie while the middle edge is crossed: the cases of
-// the four voxels.
+// Calls look(cases) for all ways in which the 18 points can lie while the middle edge is crossed:
+// the cases of the four voxels.
 template <class Look>
 void enumerate(const Look& look)
 {
@@ -122,8 +124,8 @@ Triangles triangles_of_loop(const Marching_cubes_table::Loop& loop,
 
 } // namespace
 
-// Each crossed edge is in one loop, each loop is a polygon of 3 to 7 edges, and can be triangulated without a
-// diagonal in a square.
+// Each crossed edge is in one loop, each loop is a polygon of 3 to 7 edges, and can be triangulated
+// without a diagonal in a square.
 BOOST_AUTO_TEST_CASE(loops)
 {
   const Marching_cubes_table table;
@@ -147,7 +149,8 @@ BOOST_AUTO_TEST_CASE(loops)
   BOOST_TEST((lengths == std::array<int, 13>{0, 0, 0, 144, 66, 72, 52, 24, 0, 0, 0, 0, 0}));
 }
 
-// Four edges of loops; and in each voxel at most four diagonals, since no loop has more than seven points.
+// Four edges of loops; and in each voxel at most four diagonals, since no loop has more than seven
+// points.
 BOOST_AUTO_TEST_CASE(loop_edges_and_diagonals)
 {
   const Marching_cubes_table table;

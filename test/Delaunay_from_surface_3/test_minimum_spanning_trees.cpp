@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Euclidean minimum spanning trees against all pairs of points, ties included; whether a surface contains one
-// against the trees themselves; and how much of a surface is Delaunay, where it is known.
+// Euclidean minimum spanning trees against all pairs of points, ties included; whether a surface
+// contains one against the trees themselves; and how much of a surface is Delaunay, where it is
+// known.
 
 #define BOOST_TEST_MODULE test_minimum_spanning_trees
 #include <boost/test/included/unit_test.hpp>
@@ -63,8 +64,8 @@ std::vector<Point> distinct(std::vector<Point> points)
   return points;
 }
 
-// Squared lengths of a minimum spanning tree of all pairs, by Prim's algorithm: exact for integers that are not
-// large. Sorted.
+// Squared lengths of a minimum spanning tree of all pairs, by Prim's algorithm: exact for integers
+// that are not large. Sorted.
 std::vector<double> lengths_by_all_pairs(const std::vector<Point>& points)
 {
   std::vector<double> distance(points.size(), 1e300), lengths;
@@ -209,7 +210,8 @@ BOOST_AUTO_TEST_CASE(trees_in_lower_dimensions)
   BOOST_TEST((lengths_of(tree_of(tr)) == std::vector<double>{1, 1, 9, 9, 16}));
 }
 
-// Where all lengths differ there is one tree, and a graph contains it if and only if it has all its edges.
+// Where all lengths differ there is one tree, and a graph contains it if and only if it has all its
+// edges.
 BOOST_AUTO_TEST_CASE(a_graph_contains_the_tree_if_it_has_its_edges)
 {
   const std::vector<Point> points = distinct(random_points(60, 1 << 20, 3));
@@ -238,8 +240,8 @@ BOOST_AUTO_TEST_CASE(a_graph_contains_the_tree_if_it_has_its_edges)
   }
 }
 
-// On a lattice any connected graph of unit edges contains one of the many trees; one edge of another length too
-// many does not matter, one too few does.
+// On a lattice any connected graph of unit edges contains one of the many trees; one edge of
+// another length too many does not matter, one too few does.
 BOOST_AUTO_TEST_CASE(ties_are_ties)
 {
   const std::vector<Point> points = distinct(grid(4));
@@ -317,7 +319,8 @@ BOOST_AUTO_TEST_CASE(the_minimum_spanning_forest_is_traced)
   }
 }
 
-// A kite folded along its longer diagonal, under a fifth point: that diagonal is in no empty sphere.
+// A kite folded along its longer diagonal, under a fifth point: that diagonal is in no empty
+// sphere.
 BOOST_AUTO_TEST_CASE(shares_by_hand)
 {
   const surfaces::Indexed_surface kite = {{{-2, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 5}},

@@ -103,7 +103,8 @@ void check(const std::vector<tests::Order_case>& cases)
       if (a_case.is_quadratic)
         continue;
       BOOST_TEST(planned.tested_to_start <= 2 * neighbor.tested_to_start);
-      // The budget, in which three steps of a walk are a destroyed cell, leaves room for larger ones.
+      // The budget, in which three steps of a walk are a destroyed cell, leaves room for larger
+      // ones.
       BOOST_TEST(planned.destroyed + planned.tested_to_start / 3 <=
                  0.8 * double(DFS::Surface_net_rounds::cells_per_point));
     }

@@ -230,7 +230,8 @@ BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
                          sorted.order.begin() + std::ptrdiff_t(N_1)));
 }
 
-// The plan of the paper to the letter is random in the first round too; from then on the two are one.
+// The plan of the paper to the letter is random in the first round too; from then on the two are
+// one.
 BOOST_AUTO_TEST_CASE(only_the_first_of_the_papers_rounds_is_sorted)
 {
   const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The route of a trace (Choi 2002, Fig. 1, line 2a): from which cell each point is located. A trace that located
-// every point from anywhere would find the same, and cost more.
+// The route of a trace (Choi 2002, Fig. 1, line 2a): from which cell each point is located. A trace
+// that located every point from anywhere would find the same, and cost more.
 
 #define BOOST_TEST_MODULE test_traces
 #include <boost/test/included/unit_test.hpp>
@@ -91,8 +91,9 @@ Case random_case(std::size_t n, std::size_t pieces, std::uint32_t seed)
 
 } // namespace
 
-// Every point that is not inserted is located once: from the cell of a neighbour in T that is inserted, or from the
-// cell in which a neighbour has been found before. Only in a component without any vertex the first is not.
+// Every point that is not inserted is located once: from the cell of a neighbour in T that is
+// inserted, or from the cell in which a neighbour has been found before. Only in a component
+// without any vertex the first is not.
 BOOST_AUTO_TEST_CASE(each_point_is_located_from_a_neighbour)
 {
   for (std::uint32_t seed = 0; seed < 30; ++seed) {

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Many workers in the compact kernel: eight threads on whatever cores there are, in chunks of eight points,
-// from the thirtieth point on, make what one thread makes. Meant for ThreadSanitizer, too.
+// Many workers in the compact kernel: eight threads on whatever cores there are, in chunks of eight
+// points, from the thirtieth point on, make what one thread makes. Meant for ThreadSanitizer, too.
 
 #define BOOST_TEST_MODULE test_workers
 #include <boost/test/included/unit_test.hpp>

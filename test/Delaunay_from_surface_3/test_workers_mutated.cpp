@@ -2,13 +2,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Does test_workers notice a wrong handshake? Its stress is run with one part of the handshake left out
-// after the other, in child processes, until one fails: wrong cells, a crash, an exception, or no end.
+// Does test_workers notice a wrong handshake? Its stress is run with one part of the handshake left
+// out after the other, in child processes, until one fails: wrong cells, a crash, an exception, or
+// no end.
 //
-// Left to test_handshake, which tries all orders of steps: the fence and the second reading of links. They
-// guard against moments of some nanoseconds, and were not missed when 1,092 and 669 triangulations were
-// made without them on two busy cores: two to eight threads, chunks of one and eight, up to 3,000 points,
-// with and without threads that were interrupted every 100 or 300 microseconds.
+// Left to test_handshake, which tries all orders of steps: the fence and the second reading of
+// links. They guard against moments of some nanoseconds, and were not missed when 1,092 and 669
+// triangulations were made without them on two busy cores: two to eight threads, chunks of one and
+// eight, up to 3,000 points, with and without threads that were interrupted every 100 or 300
+// microseconds.
 //
 // Arguments after `--`: seconds per part (8 by default; it ends at the first failure).
 

@@ -26,8 +26,9 @@ inline bool standard_error_is_terminal()
 #endif
 }
 
-// What is said beside the results, on the standard error: notes, and what is being done. The latter is a
-// line that is overwritten again and again if that is a terminal, and lines of their own with --verbose.
+// What is said beside the results, on the standard error: notes, and what is being done. The latter
+// is a line that is overwritten again and again if that is a terminal, and lines of their own with
+// --verbose.
 class Messages
 {
 public:

@@ -59,8 +59,8 @@ inline void report_timings(Report& report, const Timings& package, const Timings
   report("wall ratio", plain_wall / package_wall, 3);
 }
 
-// Runs the package and plain CGAL in turns, and now one, now the other first. Prints the medians and
-// returns whether plain CGAL's triangulation equals `result`.
+// Runs the package and plain CGAL in turns, and now one, now the other first. Prints the medians
+// and returns whether plain CGAL's triangulation equals `result`.
 template <class Traits>
 bool compare_with_plain(const Surface& surface, const Traits& traits, unsigned int seed,
                         unsigned int repetitions, const Triangulation& result, Report& report,

@@ -14,8 +14,8 @@
 #include <string>
 #include <utility>
 
-// Reads a surface; `format` is empty if the extension says it. It is a polygon soup first, and also a mesh
-// if its faces are a manifold. The coordinates are left to be checked by the package.
+// Reads a surface; `format` is empty if the extension says it. It is a polygon soup first, and also
+// a mesh if its faces are a manifold. The coordinates are left to be checked by the package.
 inline Surface read_surface(const std::string& file_name, const std::string& format)
 {
   files::Polygon_soup soup = files::read_polygon_soup(file_name, format);

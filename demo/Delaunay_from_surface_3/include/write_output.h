@@ -33,7 +33,8 @@
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using Vertices = std::vector<Triangulation::Vertex_handle>;
 
-// The files that the tetrahedra go to. Whether they can be written is known before any work is done.
+// The files that the tetrahedra go to. Whether they can be written is known before any work is
+// done.
 class Output
 {
 public:

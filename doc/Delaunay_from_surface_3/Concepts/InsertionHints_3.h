@@ -9,8 +9,8 @@ the surface through the triangulation at the end of a round.
 A start is a hint: every cell is right, a near one is fast.
 
 What is remembered must be vertices, not cells. While points are only inserted a vertex never dies;
-a cell does with the next insertion near it, and its memory may then hold another cell. A policy that
-observes conflict zones may remember the history of the cells instead.
+a cell does with the next insertion near it, and its memory may then hold another cell. A policy
+that observes conflict zones may remember the history of the cells instead.
 
 A model is a class template with two parameters: `Target`, a model of `InsertionTarget_3`, and
 `Subgraph`, a model of `boost::AdjacencyGraph` whose vertices are the numbers of the points, of type

@@ -59,10 +59,11 @@ public:
 
   /// \name Budget
   ///
-  /// A plan may have both of the following, or neither. They bound what an unlucky order can cost: when
-  /// the insertions have destroyed more cells than the budget allows (a step of a walk counts for a third of
-  /// a cell), those made so far are dropped and the work begins anew with `fallback_plan()`. Only targets
-  /// that build aside and count what they do can begin anew; for others the budget is not looked at.
+  /// A plan may have both of the following, or neither. They bound what an unlucky order can cost:
+  /// when the insertions have destroyed more cells than the budget allows (a step of a walk counts
+  /// for a third of a cell), those made so far are dropped and the work begins anew with
+  /// `fallback_plan()`. Only targets that build aside and count what they do can begin anew; for
+  /// others the budget is not looked at.
   /// @{
 
   /// how many cells the insertions may destroy for each point inserted, on average.

@@ -71,8 +71,8 @@ public:
   `Parallel_target`.
 
   A target that numbers its cells and runs out of numbers throws a
-  `CGAL::Delaunay_from_surface_3::Too_few_ids`, here or from `insert()`, and leaves `tr` empty. If it
-  names a type `Wider_target`, that begins anew.
+  `CGAL::Delaunay_from_surface_3::Too_few_ids`, here or from `insert()`, and leaves `tr` empty. If
+  it names a type `Wider_target`, that begins anew.
   */
   InsertionTarget_3(Triangulation& tr, const std::vector<Triangulation::Point>& points);
 
@@ -141,11 +141,11 @@ public:
   std::size_t size_of_piece(std::size_t inserted) const;
 
   /*!
-  inserts the points `first`, …, `last - 1`, which make up one round: asks `hints` where the location
-  of each starts, and tells them of each insertion, and `visitor` of the phases `LOCATION` and `UPDATE`.
-  A target that has no better way calls `insert_one_by_one()`. One that lets several threads insert has
-  them copy `hints`, whose class then has a constant `is_concurrent` that is `true`, and asks `visitor`
-  for nothing but `go_further()`, in the thread that called.
+  inserts the points `first`, …, `last - 1`, which make up one round: asks `hints` where the
+  location of each starts, and tells them of each insertion, and `visitor` of the phases `LOCATION`
+  and `UPDATE`. A target that has no better way calls `insert_one_by_one()`. One that lets several
+  threads insert has them copy `hints`, whose class then has a constant `is_concurrent` that is
+  `true`, and asks `visitor` for nothing but `go_further()`, in the thread that called.
 
   \tparam Hints a model of `InsertionHints_3`
   \tparam Visitor a model of `SurfaceInsertionVisitor_3`
@@ -154,13 +154,13 @@ public:
   template <class Hints, class Visitor>
   bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor);
 
-  /// returns what the insertions did: a `CGAL::Delaunay_from_surface_3::Insertion_counts`, with zeros
-  /// for what is not counted.
+  /// returns what the insertions did: a `CGAL::Delaunay_from_surface_3::Insertion_counts`, with
+  /// zeros for what is not counted.
   Insertion_counts counts() const;
 
   /*!
-  is called before the first round if the caller wants the vertices in the order of the input; a target that
-  cannot do this leaves the function out, and is then not used.
+  is called before the first round if the caller wants the vertices in the order of the input; a
+  target that cannot do this leaves the function out, and is then not used.
 
   \param order the points in that order, a permutation of 0, …, n-1; equal points share the place of the
   first of them. It lives until the target is destroyed.

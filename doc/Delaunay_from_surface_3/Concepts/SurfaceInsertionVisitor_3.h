@@ -45,9 +45,10 @@ public:
   void surface_is_irregular(const std::string& reason);
 
   /*!
-  is called before the first round if the insertion target of the traits cannot serve. This is no error:
-  CGAL's own insertion takes its place, and the result is the same. It is called in the middle of the
-  work if a target has too few ids: the rounds then begin anew with its `Wider_target`.
+  is called before the first round if the insertion target of the traits cannot serve. This is no
+  error: CGAL's own insertion takes its place, and the result is the same. It is called in the
+  middle of the work if a target has too few ids: the rounds then begin anew with its
+  `Wider_target`.
   \param reason what stands against it: `InsertionTarget_3::obstacle()`
   */
   void target_is_replaced(const std::string& reason);
@@ -62,8 +63,8 @@ public:
   void subgraph_is_replaced(const std::string& reason);
 
   /*!
-  is called in the middle of the work if the order of the plan makes the insertions too costly. This is
-  no error: they begin anew, with the phase `PLAN`, in another order, and the result is the same.
+  is called in the middle of the work if the order of the plan makes the insertions too costly. This
+  is no error: they begin anew, with the phase `PLAN`, in another order, and the result is the same.
   \param reason what is too costly, in words
   */
   void order_is_replaced(const std::string& reason);
@@ -94,8 +95,8 @@ public:
   void trace_ends(std::size_t number_of_located_points);
 
   /*!
-  is called after the last insertion, before the triangulation is handed over: here their counts can be
-  had. Not after a stop.
+  is called after the last insertion, before the triangulation is handed over: here their counts can
+  be had. Not after a stop.
   \tparam Target a model of `InsertionTarget_3`
   \tparam Hints a model of `InsertionHints_3`
   */

@@ -22,9 +22,9 @@ public:
   static constexpr bool observes_conflict_zone = unspecified_value;
 
   /*!
-  is called before point `i` is inserted, if `observes_conflict_zone` is `true` and the target
-  knows the conflict zone. `CGAL::Delaunay_from_surface_3::Triangulation_target_3` knows it in dimension 3, without
-  `Fast_location`, for points that are not there already.
+  is called before point `i` is inserted, if `observes_conflict_zone` is `true` and the target knows
+  the conflict zone. `CGAL::Delaunay_from_surface_3::Triangulation_target_3` knows it in dimension
+  3, without `Fast_location`, for points that are not there already.
 
   \tparam CellIterator an input iterator with the value type `Cell` of the target
   \param i the number of the point

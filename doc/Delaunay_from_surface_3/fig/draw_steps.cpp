@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws the steps of the algorithm in the plane, where a closed curve stands for the surface: what the
-// curve, its triangulations, traces, walks and conflict zones look like is computed, not painted. The
-// order and the rounds are those of DFS::Log_star_rounds.
+// Draws the steps of the algorithm in the plane, where a closed curve stands for the surface: what
+// the curve, its triangulations, traces, walks and conflict zones look like is computed, not
+// painted. The order and the rounds are those of DFS::Log_star_rounds.
 //
 //   draw_steps FOLDER
 
@@ -130,7 +130,8 @@ void draw_points(Svg& svg, const Scene& scene, const std::vector<bool>& is_in)
     svg.circle(is_in[i] ? "in" : "out", scene.place(scene.points[i]), is_in[i] ? 4.5 : 3);
 }
 
-// The finite faces that the segment goes through. It is sampled: faces that it only touches are none.
+// The finite faces that the segment goes through. It is sampled: faces that it only touches are
+// none.
 std::vector<Face> crossed_faces(const Triangulation& tr, const Segment& segment)
 {
   std::vector<Face> faces;
@@ -231,8 +232,8 @@ void draw_trace_step(const std::string& folder, Scene scene)
   svg.write(folder + "/step_trace.svg");
 }
 
-// The place in the order of the point, among those whose recorded cell is dead when their turn comes,
-// that is farthest from its recorded vertex.
+// The place in the order of the point, among those whose recorded cell is dead when their turn
+// comes, that is farthest from its recorded vertex.
 std::size_t instructive_turn(const Scene& scene)
 {
   const std::size_t n_1 = scene.plan.round_ends[0];

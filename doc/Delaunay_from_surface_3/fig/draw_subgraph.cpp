@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws the figures on subgraphs of bounded degree: a surface of genus 3 with its cut graph and its subgraph; the
-// cut of a torus step by step, on the square it unrolls to, and a tree of it; the peeling of a disc step by step.
+// Draws the figures on subgraphs of bounded degree: a surface of genus 3 with its cut graph and its
+// subgraph; the cut of a torus step by step, on the square it unrolls to, and a tree of it; the
+// peeling of a disc step by step.
 //
 //   draw_subgraph FOLDER
 
@@ -61,7 +62,8 @@ Place place(const Indexed_surface::Point_3& p, double top)
   return {360 + zoom * (v * right), top + 120 - zoom * (v * up)};
 }
 
-// The far parts first; an edge right after the farther of the faces at it, so that nearer parts hide it.
+// The far parts first; an edge right after the farther of the faces at it, so that nearer parts
+// hide it.
 void draw_surface_with(Svg& svg, const Mesh& mesh, const Edges& edges,
                        const std::string& edge_style, double top)
 {

@@ -48,12 +48,13 @@ struct Default_surface_insertion_visitor_3
   /// spanning forest takes its place.
   void subgraph_is_replaced(const std::string& /* reason */) {}
 
-  /// is called if the order of the plan makes the insertions too costly: they begin anew, in another.
+  /// is called if the order of the plan makes the insertions too costly: they begin anew, in
+  /// another.
   void order_is_replaced(const std::string& /* reason */) {}
 
-  /// is called before the first round, with the number of threads that may insert. If it is more than one
-  /// the phases `LOCATION` and `UPDATE` are not told, and `go_further()` is asked before the insertions
-  /// of the calling thread only. All functions are called by that thread.
+  /// is called before the first round, with the number of threads that may insert. If it is more
+  /// than one the phases `LOCATION` and `UPDATE` are not told, and `go_further()` is asked before
+  /// the insertions of the calling thread only. All functions are called by that thread.
   void insertion_begins(std::size_t /* number_of_threads */) {}
 
   /// is called whenever another phase begins.

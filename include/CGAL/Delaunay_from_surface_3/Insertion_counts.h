@@ -55,8 +55,8 @@ struct Insertion_counts
   /// those of these whose sign was 0, and was perturbed.
   std::size_t perturbed = 0;
 
-  /// insertions that gave way to one of another thread, with nothing changed, and were tried again. What
-  /// they tested and would have destroyed is in the other counts.
+  /// insertions that gave way to one of another thread, with nothing changed, and were tried again.
+  /// What they tested and would have destroyed is in the other counts.
   std::size_t clashes = 0;
 
   /// points that clashed twice, and were left to the calling thread.

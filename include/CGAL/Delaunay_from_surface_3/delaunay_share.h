@@ -111,8 +111,8 @@ public:
     result.polygons = m_polygons;
     typename Triangulation::Cell_handle c;
     int i, j, k;
-    // A test looks at all cells around its first vertex. Were that the hub of a wheel, n spokes would
-    // take quadratic time; so it is the vertex with the fewest edges.
+    // A test looks at all cells around its first vertex. Were that the hub of a wheel, n spokes
+    // would take quadratic time; so it is the vertex with the fewest edges.
     for (auto e : m_edges) {
       std::sort(e.begin(), e.end(), has_lower_degree);
       if (tr.dimension() > 0 && tr.is_edge(m_vertices[e[0]], m_vertices[e[1]], c, i, j))
@@ -159,8 +159,9 @@ private:
 /*!
 \ingroup PkgDelaunayFromSurface3Statistics
 
-counts the edges and triangles of a polygon soup that are in a Delaunay triangulation of its points: how
-far the hypothesis of \cgalCite{choi-dtsm-02} holds, that the surface consists of Delaunay triangles.
+counts the edges and triangles of a polygon soup that are in a Delaunay triangulation of its points:
+how far the hypothesis of \cgalCite{choi-dtsm-02} holds, that the surface consists of Delaunay
+triangles.
 
 Where the triangulation has no edges or facets, in dimensions below 1 and 2, none are Delaunay.
 

@@ -23,8 +23,8 @@ enum Vertex_info_range_tag { vertex_info_range_tag };
 /*!
 \ingroup PkgDelaunayFromSurface3Ref
 
-begins a sequence of \ref bgl_namedparameters "Named Parameters" with a property map whose values the
-`info()` of the vertices gets. Others may follow, joined by dots:
+begins a sequence of \ref bgl_namedparameters "Named Parameters" with a property map whose values
+the `info()` of the vertices gets. Others may follow, joined by dots:
 
 \code{.cpp}
 namespace DFS = CGAL::Delaunay_from_surface_3;
@@ -36,8 +36,8 @@ insertions; %CGAL's own insertion of pairs lets the last of its order win. A ver
 before the call gets a new info too.
 
 \tparam InfoMap a model of `ReadablePropertyMap` from what the function writes into
-`vertex_to_vertex_output_iterator` (the vertices of a mesh, else the indices of the points) to a type
-that can be assigned to the info. It is copied.
+`vertex_to_vertex_output_iterator` (the vertices of a mesh, else the indices of the points) to a
+type that can be assigned to the info. It is copied.
 */
 template <class InfoMap>
 auto vertex_info_map(const InfoMap& map)

@@ -11,8 +11,8 @@
 
 namespace tests {
 
-// One std::thread for each worker but the first: ThreadSanitizer knows these, and would have to be told of
-// TBB's.
+// One std::thread for each worker but the first: ThreadSanitizer knows these, and would have to be
+// told of TBB's.
 class Thread_executor
 {
 public:

@@ -6,8 +6,8 @@
 #define DELAUNAY_FROM_SURFACE_3_TESTS_ARCHETYPES_H
 
 // Models of the concepts that can do no more than the concepts ask for, and are neither
-// default-constructible, copyable nor assignable where that is not asked for. What compiles with them
-// uses nothing that is not documented.
+// default-constructible, copyable nor assignable where that is not asked for. What compiles with
+// them uses nothing that is not documented.
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>

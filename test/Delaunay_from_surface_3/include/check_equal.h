@@ -84,7 +84,8 @@ public:
     }
   }
 
-  // The same from a mesh, where the surface is one: a soup has no halfedges, which T of bounded degree needs.
+  // The same from a mesh, where the surface is one: a soup has no halfedges, which T of bounded
+  // degree needs.
   template <class Traits>
   void check_as_mesh(unsigned int seed = 0) const
   {

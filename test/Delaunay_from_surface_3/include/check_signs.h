@@ -5,8 +5,8 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_CHECK_SIGNS_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_CHECK_SIGNS_H
 
-// The stages of the compact kernel's predicates, each next to the sign that it must have. A stage may
-// leave a sign open, and must never say a wrong one.
+// The stages of the compact kernel's predicates, each next to the sign that it must have. A stage
+// may leave a sign open, and must never say a wrong one.
 
 #include "exact_signs_of_points.h"
 #include "fuzz_tally.h"

@@ -39,8 +39,8 @@ struct Alone
   void has_written() {}
 };
 
-// What is wrong with the cells, if anything: they must be those of the lower hull of the vertices there
-// are, and their links mutual.
+// What is wrong with the cells, if anything: they must be those of the lower hull of the vertices
+// there are, and their links mutual.
 inline std::string what_is_wrong(const Case& c, const std::vector<Byte>& memory,
                                  const std::set<Byte>& vertices)
 {
@@ -220,8 +220,8 @@ private:
                             state.committed.end());
   }
 
-  // Does an insertion that writes rely on this word of a cell? Of what is beside its zone the vertices
-  // count, not the links.
+  // Does an insertion that writes rely on this word of a cell? Of what is beside its zone the
+  // vertices count, not the links.
   static bool relies_on(unsigned zone, unsigned beside, unsigned cell, unsigned k)
   {
     return (k < 4 && (zone >> cell & 1) != 0) || (k < 2 && (beside >> cell & 1) != 0);

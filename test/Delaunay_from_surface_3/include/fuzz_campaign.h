@@ -102,7 +102,8 @@ public:
   }
 
 private:
-  // An endless loop is one that lasts so long, in CPU time of the process. A case takes milliseconds.
+  // An endless loop is one that lasts so long, in CPU time of the process. A case takes
+  // milliseconds.
   static constexpr int seconds_per_case = 20, seconds_per_smaller_case = 4, seconds_to_shrink = 90;
 
   // What parent and child both see.

@@ -81,8 +81,8 @@ inline std::vector<Point_set> point_sets(std::size_t n)
   return sets;
 }
 
-// Where a point may be asked for: points of the set, points in general position inside and outside the
-// convex hull, and points on edges and facets, as far as midpoints are.
+// Where a point may be asked for: points of the set, points in general position inside and outside
+// the convex hull, and points on edges and facets, as far as midpoints are.
 inline std::vector<Point> queries(const std::vector<Point>& points, std::size_t number)
 {
   std::mt19937 random(4);

@@ -176,7 +176,8 @@ inline Points nudged_by_ulps(Random& r, std::size_t n)
 
 // --- spheres -----------------------------------------------------------------------------------
 
-// All signs and orders of three numbers that are up to 85 binary places apart: cospherical, exactly.
+// All signs and orders of three numbers that are up to 85 binary places apart: cospherical,
+// exactly.
 inline Points cospherical_85_bits(Random& r, std::size_t n)
 {
   Coordinates abc;

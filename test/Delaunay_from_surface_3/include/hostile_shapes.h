@@ -171,7 +171,8 @@ inline Points hub_and_ring(Random& r, std::size_t n)
   return points;
 }
 
-// Near the centre of a sphere the stars and conflict zones are as large as the set too, in any order.
+// Near the centre of a sphere the stars and conflict zones are as large as the set too, in any
+// order.
 inline Points sphere_and_its_centre(Random& r, std::size_t n)
 {
   Points points = r.one_in(2) ? sphere(r, n) : integer_sphere(r, n);

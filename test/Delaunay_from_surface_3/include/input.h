@@ -91,7 +91,8 @@ inline Graph graph_of_torus()
   return Graph(edges.begin(), edges.end(), torus().points.size());
 }
 
-// Calls insert(tr, traits) with the three traits classes, and compares with the stock triangulation.
+// Calls insert(tr, traits) with the three traits classes, and compares with the stock
+// triangulation.
 template <class Insert>
 void check_with_all_traits(const Triangulation& stock, const Insert& insert)
 {
@@ -147,8 +148,8 @@ inline Triangulation cube_of_points()
   return Triangulation(points.begin(), points.end());
 }
 
-// Expects that insert(tr) throws Error with all of `words` in its message and changes nothing: not an
-// empty triangulation and not another one.
+// Expects that insert(tr) throws Error with all of `words` in its message and changes nothing: not
+// an empty triangulation and not another one.
 template <class Error, class Insert>
 void check_refused(const std::vector<std::string>& words, const Insert& insert)
 {

@@ -5,16 +5,16 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_INSERTION_MODEL_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_INSERTION_MODEL_H
 
-// The parallel kernel in one dimension: the triangulation is the lower convex hull of points (x, height),
-// which is unique, as a Delaunay triangulation is. A cell is an interval with two vertices and two links; a
-// point is in conflict with a cell if it lies below its line; the zone is an interval; its star has two
-// cells, and what was between is in no cell any more. So zones of one, two or three cells take a
-// fresh cell, or none, or give one back.
+// The parallel kernel in one dimension: the triangulation is the lower convex hull of points (x,
+// height), which is unique, as a Delaunay triangulation is. A cell is an interval with two vertices
+// and two links; a point is in conflict with a cell if it lies below its line; the zone is an
+// interval; its star has two cells, and what was between is in no cell any more. So zones of one,
+// two or three cells take a fresh cell, or none, or give one back.
 //
-// What is shared is read and written as in Insertion_worker.h, Explore_announced.h and Write_announced.h,
-// access by access: each function here has the name of one there. Not modelled: hints (wherever a walk
-// starts, it is checked), the growth of arrays, and stores that make a fresh cell dead, before anybody can
-// have a link to it.
+// What is shared is read and written as in Insertion_worker.h, Explore_announced.h and
+// Write_announced.h, access by access: each function here has the name of one there. Not modelled:
+// hints (wherever a walk starts, it is checked), the growth of arrays, and stores that make a fresh
+// cell dead, before anybody can have a link to it.
 
 #include "memory_models.h"
 #include "model_case.h"
@@ -65,8 +65,8 @@ struct Worker_state
   }
 };
 
-// Access: load(location, order), store(location, value, order), fence(order), and what is said to the
-// checker: takes(…), makes(…), commits(…), has_written().
+// Access: load(location, order), store(location, value, order), fence(order), and what is said to
+// the checker: takes(…), makes(…), commits(…), has_written().
 template <class Access>
 class Worker
 {
@@ -212,8 +212,8 @@ private:
 
   // --- validating ------------------------------------------------------------------------------
 
-  // compare(): there all differences are added up, and one branch is taken; here it ends at the first,
-  // since nothing is written either way.
+  // compare(): there all differences are added up, and one branch is taken; here it ends at the
+  // first, since nothing is written either way.
   bool is_still_true()
   {
     for (std::size_t k = 0; k < m_cells.size(); ++k) {

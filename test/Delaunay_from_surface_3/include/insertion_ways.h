@@ -5,8 +5,8 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_INSERTION_WAYS_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_INSERTION_WAYS_H
 
-// Traits and triangulations that a case may be run with, in units of their own: they take minutes to
-// compile.
+// Traits and triangulations that a case may be run with, in units of their own: they take minutes
+// to compile.
 
 #include "fuzz_tally.h"
 #include "insertion_case.h"

@@ -5,7 +5,8 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_MEMORY_MODELS_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_MEMORY_MODELS_H
 
-// Three memories that a few threads share, small enough to be explored exhaustively (explore_model.h).
+// Three memories that a few threads share, small enough to be explored exhaustively
+// (explore_model.h).
 //
 // Each has
 //   choices(t, l)             how many values thread t might load from location l now
@@ -16,8 +17,8 @@
 //   is_newest(t, l)           whether what t may still load from l is what was stored last by anybody
 //   value(l)                  when nothing is pending
 //   append_to(key)            its state
-// and stores_commute: a store of one thread, done now or after any step of another, leads to the same
-// states, so that orders of stores need not be tried.
+// and stores_commute: a store of one thread, done now or after any step of another, leads to the
+// same states, so that orders of stores need not be tried.
 
 #include <algorithm>
 #include <array>
@@ -62,8 +63,8 @@ private:
   std::array<Byte, max_locations> m_values{};
 };
 
-// x86: each thread has a queue of its stores, from which it loads first, and which a full fence waits for
-// (Owens, Sarkar, Sewell 2009).
+// x86: each thread has a queue of its stores, from which it loads first, and which a full fence
+// waits for (Owens, Sarkar, Sewell 2009).
 class Total_store_order
 {
 public:
@@ -138,16 +139,16 @@ private:
   std::vector<const std::string*> m_strings;
 };
 
-// C++20's relaxed, acquire and release accesses and fences, by views (as the promising semantics of Kang,
-// Hur, Lahav, Vafeiadis, Dreyer 2017, without its promises): a location keeps all that was ever stored
-// there; a thread's view says from which store on it may load; who loads with acquire what was stored with
-// release takes over the view that went with it. (Until C++17, and on ARM, later stores of the same thread
-// to that location release as well; not here.)
+// C++20's relaxed, acquire and release accesses and fences, by views (as the promising semantics of
+// Kang, Hur, Lahav, Vafeiadis, Dreyer 2017, without its promises): a location keeps all that was
+// ever stored there; a thread's view says from which store on it may load; who loads with acquire
+// what was stored with release takes over the view that went with it. (Until C++17, and on ARM,
+// later stores of the same thread to that location release as well; not here.)
 //
-// Not in it: that a store takes place before a load that comes before it in its thread. The stores that
-// matter come after a full fence, or depend on what was loaded. And a store always comes after all that
-// are there: two threads that store to one location without knowing of each other are an error, which
-// is_newest() tells.
+// Not in it: that a store takes place before a load that comes before it in its thread. The stores
+// that matter come after a full fence, or depend on what was loaded. And a store always comes after
+// all that are there: two threads that store to one location without knowing of each other are an
+// error, which is_newest() tells.
 class Views
 {
 public:

@@ -5,7 +5,8 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_MODEL_CASE_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_MODEL_CASE_H
 
-// What the model of the handshake inserts into, and how its cells lie in memory. See insertion_model.h.
+// What the model of the handshake inserts into, and how its cells lie in memory. See
+// insertion_model.h.
 
 #include "memory_models.h"
 
@@ -56,7 +57,8 @@ inline Byte link_to(unsigned cell, unsigned facet)
   return Byte(2 * cell + facet);
 }
 
-// Facet k is opposite to vertex k: it is the other vertex. link_to(c, k) leads to cell c through its facet k.
+// Facet k is opposite to vertex k: it is the other vertex. link_to(c, k) leads to cell c through
+// its facet k.
 struct Layout
 {
   unsigned workers;

@@ -5,9 +5,9 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_MODEL_PROGRAMS_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_MODEL_PROGRAMS_H
 
-// What a worker does next depends only on where it began and on the values it has loaded since. So its
-// program is run again from there, fed with those values, until it asks for one more; that is kept in a
-// tree, whose nodes are all that a state of the exploration has to know about a worker.
+// What a worker does next depends only on where it began and on the values it has loaded since. So
+// its program is run again from there, fed with those values, until it asks for one more; that is
+// kept in a tree, whose nodes are all that a state of the exploration has to know about a worker.
 
 #include "insertion_model.h"
 #include "memory_models.h"

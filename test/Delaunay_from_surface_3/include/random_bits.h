@@ -15,8 +15,8 @@
 
 namespace fuzz {
 
-// The same numbers on every machine, so that a seed repeats a case: the distributions of <random> are
-// not specified, its engines are.
+// The same numbers on every machine, so that a seed repeats a case: the distributions of <random>
+// are not specified, its engines are.
 class Random
 {
 public:

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Calls that must not compile: each gives one error, the message behind it. test_refused_code.py compiles
-// this file and looks for them.
+// Calls that must not compile: each gives one error, the message behind it. test_refused_code.py
+// compiles this file and looks for them.
 
 #include <CGAL/insert_points_3.h>
 

@@ -137,8 +137,8 @@ inline Json counts_of_plain(const Mesh& mesh)
            {{"all_calls_per_point", rounded(all / double(mesh.number_of_vertices()), 1e4)}}}};
 }
 
-// This package through CGAL's insertion: predicate calls, and in a run of its own cells, since whoever
-// looks at conflict zones makes CGAL test one cell more.
+// This package through CGAL's insertion: predicate calls, and in a run of its own cells, since
+// whoever looks at conflict zones makes CGAL test one cell more.
 template <class Traits>
 Json predicates_of_insertion(const Mesh& mesh, unsigned int seed)
 {

@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_HEAP_PEAK_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_HEAP_PEAK_H
 
-// Counts what is allocated by `new`: include it in one file of a program only, as it replaces operator new.
+// Counts what is allocated by `new`: include it in one file of a program only, as it replaces
+// operator new.
 
 #include <malloc.h>
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_MEASURE_BOUNDS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUBGRAPHS_MEASURE_BOUNDS_H
 
-// Degrees on random triangulations of surfaces of all kinds, beside their bounds. All surfaces come as graphs
-// with rotation system, as some are not orientable.
+// Degrees on random triangulations of surfaces of all kinds, beside their bounds. All surfaces come
+// as graphs with rotation system, as some are not orientable.
 
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>

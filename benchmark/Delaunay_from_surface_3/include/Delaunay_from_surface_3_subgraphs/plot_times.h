@@ -19,7 +19,8 @@
 
 namespace subgraphs {
 
-/// Plots the time per vertex of `subgraph` over the number of vertices: level lines are linear time.
+/// Plots the time per vertex of `subgraph` over the number of vertices: level lines are linear
+/// time.
 inline void plot_times(const nlohmann::ordered_json& times, const std::string& file_name)
 {
   std::map<std::string, std::vector<std::pair<double, double>>> curves;

@@ -5,8 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_THEORY_COUNT_LOCATIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_THEORY_COUNT_LOCATIONS_H
 
-// The laboratory: points are inserted once, in the paper's random order, and each of them is located in
-// every way that can start from the same triangulation. What is counted does not depend on the machine.
+// The laboratory: points are inserted once, in the paper's random order, and each of them is
+// located in every way that can start from the same triangulation. What is counted does not depend
+// on the machine.
 
 #include <Delaunay_from_surface_3_comparison/triangulations.h>
 #include <Delaunay_from_surface_3_theory/crossings.h>
@@ -72,8 +73,8 @@ class Laboratory
   using Vertex = Target::Vertex;
 
 public:
-  // Point v of `points` is vertex v of the surface and the subgraph. The history of all conflicts, which
-  // takes 3 kB per point, is kept up to 2^17 points.
+  // Point v of `points` is vertex v of the surface and the subgraph. The history of all conflicts,
+  // which takes 3 kB per point, is kept up to 2^17 points.
   Laboratory(const std::vector<comparison::Kernel::Point_3>& points, const Edges& surface,
              const Edges& subgraph, unsigned int seed)
     : m_plan(CGAL::Delaunay_from_surface_3::Random_log_star_rounds(seed)(

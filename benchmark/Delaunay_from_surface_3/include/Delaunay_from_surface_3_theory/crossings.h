@@ -9,8 +9,9 @@
 
 namespace theory {
 
-// Whether the triangle between two cells is finite and has neither p nor q for a vertex. The traverser also steps
-// through others: outside the convex hull, and from a vertex of the hull to the outside.
+// Whether the triangle between two cells is finite and has neither p nor q for a vertex. The
+// traverser also steps through others: outside the convex hull, and from a vertex of the hull to
+// the outside.
 template <class Triangulation>
 bool is_crossed(const Triangulation& tr, typename Triangulation::Cell_handle from,
                 typename Triangulation::Cell_handle to, const typename Triangulation::Point& p,
@@ -24,8 +25,8 @@ bool is_crossed(const Triangulation& tr, typename Triangulation::Cell_handle fro
   return true;
 }
 
-// How many finite triangles of the triangulation the segment from p to q goes through (Choi 2002, Lemma 2).
-// The search for p begins at `hint`.
+// How many finite triangles of the triangulation the segment from p to q goes through (Choi 2002,
+// Lemma 2). The search for p begins at `hint`.
 template <class Triangulation>
 std::size_t number_of_crossings(const Triangulation& tr, const typename Triangulation::Point& p,
                                 const typename Triangulation::Point& q,

@@ -28,8 +28,8 @@ double fraction(const Items& items, const Predicate& is_it)
   return items.empty() ? 1. : double(number) / double(items.size());
 }
 
-// The finite edges of a triangulation between its vertices, which are numbered by `vertices`, sorted. Of
-// points that coincide the last stands for all.
+// The finite edges of a triangulation between its vertices, which are numbered by `vertices`,
+// sorted. Of points that coincide the last stands for all.
 template <class Triangulation>
 Edges delaunay_edges(const Triangulation& tr,
                      const std::vector<typename Triangulation::Vertex_handle>& vertices)
@@ -59,8 +59,8 @@ double delaunay_triangles(const Triangulation& tr,
   return share.triangles == 0 ? 1. : double(share.delaunay_triangles) / double(share.triangles);
 }
 
-// The Euclidean minimum spanning tree, by Kruskal over the Delaunay edges (§3.1); sorted. Of edges of the same
-// length those that are `preferred`, a sorted list, come first.
+// The Euclidean minimum spanning tree, by Kruskal over the Delaunay edges (§3.1); sorted. Of edges
+// of the same length those that are `preferred`, a sorted list, come first.
 template <class Point>
 Edges euclidean_minimum_spanning_tree(const std::vector<Point>& points, const Edges& delaunay,
                                       const Edges& preferred)

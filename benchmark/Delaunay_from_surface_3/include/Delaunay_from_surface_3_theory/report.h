@@ -37,7 +37,8 @@ inline Json per_point(std::size_t cells_entered, std::size_t calls, std::size_t 
           {"calls", rounded(double(calls) / n, 1e4)}};
 }
 
-// Cells entered and calls per located point, by way; the trace's share of `history-trace` apart, per point.
+// Cells entered and calls per located point, by way; the trace's share of `history-trace` apart,
+// per point.
 inline Json locations_as_json(const std::vector<Round_cost>& rounds)
 {
   Json result;
@@ -80,8 +81,8 @@ inline Json traces_as_json(const std::vector<Round_cost>& rounds)
 }
 
 // Theorem 5: in round h a descent from the last trace, or from the root before there is one, takes
-// O(log^(h) n). `lemma_4` is the mean of 4 ln(i/k) for the points s_i of the round and a trace after s_k: what
-// is expected if no point is ever outside the convex hull.
+// O(log^(h) n). `lemma_4` is the mean of 4 ln(i/k) for the points s_i of the round and a trace
+// after s_k: what is expected if no point is ever outside the convex hull.
 inline Json rounds_as_json(const std::vector<Round_cost>& rounds)
 {
   Json result = Json::array();

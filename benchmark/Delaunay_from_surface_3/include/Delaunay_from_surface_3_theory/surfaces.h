@@ -30,8 +30,8 @@ struct Theory_surface
   std::function<surfaces::Indexed_surface(std::size_t n)> make;
 };
 
-// `data_dir` holds bunny00.off and armadillo.off. What takes Mesh_3 minutes to make is kept in `cache_dir`,
-// unless that is empty.
+// `data_dir` holds bunny00.off and armadillo.off. What takes Mesh_3 minutes to make is kept in
+// `cache_dir`, unless that is empty.
 inline std::vector<Theory_surface> theory_surfaces(const std::string& data_dir,
                                                    const std::string& cache_dir, std::uint64_t seed)
 {

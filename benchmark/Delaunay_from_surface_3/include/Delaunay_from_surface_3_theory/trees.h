@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_THEORY_TREES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_THEORY_TREES_H
 
-// The subgraph T as a list of edges, and what can be done to it so that the theorems no longer hold.
+// The subgraph T as a list of edges, and what can be done to it so that the theorems no longer
+// hold.
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
@@ -133,8 +134,8 @@ inline Rooted_tree depth_first_tree(const Edges& edges, std::size_t n)
   return tree;
 }
 
-// T as if it had been made for a surface with a k-th of the points: of the vertices on a way through T
-// every k-th is kept, and the others hang on the last one kept before them.
+// T as if it had been made for a surface with a k-th of the points: of the vertices on a way
+// through T every k-th is kept, and the others hang on the last one kept before them.
 inline Edges decimated(const Rooted_tree& tree, std::size_t k)
 {
   Edges edges;

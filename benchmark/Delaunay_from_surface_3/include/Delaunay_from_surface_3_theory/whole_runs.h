@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_THEORY_WHOLE_RUNS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_THEORY_WHOLE_RUNS_H
 
-// Ways to locate that have an order or a triangulation of their own, and the times of all of them: each is a
-// run of insert_surface_vertices_3() with a visitor that meters the phases.
+// Ways to locate that have an order or a triangulation of their own, and the times of all of them:
+// each is a run of insert_surface_vertices_3() with a visitor that meters the phases.
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>

@@ -5,10 +5,10 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_BENCHMARK_SIMULATE_WORKERS_H
 #define DELAUNAY_FROM_SURFACE_3_BENCHMARK_SIMULATE_WORKERS_H
 
-// How often many workers get into each other's way, found by one thread that plays them all: in turn each
-// writes the star whose zone it announced before, and announces the next, so that every zone stays
-// announced while all others act. Wherever many cores can be had they clash less: their insertions
-// overlap for a part of the time only.
+// How often many workers get into each other's way, found by one thread that plays them all: in
+// turn each writes the star whose zone it announced before, and announces the next, so that every
+// zone stays announced while all others act. Wherever many cores can be had they clash less: their
+// insertions overlap for a part of the time only.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>

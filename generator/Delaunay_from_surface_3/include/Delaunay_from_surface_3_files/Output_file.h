@@ -76,7 +76,8 @@ public:
   }
 
 private:
-  // An empty file with a name that no other has, and the permissions that the user gives to new files.
+  // An empty file with a name that no other has, and the permissions that the user gives to new
+  // files.
   void create_unfinished()
   {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789";

@@ -13,7 +13,8 @@
 
 namespace files {
 
-// An index of a face: counted from 1, or from the last vertex backwards if it is negative; "7/1/3" is 7.
+// An index of a face: counted from 1, or from the last vertex backwards if it is negative; "7/1/3"
+// is 7.
 inline std::size_t parse_obj_index(std::string_view word, std::size_t number_of_vertices)
 {
   word = word.substr(0, word.find('/'));
@@ -26,8 +27,8 @@ inline std::size_t parse_obj_index(std::string_view word, std::size_t number_of_
                       : index - 1;
 }
 
-// Reads vertices and faces of Wavefront's format OBJ and passes over all else. CGAL's reader takes a
-// file without faces for damaged.
+// Reads vertices and faces of Wavefront's format OBJ and passes over all else. CGAL's reader takes
+// a file without faces for damaged.
 inline Polygon_soup read_obj(std::string_view text)
 {
   Polygon_soup soup;

@@ -12,9 +12,9 @@
 
 namespace files {
 
-// Reads .xyz and .pts: a point in each line, three numbers. What
-// stands behind them, normals, intensities or colors, is passed over. A line with one word alone is the
-// number of points that follow, which Leica's .pts has; it is not believed.
+// Reads .xyz and .pts: a point in each line, three numbers. What stands behind them, normals,
+// intensities or colors, is passed over. A line with one word alone is the number of points that
+// follow, which Leica's .pts has; it is not believed.
 inline Polygon_soup read_points(std::string_view text)
 {
   Polygon_soup soup;

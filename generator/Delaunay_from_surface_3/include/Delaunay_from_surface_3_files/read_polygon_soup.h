@@ -129,10 +129,10 @@ inline void check_indices(const Polygon_soup& soup)
                           std::to_string(soup.points.size()));
 }
 
-// Reads the points and faces of a file in the order of the file, or those of the standard input if its
-// name is "-". `format` is one of formats_read, or empty: the extension says it. All indices are in
-// range; coordinates may be infinite or NaN. The memory that it takes is bounded by the size of the
-// file. Throws `std::runtime_error` with one clear line.
+// Reads the points and faces of a file in the order of the file, or those of the standard input if
+// its name is "-". `format` is one of formats_read, or empty: the extension says it. All indices
+// are in range; coordinates may be infinite or NaN. The memory that it takes is bounded by the size
+// of the file. Throws `std::runtime_error` with one clear line.
 inline Polygon_soup read_polygon_soup(const std::string& file_name, std::string format = "")
 {
   if (format.empty())

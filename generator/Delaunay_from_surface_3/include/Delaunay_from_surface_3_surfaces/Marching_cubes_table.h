@@ -12,14 +12,14 @@
 
 namespace surfaces {
 
-/// The loops of marching cubes (Lorensen and Cline 1987) for each of the 256 ways in which the corners
-/// of a cube can lie inside or outside, and triangulations of them. Corner c has the coordinates that
-/// are the bits of c; edge 4 d + e leads along axis d.
+/// The loops of marching cubes (Lorensen and Cline 1987) for each of the 256 ways in which the
+/// corners of a cube can lie inside or outside, and triangulations of them. Corner c has the
+/// coordinates that are the bits of c; edge 4 d + e leads along axis d.
 ///
-/// On each square of the cube the surface runs from edge to edge around the corners inside, each for
-/// itself where two lie at a diagonal. That depends on the square alone, so that neighbouring cubes
-/// agree. A loop has 3 to 7 edges. Its triangulation has no diagonal that lies in a square, where the
-/// neighbour could have the same: the triangles of all cubes form a closed 2-manifold.
+/// On each square of the cube the surface runs from edge to edge around the corners inside, each
+/// for itself where two lie at a diagonal. That depends on the square alone, so that neighbouring
+/// cubes agree. A loop has 3 to 7 edges. Its triangulation has no diagonal that lies in a square,
+/// where the neighbour could have the same: the triangles of all cubes form a closed 2-manifold.
 class Marching_cubes_table
 {
 public:

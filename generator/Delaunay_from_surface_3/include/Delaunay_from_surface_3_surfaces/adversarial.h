@@ -81,8 +81,9 @@ inline Indexed_surface two_lines(std::size_t n)
 }
 
 /// A room: about `n` points of the six walls of a cube that bulge inwards, moved at random along
-/// them and denser in their middles, and one point in the middle of the room, in no face, the last. In
-/// the triangulation of all points it is a neighbour of about a quarter of them, but the cells are few. \pre `n >= 9`
+/// them and denser in their middles, and one point in the middle of the room, in no face, the last.
+/// In the triangulation of all points it is a neighbour of about a quarter of them, but the cells
+/// are few. \pre `n >= 9`
 inline Indexed_surface room(std::size_t n, std::uint64_t seed)
 {
   if (n < 9)

@@ -37,8 +37,8 @@ struct Unit_sphere
   double feature() const { return 1; }
 };
 
-/// A chain of tori, flattened across: its tubes are no circles. Round tubes are a degenerate case, as all
-/// points of a cross-section are as far from its middle, and D(S) then grows faster than n.
+/// A chain of tori, flattened across: its tubes are no circles. Round tubes are a degenerate case,
+/// as all points of a cross-section are as far from its middle, and D(S) then grows faster than n.
 class Oval_torus_chain
 {
 public:
@@ -85,9 +85,10 @@ Indexed_surface boundary_of_complex(const Complex& complex)
   return surface;
 }
 
-// Balls about triangles of the surface that hold no other of its points have at most radius `size`. Of the
-// points of the triangulation all are on the surface, which is neither perturbed nor exuded: so its
-// triangles are Delaunay. With a larger error bound points leave the surface, and Mesh_3 hardly ends.
+// Balls about triangles of the surface that hold no other of its points have at most radius `size`.
+// Of the points of the triangulation all are on the surface, which is neither perturbed nor exuded:
+// so its triangles are Delaunay. With a larger error bound points leave the surface, and Mesh_3
+// hardly ends.
 template <class Shape>
 Indexed_surface meshed(const Shape& shape, const Indexed_surface::Point_3& inside, double size)
 {

@@ -26,8 +26,9 @@ inline Indexed_surface simplified(Mesh mesh, std::size_t n)
   return from_mesh(mesh);
 }
 
-/// A closed triangle mesh with `n` vertices, exactly if it has no more of them, else about: `simplified()` or
-/// `densified()`, with jitter in both cases, so that the surfaces of all sizes are equally rough.
+/// A closed triangle mesh with `n` vertices, exactly if it has no more of them, else about:
+/// `simplified()` or `densified()`, with jitter in both cases, so that the surfaces of all sizes
+/// are equally rough.
 inline Indexed_surface resized(const Mesh& mesh, std::size_t n, double fraction = 0.05,
                                std::uint64_t seed = 0)
 {

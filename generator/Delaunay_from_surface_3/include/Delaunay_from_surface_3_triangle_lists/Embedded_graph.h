@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A triangle list as a Boost graph with cyclic orders; each list starts anywhere and runs in either direction.
+// A triangle list as a Boost graph with cyclic orders; each list starts anywhere and runs in either
+// direction.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_EMBEDDED_GRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_EMBEDDED_GRAPH_H

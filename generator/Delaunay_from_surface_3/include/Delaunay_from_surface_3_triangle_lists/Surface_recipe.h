@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random surfaces by recipe. A recipe is a handful of numbers, so a failing one shrinks by making them smaller.
+// Random surfaces by recipe. A recipe is a handful of numbers, so a failing one shrinks by making
+// them smaller.
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_SURFACE_RECIPE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRIANGLE_LISTS_SURFACE_RECIPE_H
@@ -121,7 +122,8 @@ inline Surface_recipe random_recipe(int seed, bool is_orientable)
   return recipe;
 }
 
-// A property returns what is wrong, or nothing. The failing recipe is made smaller while it still fails.
+// A property returns what is wrong, or nothing. The failing recipe is made smaller while it still
+// fails.
 template <class Property>
 std::string check_and_shrink(Surface_recipe recipe, const Property& property)
 {

@@ -220,7 +220,8 @@ void flip_edges(Triangle_list& s, int count, Random& random)
   }
 }
 
-// Removes the star of a vertex, or one triangle, away from all boundary; returns whether there was room.
+// Removes the star of a vertex, or one triangle, away from all boundary; returns whether there was
+// room.
 template <class Random>
 bool puncture(Triangle_list& s, Random& random)
 {

@@ -13,8 +13,8 @@
 
 namespace triangle_lists {
 
-/// A polygon with rings about its middle, vertex 0, whose sides are glued so that all its corners become
-/// one, vertex 1: a surface on which one vertex is as often in the cut as can be.
+/// A polygon with rings about its middle, vertex 0, whose sides are glued so that all its corners
+/// become one, vertex 1: a surface on which one vertex is as often in the cut as can be.
 struct Bouquet
 {
   /// The sides in order: letter k runs forwards, -k backwards. A letter is there twice.
@@ -23,7 +23,8 @@ struct Bouquet
   int loops_elsewhere = 0;
   /// Whether one more boundary loop runs through vertex 1.
   bool has_loop_at_corner = false;
-  /// Whether each corner is cut off by an edge, with a vertex behind it that only vertex 1 leads to.
+  /// Whether each corner is cut off by an edge, with a vertex behind it that only vertex 1 leads
+  /// to.
   bool has_pockets = false;
 };
 
@@ -48,8 +49,8 @@ inline Bouquet non_orientable_bouquet(int cross_caps)
 
 namespace internal {
 
-// The vertices of the polygon in order. Between two corners a side has three more, which makes the surface
-// simple.
+// The vertices of the polygon in order. Between two corners a side has three more, which makes the
+// surface simple.
 inline std::vector<int> polygon_of(const Bouquet& bouquet, int& n)
 {
   std::vector<int> polygon;
@@ -119,8 +120,8 @@ inline Triangle_list triangulated(const Bouquet& bouquet)
   return s;
 }
 
-/// The same surface with its vertices in another order, but for vertex 0. `corner`, the number of the vertex
-/// at the corners, goes with it.
+/// The same surface with its vertices in another order, but for vertex 0. `corner`, the number of
+/// the vertex at the corners, goes with it.
 template <class Random>
 Triangle_list renumbered(Triangle_list s, int& corner, Random& random)
 {

@@ -24,7 +24,8 @@ inline void write_tetgen_node(std::ostream& out, const Simplices_3& s)
 }
 
 /// \ingroup PkgDelaunayFromSurface3IO
-/// writes tetrahedra in TetGen's format `.ele`, counted from 0. TetGen's own have the same orientation.
+/// writes tetrahedra in TetGen's format `.ele`, counted from 0. TetGen's own have the same
+/// orientation.
 /// \pre the dimension is 3
 inline void write_tetgen_ele(std::ostream& out, const Simplices_3& s)
 {
@@ -34,7 +35,8 @@ inline void write_tetgen_ele(std::ostream& out, const Simplices_3& s)
 }
 
 /// \ingroup PkgDelaunayFromSurface3IO
-/// writes the neighbours in TetGen's format `.neigh`: the i-th is opposite to the i-th corner, -1 for none.
+/// writes the neighbours in TetGen's format `.neigh`: the i-th is opposite to the i-th corner, -1
+/// for none.
 /// \pre the dimension is 3, and the neighbours are known
 inline void write_tetgen_neigh(std::ostream& out, const Simplices_3& s)
 {

@@ -41,15 +41,15 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Insertion
 
 inserts points into a compact triangulation of its own and writes that into the user's empty
-triangulation when it is finished; any vertex and cell base will do. The result equals that of CGAL's
-own insertion on every input: signs that floating point cannot certify come from the exact predicates
-of the geometric traits and CGAL's symbolic perturbation.
+triangulation when it is finished; any vertex and cell base will do. The result equals that of
+CGAL's own insertion on every input: signs that floating point cannot certify come from the exact
+predicates of the geometric traits and CGAL's symbolic perturbation.
 
 It serves geometric traits with exact predicates, such as
 `Exact_predicates_inexact_constructions_kernel`, `Exact_predicates_exact_constructions_kernel` and
-`Filtered_kernel<Simple_cartesian<float>>`, if all coordinates are doubles; empty triangulations; and
-points that do not all lie in one plane; `obstacle()` says what stands against it. The rounding mode
-must be to nearest.
+`Filtered_kernel<Simple_cartesian<float>>`, if all coordinates are doubles; empty triangulations;
+and points that do not all lie in one plane; `obstacle()` says what stands against it. The rounding
+mode must be to nearest.
 
 Memory: 32 bytes per cell and per point, and the size of an `Id` per point, while it inserts. The
 export gives the cells back as it goes.
@@ -199,9 +199,9 @@ public:
   /// are inserted: for many threads enough to be worth their start.
   std::size_t size_of_piece(std::size_t inserted) const { return m_kernel.size_of_piece(inserted); }
 
-  /// inserts the points `first`, …, `last - 1`: one after the other, or by several threads. Then each
-  /// thread has a copy of `hints`, and of the visitor only `go_further()` is called, in the thread that
-  /// called this.
+  /// inserts the points `first`, …, `last - 1`: one after the other, or by several threads. Then
+  /// each thread has a copy of `hints`, and of the visitor only `go_further()` is called, in the
+  /// thread that called this.
   template <class Hints, class Visitor>
   bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor)
   {
@@ -212,8 +212,8 @@ public:
       return insert_one_by_one(*this, first, last, hints, visitor);
   }
 
-  /// is to create the user's vertices in the order in which `order` first names them, a permutation of
-  /// 0, …, n-1, of which a reference is kept. Without it they come in the order of insertion.
+  /// is to create the user's vertices in the order in which `order` first names them, a permutation
+  /// of 0, …, n-1, of which a reference is kept. Without it they come in the order of insertion.
   void create_vertices_in_order(const std::vector<std::size_t>& order) { m_order = &order; }
 
   /// writes the triangulation into the user's.
@@ -246,8 +246,8 @@ public:
 
 protected:
   /// \cond
-  // For a target that hands the cells over in another way. It may give up the points that were to be
-  // inserted once it is constructed: their coordinates are in the complex.
+  // For a target that hands the cells over in another way. It may give up the points that were to
+  // be inserted once it is constructed: their coordinates are in the complex.
   Complex& complex() { return m_complex; }
 
   // To be called before that.

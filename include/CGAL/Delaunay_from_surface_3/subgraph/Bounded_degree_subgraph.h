@@ -52,7 +52,8 @@ public:
   }
 
   /// does the same for the graph that `insert_surface_points_3()` makes of a polygon soup: the
-  /// cyclic order of the edges at each vertex is read from the faces, which may be oriented at random.
+  /// cyclic order of the edges at each vertex is read from the faces, which may be oriented at
+  /// random.
   template <class GraphOfFaces, class VertexIndexMap, class EdgeOutputIterator>
   auto operator()(const GraphOfFaces& graph, VertexIndexMap, EdgeOutputIterator out) const
       -> decltype(static_cast<void>(graph.faces_of_soup()), EdgeOutputIterator(out))

@@ -24,9 +24,9 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 writes the edges of a minimum spanning forest, one tree per connected component, whose edges are as
-short as can be altogether. Where the surface contains a Euclidean minimum spanning tree of its points
-(`contains_euclidean_minimum_spanning_tree()`) the forest is one: of degree at most 12 and Delaunay
-(\cgalCite{choi-dtsm-02}, §3.1). Elsewhere nothing bounds its degree.
+short as can be altogether. Where the surface contains a Euclidean minimum spanning tree of its
+points (`contains_euclidean_minimum_spanning_tree()`) the forest is one: of degree at most 12 and
+Delaunay (\cgalCite{choi-dtsm-02}, §3.1). Elsewhere nothing bounds its degree.
 
 A graph knows no lengths, so the points must be given. A traits class of one's own hands them over:
 
@@ -39,8 +39,8 @@ struct My_traits : CGAL::Tracing_traits_3
 };
 \endcode
 
-O(n + m log m) for n vertices and m edges. Lengths are compared exactly, and edges of the same length
-taken in the order of their indices.
+O(n + m log m) for n vertices and m edges. Lengths are compared exactly, and edges of the same
+length taken in the order of their indices.
 
 \tparam Point a point of a %CGAL kernel with exact predicates
 

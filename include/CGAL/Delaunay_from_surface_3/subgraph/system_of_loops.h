@@ -20,8 +20,9 @@ writes a system of loops of a closed triangulated surface: on every component of
 walks through one base vertex such that the surface without them is an open disc.
 
 \cgalCite{choi-dtsm-02} cuts along 2g cycles too, found by the algorithm of \cgalCite{l-ps-01}. This is
-not that algorithm: the loops are those of a tree and a cotree. They are here for comparison. Each loop follows a breadth-first tree from the base vertex, crosses over one edge and
-follows the tree back; loops share the parts of the tree that lie near the base.
+not that algorithm: the loops are those of a tree and a cotree. They are here for comparison. Each
+loop follows a breadth-first tree from the base vertex, crosses over one edge and follows the tree
+back; loops share the parts of the tree that lie near the base.
 
 \tparam LoopOutputIterator a model of `OutputIterator` that holds
 `std::vector<boost::graph_traits<HalfedgeGraph>::%edge_descriptor>`: the edges of a loop in order,

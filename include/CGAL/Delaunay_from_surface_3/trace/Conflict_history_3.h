@@ -9,14 +9,15 @@
 // Delaunay tetrahedra whose circumspheres contain s_i" (Boissonnat and Teillaud's Delaunay tree;
 // Clarkson, Mehlhorn and Seidel's history).
 //
-// Invariant: a new cell on the facet f is in conflict with no point that is in conflict neither with
-// its father, the destroyed cell behind f, nor with its stepfather, the cell across f that survived.
-// For its sphere goes through the circle of f, between the spheres of these two. So whoever knows all
-// cells of one triangulation in conflict with a point finds all later ones by sons and stepsons.
-// The stepsons of a facet stood on it one after the other, each the son of the one before, and their
-// spheres turn about its circle towards the stepfather. Of those in conflict with a point there the
-// youngest are, if it is on the stepfather's side of the facet; else they are sons of cells in
-// conflict. So they are tested from the youngest on until one is not in conflict.
+// Invariant: a new cell on the facet f is in conflict with no point that is in conflict neither
+// with its father, the destroyed cell behind f, nor with its stepfather, the cell across f that
+// survived. For its sphere goes through the circle of f, between the spheres of these two. So
+// whoever knows all cells of one triangulation in conflict with a point finds all later ones by
+// sons and stepsons. The stepsons of a facet stood on it one after the other, each the son of the
+// one before, and their spheres turn about its circle towards the stepfather. Of those in conflict
+// with a point there the youngest are, if it is on the stepfather's side of the facet; else they
+// are sons of cells in conflict. So they are tested from the youngest on until one is not in
+// conflict.
 
 #include <CGAL/Delaunay_from_surface_3/internal/trace/Conflict_test.h>
 #include <CGAL/Delaunay_from_surface_3/internal/trace/Zone_boundary.h>
@@ -42,16 +43,16 @@ dimension 3 while points are inserted, as a graph of conflicts (\cgalCite{bt-rcd
 linked to two older ones, its father and its stepfather: the destroyed and the surviving cell at the
 facet on which it stands. A point in conflict with a cell is in conflict with one of these two.
 
-`find_conflicts()` visits the nodes that are in conflict with a point, each once, and gives those that
-are cells of today. It starts from the root, all cells that there were when the triangulation was
-handed over or became 3-dimensional, or from all cells that were in conflict with the point
-at some time before: the point's *conflict set* then. One of these would not do: cells of today may
+`find_conflicts()` visits the nodes that are in conflict with a point, each once, and gives those
+that are cells of today. It starts from the root, all cells that there were when the triangulation
+was handed over or became 3-dimensional, or from all cells that were in conflict with the point at
+some time before: the point's *conflict set* then. One of these would not do: cells of today may
 descend from the others only.
 
 Let points be inserted in random order, and let c<sub>j</sub> be the expected number of cells in
 conflict with a point p in the triangulation of j points. The j-th insertion makes each of them with
-probability 4/j. So from the triangulation of k points to that of i the sum of 4 c<sub>j</sub>/j over
-k < j ≤ i is visited, which is O(log(i/k)) if c<sub>j</sub> is O(1) (\cgalCite{choi-dtsm-02},
+probability 4/j. So from the triangulation of k points to that of i the sum of 4 c<sub>j</sub>/j
+over k < j ≤ i is visited, which is O(log(i/k)) if c<sub>j</sub> is O(1) (\cgalCite{choi-dtsm-02},
 Lemma 4). At each node at most eight tests are made in vain, four of sons and one for each facet,
 whatever the degrees of the vertices are: work is proportional to nodes.
 
@@ -157,8 +158,8 @@ public:
     return finish_search(p, 0, out, search);
   }
 
-  /// does the same from the nodes in `[first, last)`: the conflict set of `p` at the time when there
-  /// were `number_of_nodes_then` nodes.
+  /// does the same from the nodes in `[first, last)`: the conflict set of `p` at the time when
+  /// there were `number_of_nodes_then` nodes.
   /// \pre `p` was no vertex then.
   template <class NodeIterator, class NodeOutputIterator>
   Search find_conflicts(const Point& p, NodeIterator first, NodeIterator last,
@@ -172,8 +173,8 @@ public:
     return finish_search(p, number_of_nodes_then, out, search);
   }
 
-  /// returns whether `p` is in conflict with node `n`: inside its circumscribing sphere, or beyond the
-  /// finite facet of an infinite cell; %CGAL's perturbation decides where it is on either.
+  /// returns whether `p` is in conflict with node `n`: inside its circumscribing sphere, or beyond
+  /// the finite facet of an infinite cell; %CGAL's perturbation decides where it is on either.
   bool is_in_conflict(Node n, const Point& p) const
   {
     return m_test(m_records[n].vertices, p) == Conflict::YES;

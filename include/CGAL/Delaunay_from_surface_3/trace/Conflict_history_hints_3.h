@@ -5,13 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_CONFLICT_HISTORY_HINTS_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TRACE_CONFLICT_HISTORY_HINTS_3_H
 
-// Choi 2002, Fig. 1, lines 2a and 2b, with the paper's Q: s_i is located by a search through all cells
-// in conflict with it, from those of D(S_{N_h}), which a trace has recorded.
+// Choi 2002, Fig. 1, lines 2a and 2b, with the paper's Q: s_i is located by a search through all
+// cells in conflict with it, from those of D(S_{N_h}), which a trace has recorded.
 //
-// Invariant: the record of a point is its whole conflict set in the triangulation of the last trace,
-// or its vertex if there was one there.
-// Cost: see Conflict_history_3 for s_i; O(n) expected cells per trace (Theorem 3), and the sizes of
-// all conflict sets, which is O(n) expected too where an insertion destroys O(1) cells.
+// Invariant: the record of a point is its whole conflict set in the triangulation of the last
+// trace, or its vertex if there was one there. Cost: see Conflict_history_3 for s_i; O(n) expected
+// cells per trace (Theorem 3), and the sizes of all conflict sets, which is O(n) expected too where
+// an insertion destroys O(1) cells.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_3.h>
@@ -35,17 +35,17 @@ namespace Delaunay_from_surface_3 {
 
 starts every insertion in a cell in conflict with the point, found in the history of all conflicts
 (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b): the paper's own location structure. The search
-starts at the conflict set that the last trace recorded for the point, and at the root if there was no
-trace. A trace is that of `Traced_hints_3`; it records sets of nodes instead of vertices. The paper
-records only the cell that contains the point; from that cell alone cells can be lost
+starts at the conflict set that the last trace recorded for the point, and at the root if there was
+no trace. A trace is that of `Traced_hints_3`; it records sets of nodes instead of vertices. The
+paper records only the cell that contains the point; from that cell alone cells can be lost
 (`Conflict_history_3`).
 
 It takes several times the memory of the triangulation and is slower than a walk on all surfaces
 measured: it is here for the theory.
 
 A trace takes O(n) expected time, and a search O(log(i/k)) expected for point i after a trace in the
-triangulation of k points (Theorem 3 and Lemma 4), under the assumptions of the paper. Memory besides
-the history: 24 bytes per point, and 8 for each cell of a record.
+triangulation of k points (Theorem 3 and Lemma 4), under the assumptions of the paper. Memory
+besides the history: 24 bytes per point, and 8 for each cell of a record.
 
 \tparam Target `Triangulation_target_3`, not of a triangulation with `Fast_location`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
@@ -86,8 +86,8 @@ public:
   {
   }
 
-  /// returns a cell in conflict with point `i`, finite if there is one, or a cell of the vertex at the
-  /// point; below dimension 3, a cell of the vertex inserted last.
+  /// returns a cell in conflict with point `i`, finite if there is one, or a cell of the vertex at
+  /// the point; below dimension 3, a cell of the vertex inserted last.
   Cell start(std::size_t i)
   {
     const Record& record = m_record[i];
@@ -125,8 +125,8 @@ public:
     m_history.after_update(i, v);
   }
 
-  /// locates every point that is not yet inserted, records its conflict set and returns the number of
-  /// these points.
+  /// locates every point that is not yet inserted, records its conflict set and returns the number
+  /// of these points.
   /// \pre A point is inserted.
   std::size_t trace()
   {

@@ -8,9 +8,9 @@
 // Choi 2002, Fig. 1, lines 2a and 2b, with a history by containment for Q: a trace records
 // d_{N_h}(s_k) as nodes, and s_i is located by a descent from its record.
 //
-// Invariant: the record of a point is a node that contains it. A node never dies.
-// Cost: O(log(i/k)) expected nodes for s_i if the last trace was in D(S_k), each of which takes tests
-// in proportion to a star.
+// Invariant: the record of a point is a node that contains it. A node never dies. Cost: O(log(i/k))
+// expected nodes for s_i if the last trace was in D(S_k), each of which takes tests in proportion
+// to a star.
 
 #include <CGAL/Delaunay_from_surface_3/trace/Trace_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
@@ -37,8 +37,8 @@ This is the practical variant of the paper's location structure, which is that o
 `History_dag_3`) and is slower than a walk on all surfaces measured: it is here for comparison.
 
 A trace takes O(n) expected time (Theorem 3), and a descent enters O(log(i/k)) expected nodes for
-point i after a trace in the triangulation of k points, under the assumptions of the paper; each takes
-tests in proportion to the size of a star.
+point i after a trace in the triangulation of k points, under the assumptions of the paper; each
+takes tests in proportion to the size of a star.
 
 \tparam Target `Triangulation_target_3`, not of a triangulation with `Fast_location`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T

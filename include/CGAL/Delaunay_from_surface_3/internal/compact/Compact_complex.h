@@ -14,9 +14,10 @@
 //
 // Invariants: vertices of a cell are in positive orientation (with the infinite vertex in the place
 // of a point beyond the hull); the infinite vertex is only ever the last of a cell. A link names a
-// neighbour and, in its two lowest bits, which of the neighbour's facets is shared: 4 · cell + facet,
-// as in TetGen's and HXT's meshes (Si 2015; Marot, Pellerin, Remacle 2019). A cell that is destroyed
-// is `dead`, and so is one that is not in use; that mark is the highest bit of its first vertex.
+// neighbour and, in its two lowest bits, which of the neighbour's facets is shared: 4 · cell +
+// facet, as in TetGen's and HXT's meshes (Si 2015; Marot, Pellerin, Remacle 2019). A cell that is
+// destroyed is `dead`, and so is one that is not in use; that mark is the highest bit of its first
+// vertex.
 
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Page_array.h>
@@ -112,8 +113,8 @@ public:
     return Id(m_cells_end++);
   }
 
-  // Room for n cells at least; and which of them there are, dead ones too, if others than new_cell()
-  // hand them out. The cells may move.
+  // Room for n cells at least; and which of them there are, dead ones too, if others than
+  // new_cell() hand them out. The cells may move.
   void make_room(std::size_t n)
   {
     if (n > max_cells && m_cells.capacity() >= max_cells)
@@ -123,8 +124,8 @@ public:
   std::size_t capacity() const { return m_cells.capacity(); }
   void use_cells(std::size_t end) { m_cells_end = end; }
 
-  // The first cells: that of four vertices, positively oriented, and the infinite ones around it. Makes
-  // room for the cells that points on a surface have.
+  // The first cells: that of four vertices, positively oriented, and the infinite ones around it.
+  // Makes room for the cells that points on a surface have.
   void start(const std::array<Id, 4>& v)
   {
     m_cells.reserve((std::min)(7 * m_number_of_vertices + 64, max_cells), 0);

@@ -6,7 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_TRIANGULATION_H
 
 // Bowyer's and Watson's insertion (1981) on numbered cells: walk to a conflict, dig the conflict
-// zone, fill the star (Choi 2002, Fig. 1, lines 2b and 2c). Each of the three has a header of its own.
+// zone, fill the star (Choi 2002, Fig. 1, lines 2b and 2c). Each of the three has a header of its
+// own.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_predicates.h>
@@ -55,7 +56,8 @@ public:
     return walk(predicates, p, start);
   }
 
-  // Puts p where a cell is in conflict with it. `before(first, last)` is given the cells in conflict.
+  // Puts p where a cell is in conflict with it. `before(first, last)` is given the cells in
+  // conflict.
   template <class Before>
   void insert(Id p, Id cell, const Before& before)
   {

@@ -30,8 +30,9 @@ struct Zone_facet
 template <class Id>
 struct Conflict_zone
 {
-  // The first number_of_cells and number_of_facets are filled; what is beyond is room. The cells are
-  // those in conflict, in the order in which they were found; after the fill, those of the star.
+  // The first number_of_cells and number_of_facets are filled; what is beyond is room. The cells
+  // are those in conflict, in the order in which they were found; after the fill, those of the
+  // star.
   std::vector<Id> cells;
   std::vector<Zone_facet<Id>> facets;
   std::size_t number_of_cells = 0;

@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_DIG_CONFLICT_ZONE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_DIG_CONFLICT_ZONE_H
 
-// Choi 2002, Fig. 1, line 2c, first half: the cells in conflict with the new point, and the boundary
-// of what they fill (Bowyer 1981; Watson 1981). They are connected, so they are dug out breadth first
-// from one of them; the queue is the list of the cells found.
+// Choi 2002, Fig. 1, line 2c, first half: the cells in conflict with the new point, and the
+// boundary of what they fill (Bowyer 1981; Watson 1981). They are connected, so they are dug out
+// breadth first from one of them; the queue is the list of the cells found.
 //
 // Invariant: the cells found are dead, no others have died.
 // Cost: O(cells in conflict).
@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Explore: how cells are read and their neighbours looked at, scalar or in vectors, and beside others
-// who write (Explore_announced.h) or alone.
+// Explore: how cells are read and their neighbours looked at, scalar or in vectors, and beside
+// others who write (Explore_announced.h) or alone.
 template <class Explore>
 struct Dig_conflict_zone
 {

@@ -39,9 +39,8 @@ struct Neighborhood
   unsigned undecided; // of these: the filter cannot tell
 };
 
-// Scalar code for any machine and any Id.
-// Cells that nobody else writes meanwhile: they are read where they are, and marked as dead when they
-// join the zone.
+// Scalar code for any machine and any Id. Cells that nobody else writes meanwhile: they are read
+// where they are, and marked as dead when they join the zone.
 struct Explore_alone
 {
   template <class Id>

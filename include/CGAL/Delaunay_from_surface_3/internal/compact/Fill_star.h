@@ -11,8 +11,8 @@
 // Two new cells are neighbours if their facets share an edge. Each facet writes its links to a
 // table under its three directed edges; the neighbour across an edge stands under its reverse. The
 // boundary is a sphere of B facets, so it has B/2 + 2 vertices; they are labelled 0, 1, … on the
-// way. The table is small, never cleared, and stays in the cache: the idea is HXT's (Marot, Pellerin,
-// Remacle 2019). Large zones sort their edges instead.
+// way. The table is small, never cleared, and stays in the cache: the idea is HXT's (Marot,
+// Pellerin, Remacle 2019). Large zones sort their edges instead.
 //
 // Cost: O(B).
 
@@ -82,8 +82,8 @@ public:
   {
   }
 
-  // Makes the star of p of the zone's facets, whose corners become labels. The zone's cells are then
-  // those of the star.
+  // Makes the star of p of the zone's facets, whose corners become labels. The zone's cells are
+  // then those of the star.
   void operator()(Complex& complex, Zone& zone, Id p)
   {
     zone.take_cells_of_star(complex);
@@ -168,7 +168,8 @@ private:
     m_base = 1;
   }
 
-  // Edges in lexicographic order, by counting: the two cells at an edge then come one after the other.
+  // Edges in lexicographic order, by counting: the two cells at an edge then come one after the
+  // other.
   void link_by_sorting(Complex& complex, const Zone& zone, std::size_t number_of_labels)
   {
     m_edges.clear();

@@ -80,8 +80,8 @@ private:
   Exposed m_exposed;
 };
 
-// Those for points whose coordinates are doubles. There all exact predicates agree, so that those are
-// asked that make points of doubles fastest.
+// Those for points whose coordinates are doubles. There all exact predicates agree, so that those
+// are asked that make points of doubles fastest.
 template <class GeomTraits>
 struct Perturbed_predicates_on_doubles
   : Perturbed_predicates<

@@ -6,13 +6,12 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_WALK_TO_CONFLICT_H
 
 // Choi 2002, Fig. 1, line 2b: "Locate s_i in D(S_{i-1})". Instead of the cell that contains the
-// point, any cell in conflict with it will do (as in HXT: Marot, Pellerin, Remacle 2019), and near a
-// good starting cell there is one nearly at once.
+// point, any cell in conflict with it will do (as in HXT: Marot, Pellerin, Remacle 2019), and near
+// a good starting cell there is one nearly at once.
 //
 // Walks towards the point, through the facet that it seems farthest beyond, until a cell is in
-// conflict with it. The cell that contains the point is, unless the point is one of its vertices; in
-// a Delaunay triangulation no such walk runs in a circle.
-// Cost: O(1) per cell.
+// conflict with it. The cell that contains the point is, unless the point is one of its vertices;
+// in a Delaunay triangulation no such walk runs in a circle. Cost: O(1) per cell.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>

@@ -87,8 +87,8 @@ struct Wide_explore_neighbors : Explore_alone
     return _mm_shuffle_epi8(ids, load(packed[wanted]));
   }
 
-  // The facets `bounding` of the cell with these vertices and links. Returns where the next one goes.
-  // Lane 0: the link; lanes 1, 2, 3: the facet_corners.
+  // The facets `bounding` of the cell with these vertices and links. Returns where the next one
+  // goes. Lane 0: the link; lanes 1, 2, 3: the facet_corners.
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Zone_facet<Id>*
   write_facets(Zone_facet<Id>* to, unsigned bounding, __m128i v, __m128i links)
   {

@@ -57,8 +57,8 @@ class Export_block
   using Complex = Compact_complex<Id>;
 
 public:
-  // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
-  // ones they are cannot be predicted. One to another block is kept.
+  // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made;
+  // which ones they are cannot be predicted. One to another block is kept.
   template <class Vertex>
   void make(typename Tds::Cell_range& range, Complex& complex, const std::vector<Vertex>& vertices,
             Large_vector<Cell_handle>& cells, Cell_handle scratch, std::size_t first,
@@ -145,8 +145,8 @@ export_cells(Tds& tds, Compact_complex<Id>& complex, const std::vector<Vertex>& 
   return cells;
 }
 
-// The k-th vertex to be created, k > 0: in the order of the numbers, or in that in which `order`, if it
-// is there, first names points.
+// The k-th vertex to be created, k > 0: in the order of the numbers, or in that in which `order`,
+// if it is there, first names points.
 template <class Vertex>
 struct Creation_order
 {
@@ -159,8 +159,8 @@ struct Creation_order
   }
 };
 
-// The vertices alone, but for the infinite one. Returns their handles by vertex, none where there is no
-// vertex. point(v) and in_order(k): as in export_complex().
+// The vertices alone, but for the infinite one. Returns their handles by vertex, none where there
+// is no vertex. point(v) and in_order(k): as in export_complex().
 template <class Triangulation, class PointOf, class InOrder, class Executor>
 std::vector<typename Triangulation::Vertex_handle>
 export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const InOrder& in_order,
@@ -187,11 +187,12 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
   return vertices;
 }
 
-// Fills `tr`, empty, and gives up the memory of `complex`. point(v) leads to the point of vertex v, or
-// to none if that vertex is in no cell. The vertices are made in the order in which in_order(1), … first
-// names them; in_order.is_own() says that it is that of the numbers. Returns the handles by vertex, that
-// of the infinite vertex first, and none where there is no vertex. With several workers each fills
-// containers of its own, which are then merged: their order is that of the numbers all the same.
+// Fills `tr`, empty, and gives up the memory of `complex`. point(v) leads to the point of vertex v,
+// or to none if that vertex is in no cell. The vertices are made in the order in which in_order(1),
+// … first names them; in_order.is_own() says that it is that of the numbers. Returns the handles by
+// vertex, that of the infinite vertex first, and none where there is no vertex. With several
+// workers each fills containers of its own, which are then merged: their order is that of the
+// numbers all the same.
 template <class Triangulation, class Id, class PointOf, class InOrder, class Executor>
 std::vector<typename Triangulation::Vertex_handle>
 export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& point,

@@ -23,8 +23,8 @@ namespace internal {
 constexpr bool rounds_every_operation =
     FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 16;
 
-// Whether all predicates that the filters decide without asking are those of the kernel. What counts
-// is what the triangulation calls: the objects.
+// Whether all predicates that the filters decide without asking are those of the kernel. What
+// counts is what the triangulation calls: the objects.
 template <class GeomTraits, class Kernel>
 constexpr bool has_predicates_of_kernel()
 {

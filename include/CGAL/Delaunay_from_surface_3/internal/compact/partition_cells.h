@@ -7,8 +7,9 @@
 
 // Puts the cells in place: the finite ones first, then the infinite ones, and none that is dead.
 //
-// A link names the facet of the neighbour, too. So a cell can be moved at any time: the four links that
-// lead back to it are known, and no table from old to new numbers is needed. Linear, O(1) memory.
+// A link names the facet of the neighbour, too. So a cell can be moved at any time: the four links
+// that lead back to it are known, and no table from old to new numbers is needed. Linear, O(1)
+// memory.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
 

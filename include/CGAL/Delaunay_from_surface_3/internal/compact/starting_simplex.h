@@ -25,8 +25,8 @@ struct Starting_simplex
   bool is_found;
 };
 
-// The first such points among n; `point(i)` gives the coordinates of the i-th. Exact; O(n) at worst, a
-// few tests as a rule.
+// The first such points among n; `point(i)` gives the coordinates of the i-th. Exact; O(n) at
+// worst, a few tests as a rule.
 template <class Predicates, class PointOf>
 Starting_simplex starting_simplex(const Predicates& predicates, std::size_t n, const PointOf& point)
 {

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Changes the order of a cell's entries such that entry k of d + 1 comes last, and the orientation stays.
+// Changes the order of a cell's entries such that entry k of d + 1 comes last, and the orientation
+// stays.
 template <class Entry>
 void rotate_to_end(std::array<Entry, 4>& entries, int k, int dimension)
 {
@@ -35,8 +36,8 @@ void rotate_to_end(std::array<Entry, 4>& entries, int k, int dimension)
   }
 }
 
-// Calls f with every cell of a triangulation of any dimension, infinite ones included. Below dimension 3
-// its iterator of cells is empty: there cells are facets, edges, or vertices.
+// Calls f with every cell of a triangulation of any dimension, infinite ones included. Below
+// dimension 3 its iterator of cells is empty: there cells are facets, edges, or vertices.
 template <class Triangulation, class F>
 void for_each_cell(const Triangulation& tr, const F& f)
 {

@@ -7,8 +7,9 @@
 
 // What vertices get, and what the caller gets of them, once they are in the triangulation.
 //
-// Here `vertices` are handles by input index, none for a point that is not inserted. Of points that are
-// equal the one with the smallest index decides: what was given before is overwritten by smaller ones.
+// Here `vertices` are handles by input index, none for a point that is not inserted. Of points that
+// are equal the one with the smallest index decides: what was given before is overwritten by
+// smaller ones.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
@@ -134,8 +135,8 @@ void give_points(const std::vector<Vertex_handle>& vertices, const std::vector<P
       vertices[i]->set_point(points[i]);
 }
 
-// Writes the pairs of names and handles to an output iterator, or calls a callable with each: as two
-// arguments, or as one pair.
+// Writes the pairs of names and handles to an output iterator, or calls a callable with each: as
+// two arguments, or as one pair.
 template <class Vertex_handle, class NameOf, class Output>
 void write_vertices(const std::vector<Vertex_handle>& vertices, const NameOf& name_of, Output out)
 {

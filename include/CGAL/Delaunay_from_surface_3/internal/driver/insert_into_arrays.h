@@ -5,10 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERT_INTO_ARRAYS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERT_INTO_ARRAYS_H
 
-// What insert_surface.h is for a triangulation, for arrays: plan, target, the loop of Choi 2002, Fig. 1.
+// What insert_surface.h is for a triangulation, for arrays: plan, target, the loop of Choi 2002,
+// Fig. 1.
 //
-// Memory: while cells are made, the copies of the points and the graph are gone. What lives beside the
-// cells is order and starting places, and 36 bytes for each vertex.
+// Memory: while cells are made, the copies of the points and the graph are gone. What lives beside
+// the cells is order and starting places, and 36 bytes for each vertex.
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Array_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>

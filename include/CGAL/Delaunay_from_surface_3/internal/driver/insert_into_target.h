@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERT_INTO_TARGET_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERT_INTO_TARGET_H
 
-// The choice of the target for points whose order is known, between the plan (insert_surface.h) and the
-// loop of Fig. 1 (insert_in_rounds.h).
+// The choice of the target for points whose order is known, between the plan (insert_surface.h) and
+// the loop of Fig. 1 (insert_in_rounds.h).
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -26,9 +26,9 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The points in the order of insertion, the plan that says so and what it may cost, and T on their places.
-// What is inserted one after the other lies side by side; with the numbers of the mesh nearly every point
-// and record would miss the cache.
+// The points in the order of insertion, the plan that says so and what it may cost, and T on their
+// places. What is inserted one after the other lies side by side; with the numbers of the mesh
+// nearly every point and record would miss the cache.
 template <class Point>
 struct Planned_points
 {

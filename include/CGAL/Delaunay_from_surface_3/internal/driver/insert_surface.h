@@ -40,8 +40,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// What a public function hands over: the points, checked; a graph on them; what the caller calls them, as a
-// function of their indices; and the infos that came with them.
+// What a public function hands over: the points, checked; a graph on them; what the caller calls
+// them, as a function of their indices; and the infos that came with them.
 template <class Point, class Graph, class VertexIndexMap, class NameOf, class Infos>
 struct Insertion_input
 {
@@ -77,8 +77,8 @@ constexpr bool looks_for_doubles()
     return Target::serves_geom_traits();
 }
 
-// The order. If exact numbers are doubles it is made of doubles: that is faster, and it is the same. If
-// one of them is not, says which in `obstacle`.
+// The order. If exact numbers are doubles it is made of doubles: that is faster, and it is the
+// same. If one of them is not, says which in `obstacle`.
 template <class Target, class Plan, class Triangulation, class Graph, class VertexIndexMap>
 Insertion_order order_of(const Plan& make_plan, const Triangulation& tr,
                          const std::vector<typename Triangulation::Point>& points,
@@ -128,8 +128,8 @@ plan_insertion(const Triangulation& tr, const Input& input, const Traits& traits
   return planned;
 }
 
-// Inserts by the plan; if that exceeds its budget, anew by the one that it names for this case. Returns
-// the vertices by point.
+// Inserts by the plan; if that exceeds its budget, anew by the one that it names for this case.
+// Returns the vertices by point.
 template <class Traits, class Triangulation, class Plan, class Input, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_by_plan(Triangulation& tr, const Input& input, const Traits& traits, const Plan& make_plan,
@@ -154,9 +154,9 @@ insert_by_plan(Triangulation& tr, const Input& input, const Traits& traits, cons
   return inserted;
 }
 
-// Inserts the points; at last `give` is given their vertices, by point. An empty triangulation is built
-// aside, as a copy that keeps its traits, its lock structure and what its infinite vertex holds: it
-// changes when nothing can fail any more.
+// Inserts the points; at last `give` is given their vertices, by point. An empty triangulation is
+// built aside, as a copy that keeps its traits, its lock structure and what its infinite vertex
+// holds: it changes when nothing can fail any more.
 template <class Traits, class Triangulation, class Input, class Visitor, class Give>
 void insert_and_give(Triangulation& tr, const Input& input, const Traits& traits,
                      const Order_options& options, Visitor& visitor, const Give& give)

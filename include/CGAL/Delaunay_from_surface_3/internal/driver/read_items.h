@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_READ_ITEMS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_READ_ITEMS_H
 
-// What a range of points may be made of: points, pairs of points and infos, or what a point_map turns into
-// points.
+// What a range of points may be made of: points, pairs of points and infos, or what a point_map
+// turns into points.
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/give_to_vertices.h>
@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The items that bring an info with their point, as they may for CGAL's own insertion: pairs, and tuples of
-// two, which boost::zip_iterator makes.
+// The items that bring an info with their point, as they may for CGAL's own insertion: pairs, and
+// tuples of two, which boost::zip_iterator makes.
 template <class Item>
 struct Point_and_info : std::false_type
 {

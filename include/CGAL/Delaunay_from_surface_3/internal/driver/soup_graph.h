@@ -40,8 +40,8 @@ void check_face(const IndexRange& face, std::size_t f, std::size_t number_of_poi
                                 std::to_string(number_of_points) + " points");
 }
 
-// The sides of all faces: every edge as often as there are faces that have it. Returns how many faces are
-// not triangles.
+// The sides of all faces: every edge as often as there are faces that have it. Returns how many
+// faces are not triangles.
 template <class Index, class FaceRange>
 std::size_t read_sides(const FaceRange& faces, std::size_t number_of_points,
                        Large_vector<Numbered_edge<Index>>& sides)
@@ -95,8 +95,8 @@ std::size_t keep_one_of_each(Lists<Index>& lists)
   return more_than_twice;
 }
 
-// The edges of the faces as a graph on the points; without edges if there are more sides than numbers of 32
-// bits. Linear: the sides of the faces are sorted by counting.
+// The edges of the faces as a graph on the points; without edges if there are more sides than
+// numbers of 32 bits. Linear: the sides of the faces are sorted by counting.
 template <class FaceRange>
 Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
 {

@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_VISITOR_OF_CALLER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_VISITOR_OF_CALLER_H
 
-// A visitor may be a model of SurfaceInsertionVisitor_3, or a callable that is told how far the work is.
+// A visitor may be a model of SurfaceInsertionVisitor_3, or a callable that is told how far the
+// work is.
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 
@@ -29,8 +30,8 @@ struct Is_visitor<Visitor, std::void_t<decltype(std::declval<Visitor&>().go_furt
 {
 };
 
-// Calls `progress` with the share of the points that are inserted, before the first insertion, every so
-// often, and when all are. `false` stops the work; what returns nothing never does.
+// Calls `progress` with the share of the points that are inserted, before the first insertion,
+// every so often, and when all are. `false` stops the work; what returns nothing never does.
 template <class Progress>
 class Progress_visitor : public Default_surface_insertion_visitor_3
 {

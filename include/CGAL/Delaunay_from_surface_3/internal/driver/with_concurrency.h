@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_WITH_CONCURRENCY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_WITH_CONCURRENCY_H
 
-// The policies of a traits class, with a target for many threads where a concurrency tag asks for it.
+// The policies of a traits class, with a target for many threads where a concurrency tag asks for
+// it.
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
 
@@ -76,8 +77,8 @@ private:
   const Traits& m_traits;
 };
 
-// The traits themselves where one thread is asked for: by ConcurrencyTag or, if that is Default, by the
-// type of the triangulation.
+// The traits themselves where one thread is asked for: by ConcurrencyTag or, if that is Default, by
+// the type of the triangulation.
 template <class ConcurrencyTag, class Triangulation, class Traits>
 decltype(auto) with_concurrency(const Triangulation&, const Traits& traits)
 {

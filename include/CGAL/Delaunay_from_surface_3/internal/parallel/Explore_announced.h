@@ -5,16 +5,16 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_EXPLORE_ANNOUNCED_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_EXPLORE_ANNOUNCED_H
 
-// Digs beside others who write: what joins the zone is announced in the worker's lane, and what was read
-// is kept, to be compared before anything is written (is_still_true()).
+// Digs beside others who write: what joins the zone is announced in the worker's lane, and what was
+// read is kept, to be compared before anything is written (is_still_true()).
 //
-// A cell is written only as part of the star of some point p, whose number is its first vertex then, and
-// p is inserted once: so the first vertex tells the version. If it is the same before and after, and
-// not busy, all four vertices belong together. Links of living cells change one by one.
+// A cell is written only as part of the star of some point p, whose number is its first vertex
+// then, and p is inserted once: so the first vertex tells the version. If it is the same before and
+// after, and not busy, all four vertices belong together. Links of living cells change one by one.
 //
-// Order of loads: of a neighbour the first vertex, then the opposite one; when validating, of a cell
-// the lanes, the first vertex, the links. On x86 loads are not reordered; elsewhere the acquire loads
-// forbid it.
+// Order of loads: of a neighbour the first vertex, then the opposite one; when validating, of a
+// cell the lanes, the first vertex, the links. On x86 loads are not reordered; elsewhere the
+// acquire loads forbid it.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Announced_zone.h>
@@ -105,7 +105,8 @@ public:
             (open & infinite) | (filtered & ~(signs.inside | signs.outside))};
   }
 
-  // The k-th neighbour of the cell looked around last, of one piece and as it was then; else is_torn().
+  // The k-th neighbour of the cell looked around last, of one piece and as it was then; else
+  // is_torn().
   const Cell& neighbor(const Cell* cells, const Cell& cell, unsigned k)
   {
     m_is_torn |= !read_cell(cells[cell.links[k] >> 2], m_neighbor) || m_neighbor.v[0] != m_words[k];
@@ -133,8 +134,8 @@ public:
 
   bool is_torn() const { return m_is_torn; }
 
-  // Does all that was read still hold, of the zone's first n cells and of those beyond its facets, and has
-  // nobody else announced them?
+  // Does all that was read still hold, of the zone's first n cells and of those beyond its facets,
+  // and has nobody else announced them?
   bool is_still_true(const Cell* cells, std::size_t n) const
   {
     return compare(cells, n, Difference());

@@ -5,14 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_INSERTION_WORKER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_INSERTION_WORKER_H
 
-// Inserts points beside other workers: walks and digs without a lock, announces the zone, makes sure that
-// nobody interfered, and only then writes.
+// Inserts points beside other workers: walks and digs without a lock, announces the zone, makes
+// sure that nobody interfered, and only then writes.
 //
-// Two insertions conflict if a cell of one zone is in the other zone or beside it. Both announce their
-// zones in their lanes, then a fence, then both read the lanes of their zones and of the cells beside:
-// at least one sees the other, and gives up with nothing written. If the other has finished before,
-// its cleared lanes make its writes visible: a first vertex or a link is not what was read. Insertions
-// whose zones share a cell beside them only write different links of it.
+// Two insertions conflict if a cell of one zone is in the other zone or beside it. Both announce
+// their zones in their lanes, then a fence, then both read the lanes of their zones and of the
+// cells beside: at least one sees the other, and gives up with nothing written. If the other has
+// finished before, its cleared lanes make its writes visible: a first vertex or a link is not what
+// was read. Insertions whose zones share a cell beside them only write different links of it.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Dig_conflict_zone.h>
@@ -32,7 +32,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Copies of cells that others may be writing. It is lost after so many cells, or at one that stays busy.
+// Copies of cells that others may be writing. It is lost after so many cells, or at one that stays
+// busy.
 template <class Id>
 class Read_announced
 {
@@ -83,8 +84,8 @@ public:
   {
   }
 
-  // Tries to insert vertex p by a walk from cell `start` that may be stale. `present` is the vertex that is
-  // there already. A walk of more than `most_cells` counts as a clash.
+  // Tries to insert vertex p by a walk from cell `start` that may be stale. `present` is the vertex
+  // that is there already. A walk of more than `most_cells` counts as a clash.
   Insertion_try insert(Id p, Id start, Id& present,
                        std::size_t most_cells = (std::numeric_limits<std::size_t>::max)())
   {

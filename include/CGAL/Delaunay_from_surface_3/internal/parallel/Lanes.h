@@ -5,9 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_LANES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_LANES_H
 
-// For each cell a byte per worker, its lane: "the cell is in my conflict zone". One writer per byte, so
-// that nothing is ever compared and swapped: two workers that announce their zones in this way, and
-// then look for the other's lane, cannot both overlook the other (Dekker's handshake; Dijkstra 1965).
+// For each cell a byte per worker, its lane: "the cell is in my conflict zone". One writer per
+// byte, so that nothing is ever compared and swapped: two workers that announce their zones in this
+// way, and then look for the other's lane, cannot both overlook the other (Dekker's handshake;
+// Dijkstra 1965).
 
 #include <CGAL/Delaunay_from_surface_3/internal/support/shared_words.h>
 
@@ -61,8 +62,8 @@ private:
   std::unique_ptr<std::uint8_t[], Free> m_bytes;
 };
 
-// The lanes of a cell, all but one worker's, as one number: 0 if nobody else has the cell. The bytes of
-// a cell are read as words.
+// The lanes of a cell, all but one worker's, as one number: 0 if nobody else has the cell. The
+// bytes of a cell are read as words.
 template <class Word, unsigned number_of_words = 1>
 class Other_lanes
 {

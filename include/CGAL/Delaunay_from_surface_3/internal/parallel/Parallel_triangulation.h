@@ -5,10 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_PARALLEL_TRIANGULATION_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_PARALLEL_TRIANGULATION_H
 
-// One round of Choi 2002, Fig. 1, lines 2b and 2c, by several workers. Every start is a vertex of an
-// earlier round, or leads to one, so that any worker can insert any point of the round at any time. A
-// point that clashes is tried once more when the chunk is done, and then put off until all are, when
-// the caller inserts it alone: nobody waits for anybody.
+// One round of Choi 2002, Fig. 1, lines 2b and 2c, by several workers. Every start is a vertex of
+// an earlier round, or leads to one, so that any worker can insert any point of the round at any
+// time. A point that clashes is tried once more when the chunk is done, and then put off until all
+// are, when the caller inserts it alone: nobody waits for anybody.
 //
 // Workers are right when they run one after the other, too: then the first one takes all points.
 
@@ -54,16 +54,17 @@ public:
   {
   }
 
-  // How many points a call of insert_round() should have, at least, for its workers to be worth their
-  // start.
+  // How many points a call of insert_round() should have, at least, for its workers to be worth
+  // their start.
   std::size_t size_of_piece(std::size_t inserted) const
   {
     return inserted < m_rules.first_points ? m_rules.first_points - inserted
                                            : (std::max)(32 * m_rules.chunk, inserted / 4);
   }
 
-  // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker has a
-  // copy of `hints`. `go_further` is asked by the caller's thread; returns false if it said no.
+  // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker
+  // has a copy of `hints`. `go_further` is asked by the caller's thread; returns false if it said
+  // no.
   template <class Hints, class GoFurther>
   bool insert_round(std::size_t first, std::size_t last, std::vector<Id>& vertex_of,
                     const Hints& hints, const GoFurther& go_further)
@@ -144,7 +145,8 @@ private:
         if (chunk.first == chunk.second)
           break;
         const std::size_t clashes = insert_chunk(round, t, chunk);
-        // Where more than half of the points clash, there are too many workers: the first one stays.
+        // Where more than half of the points clash, there are too many workers: the first one
+        // stays.
         if (t % 2 == 1 && 2 * clashes > chunk.second - chunk.first)
           break;
       }

@@ -16,9 +16,10 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The numbers first, …, last - 1, cut into as many segments as there are workers. What follows in an
-// order by the surface is a patch of it: so workers meet at the seams only. A worker takes chunks from
-// the front of its segment; then it takes half of what is left of the largest, from its end.
+// The numbers first, …, last - 1, cut into as many segments as there are workers. What follows in
+// an order by the surface is a patch of it: so workers meet at the seams only. A worker takes
+// chunks from the front of its segment; then it takes half of what is left of the largest, from its
+// end.
 class Segments
 {
 public:

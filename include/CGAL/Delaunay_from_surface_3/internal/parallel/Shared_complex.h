@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The cells and vertices of a complex that has started, with the lanes of the cells, and fresh cells in
-// chunks.
+// The cells and vertices of a complex that has started, with the lanes of the cells, and fresh
+// cells in chunks.
 template <class Id>
 class Shared_complex
 {
@@ -42,8 +42,8 @@ public:
   Complex& complex() { return m_complex; }
   Lanes& lanes() { return m_lanes; }
 
-  // Adds fresh cells, dead ones, to `free_cells`; returns whether there were any. Of all functions here
-  // only this may be called by several workers at once.
+  // Adds fresh cells, dead ones, to `free_cells`; returns whether there were any. Of all functions
+  // here only this may be called by several workers at once.
   bool take_chunk(std::vector<Id>& free_cells)
   {
     constexpr std::size_t chunk = 256;
@@ -75,8 +75,8 @@ public:
     make_room(m_complex.capacity() + m_complex.capacity() / 2 + 1);
   }
 
-  // All cells are told to the complex, fresh ones too: they are dead. A cell of the infinite vertex is
-  // found.
+  // All cells are told to the complex, fresh ones too: they are dead. A cell of the infinite vertex
+  // is found.
   void finish()
   {
     m_complex.use_cells((std::min)(m_next.load(), m_complex.capacity()));

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Runs bodies as tasks of TBB, in the arena of the caller. They are isolated: while the caller waits for
-// them it takes no other task, such as one that called this package, too.
+// Runs bodies as tasks of TBB, in the arena of the caller. They are isolated: while the caller
+// waits for them it takes no other task, such as one that called this package, too.
 class Tbb_executor
 {
 public:

@@ -5,10 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_WIDE_EXPLORE_ANNOUNCED_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_WIDE_EXPLORE_ANNOUNCED_H
 
-// Explore_announced.h in vectors, for ids of 32 bits. The only place where words that others write are
-// read four at a time. A processor with such vectors loads each word of them whole; their order is that
-// of the comment there, since x86 does not reorder loads. The compiler could: `volatile` or a barrier
-// stands where that would matter.
+// Explore_announced.h in vectors, for ids of 32 bits. The only place where words that others write
+// are read four at a time. A processor with such vectors loads each word of them whole; their order
+// is that of the comment there, since x86 does not reorder loads. The compiler could: `volatile` or
+// a barrier stands where that would matter.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Explore_announced.h>

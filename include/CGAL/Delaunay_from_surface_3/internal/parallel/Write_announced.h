@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_WRITE_ANNOUNCED_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PARALLEL_WRITE_ANNOUNCED_H
 
-// Writes stars beside others who read. The first store to a cell makes it busy, the last one tells its new
-// version; a facet's outer link is set when there is something to see behind it.
+// Writes stars beside others who read. The first store to a cell makes it busy, the last one tells
+// its new version; a facet's outer link is set when there is something to see behind it.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Fill_star.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/shared_words.h>

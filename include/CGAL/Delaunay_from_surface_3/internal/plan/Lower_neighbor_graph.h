@@ -97,8 +97,8 @@ private:
   std::size_t m_number_of_vertices = 0;
 };
 
-// The same with the faces that its edges come from, for whoever asks for more than edges. Keeps a reference
-// to the faces.
+// The same with the faces that its edges come from, for whoever asks for more than edges. Keeps a
+// reference to the faces.
 template <class FaceRange>
 class Graph_of_faces : public Lower_neighbor_graph
 {

@@ -8,11 +8,11 @@
 // The triangles of a soup as a rotation system, and marked darts back as pairs of vertices.
 //
 // Invariant: as Rotation_system.h says. The list of v begins in the first face that has v, and goes
-// around as halfedges would that lead to v, if that face is oriented as it stands; how the others are
-// oriented does not matter. A boundary vertex begins at the end of its list that lies this way.
+// around as halfedges would that lead to v, if that face is oriented as it stands; how the others
+// are oriented does not matter. A boundary vertex begins at the end of its list that lies this way.
 // What is outside the definition is refused by name: faces that are not triangles, or have a vertex
-// twice, edges with more than two faces, vertices that are pinched.
-// Cost: two passes over the faces, and one over the corners at each vertex, all twice: linear.
+// twice, edges with more than two faces, vertices that are pinched. Cost: two passes over the
+// faces, and one over the corners at each vertex, all twice: linear.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
@@ -64,8 +64,8 @@ public:
     }
   }
 
-  // Calls function(dart, edge) for every marked dart. What has been read may have been opened since, and
-  // lead to copies of vertices; so it is read again.
+  // Calls function(dart, edge) for every marked dart. What has been read may have been opened
+  // since, and lead to copies of vertices; so it is read again.
   template <class Index, class Function>
   void for_each_marked(const Rotation_system<Index>&, const Dart_marks& marks,
                        const Function& function) const
@@ -150,7 +150,8 @@ private:
           refuse(edge_name(v, u) + " is in more than two faces");
       }
 
-    // From the edge that ends the first corner; on the boundary, back through that corner to the border.
+    // From the edge that ends the first corner; on the boundary, back through that corner to the
+    // border.
     const std::size_t corners = std::size_t(end - begin);
     Index corner = *begin, start = scratch.place[ends(triangles, *begin)[1]];
     if (edges.size() == corners + 1) {

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_LOOPS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_FIND_LOOPS_H
 
-// 2g loops through one base vertex, as the paper's cut has them (Choi 2002, §3.2), but found by tree
-// and cotree and not by the algorithm of Lazarus et al. 2001 that it names.
+// 2g loops through one base vertex, as the paper's cut has them (Choi 2002, §3.2), but found by
+// tree and cotree and not by the algorithm of Lazarus et al. 2001 that it names.
 //
 //     1. a breadth-first tree over the vertices from the base
 //     2. a tree over the triangles that crosses no edge of it

@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_SHORTEST_EDGES_FIRST_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_SHORTEST_EDGES_FIRST_H
 
-// Kruskal's algorithm on edges between points: Choi 2002, §3.1, "a minimum spanning tree algorithm".
+// Kruskal's algorithm on edges between points: Choi 2002, §3.1, "a minimum spanning tree
+// algorithm".
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
 
@@ -49,8 +50,8 @@ public:
   {
   }
 
-  // What is computed from doubles is off by six roundings at most, where nothing underflows; so is the
-  // difference decided by it where it is larger. The kernel decides the others.
+  // What is computed from doubles is off by six roundings at most, where nothing underflows; so is
+  // the difference decided by it where it is larger. The kernel decides the others.
   Comparison_result operator()(const Measured_edge& a, const Measured_edge& b) const
   {
     const double x = a.squared_length, y = b.squared_length;
@@ -77,8 +78,8 @@ private:
   decltype(std::declval<const GeomTraits&>().compare_distance_3_object()) m_compare_distance;
 };
 
-// Leaves of `edges` those of the minimum spanning forest, from the shortest on; edges of the same length
-// are taken by the numbers of their ends. O(m log m) for m edges.
+// Leaves of `edges` those of the minimum spanning forest, from the shortest on; edges of the same
+// length are taken by the numbers of their ends. O(m log m) for m edges.
 template <class Point, class GeomTraits>
 void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges,
                                   const std::vector<const Point*>& points, const GeomTraits& gt)

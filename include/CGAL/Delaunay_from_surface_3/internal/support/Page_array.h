@@ -30,7 +30,8 @@ public:
   Page_array& operator=(const Page_array&) = delete;
   ~Page_array() { deallocate(); }
 
-  // Takes the memory of another, also one of a larger type whose objects hold nothing but such elements.
+  // Takes the memory of another, also one of a larger type whose objects hold nothing but such
+  // elements.
   template <class U>
   explicit Page_array(Page_array<U>&& other)
   {

@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// An executor runs bodies: executor(n, body) calls body(0) in the thread that calls it, and body(1), …,
-// body(n-1) at the same time, or later, anywhere; it returns when all have returned. They do not throw.
-// This one is for a single thread.
+// An executor runs bodies: executor(n, body) calls body(0) in the thread that calls it, and
+// body(1), …, body(n-1) at the same time, or later, anywhere; it returns when all have returned.
+// They do not throw. This one is for a single thread.
 struct Alone
 {
   std::size_t number_of_workers() const { return 1; }
@@ -38,8 +38,8 @@ std::size_t number_of_blocks(const Executor& executor, std::size_t n, std::size_
   return (std::max)(std::size_t(1), (std::min)(executor.number_of_workers(), n / least));
 }
 
-// Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. What a body throws is
-// thrown when all are done.
+// Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. What a body
+// throws is thrown when all are done.
 template <class Executor, class Body>
 void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks, const Body& body)
 {

@@ -52,8 +52,8 @@ Coordinate_intervals coordinate_intervals(const Point& p)
   }
 }
 
-// The double that is equal to x, if there is one. A lazy number is computed exactly by the comparison,
-// and its interval is the narrowest after it.
+// The double that is equal to x, if there is one. A lazy number is computed exactly by the
+// comparison, and its interval is the narrowest after it.
 template <class FT>
 std::optional<double> equal_double(const FT& x)
 {

@@ -8,9 +8,10 @@
 // Words in ordinary memory that several threads read and write: std::atomic_ref of C++20, for
 // C++17, and no more of it than is used.
 //
-// On x86 every load acquires and every store releases, and compilers keep volatile accesses in their
-// order: volatile words are enough, if all that is shared is read and written by these functions.
-// GCC takes an atomic access for one of all memory, and loads every pointer again after it.
+// On x86 every load acquires and every store releases, and compilers keep volatile accesses in
+// their order: volatile words are enough, if all that is shared is read and written by these
+// functions. GCC takes an atomic access for one of all memory, and loads every pointer again after
+// it.
 
 #include <atomic>
 #include <cstddef>
@@ -114,8 +115,8 @@ void store_release(Word& w, Word value)
 
 #endif
 
-// Where they would be no instruction there is none. ThreadSanitizer sees no fences, and its compilers
-// warn of them.
+// Where they would be no instruction there is none. ThreadSanitizer sees no fences, and its
+// compilers warn of them.
 inline void acquire_fence()
 {
 #if !defined(__x86_64__) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)
@@ -129,8 +130,8 @@ inline void release_fence()
 #endif
 }
 
-// Between the stores before it and the loads after it. Where ThreadSanitizer looks on, an exchange of a
-// word that nobody else has does the same on x86.
+// Between the stores before it and the loads after it. Where ThreadSanitizer looks on, an exchange
+// of a word that nobody else has does the same on x86.
 inline void full_fence()
 {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED

@@ -28,8 +28,8 @@ class Conflict_test
   using Point = typename Triangulation::Point;
   using Vertex = typename Triangulation::Vertex_handle;
 
-  // CGAL's perturbed predicates are protected members, which use nothing of the triangulation but its
-  // traits.
+  // CGAL's perturbed predicates are protected members, which use nothing of the triangulation but
+  // its traits.
   struct Exposed : Delaunay_triangulation_3<Geom_traits>
   {
     using Base = Delaunay_triangulation_3<Geom_traits>;
