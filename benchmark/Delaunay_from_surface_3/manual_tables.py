@@ -8,6 +8,7 @@ text that belong between <!-- NAME --> and <!-- end -->."""
 import os
 import re
 import sys
+from pathlib import Path
 
 
 def cell(value, form="{}"):
@@ -33,29 +34,29 @@ def commands_of(*reports):
 BLOCK = re.compile(r"<!-- (\w+) -->\n.*?<!-- end -->", re.S)
 
 
-def filled(page, blocks):
-    """The page with the text between <!-- NAME --> and <!-- end --> replaced by the block of that name. Every block
-    has one place there, or it would go stale unseen."""
-    places = [match[1] for match in BLOCK.finditer(page)]
+def filled(pages, blocks):
+    """The pages with the text between <!-- NAME --> and <!-- end --> replaced by the block of that name. Every block
+    has one place in them, or it would go stale unseen."""
+    places = [match[1] for page in pages for match in BLOCK.finditer(page)]
     wrong = sorted({name for name in [*places, *blocks] if name not in blocks or places.count(name) != 1})
     if wrong:
         raise ValueError(f"needs one block and one place each: {', '.join(wrong)}")
-    return BLOCK.sub(lambda match: f"<!-- {match[1]} -->\n\n{blocks[match[1]]}\n\n<!-- end -->", page)
+    return [BLOCK.sub(lambda match: f"<!-- {match[1]} -->\n\n{blocks[match[1]]}\n\n<!-- end -->", page)
+            for page in pages]
 
 
 def refill(manual, blocks, check):
-    with open(manual, encoding="utf-8") as file:
-        before = file.read()
+    before = [Path(name).read_text(encoding="utf-8") for name in manual]
     try:
         after = filled(before, blocks)
     except ValueError as error:
-        sys.exit(f"{program()}: {manual}: {error}")
-    if check and before != after:
-        sys.exit(f"{program()}: the tables in {manual} are not those of the results; --manual without --check "
-                 "refills them")
-    if not check:
-        with open(manual, "w", encoding="utf-8") as file:
-            file.write(after)
+        sys.exit(f"{program()}: {', '.join(map(str, manual))}: {error}")
+    for name, old, new in zip(manual, before, after):
+        if check and old != new:
+            sys.exit(f"{program()}: the tables in {name} are not those of the results; --manual without --check "
+                     "refills them")
+        if not check:
+            Path(name).write_text(new, encoding="utf-8")
 
 
 def program():
@@ -64,8 +65,8 @@ def program():
 
 def add_options(parser):
     parser.add_argument("--tables", action="store_true", help="print the tables of the manual")
-    parser.add_argument("--manual", metavar="FILE", help="put the tables where they belong in this text")
-    parser.add_argument("--check", action="store_true", help="only say whether the text has these tables")
+    parser.add_argument("--manual", metavar="FILE", nargs="+", help="put the tables where they belong in these texts")
+    parser.add_argument("--check", action="store_true", help="only say whether the texts have these tables")
 
 
 def serve(arguments, blocks):

@@ -8,7 +8,7 @@ but Python.
 
   plot_results.py results/compare_*.json --output-dir fig
   plot_results.py results/compare_*.json --tables
-  plot_results.py results/compare_*.json --manual Performance.txt [--check]
+  plot_results.py results/compare_*.json --manual Performance.txt Performance_tables.txt [--check]
 
 Of several JSON files the results are put together. Drawn are
   performance_before_and_now.svg  where plain CGAL's time goes, and where the default's

@@ -47,6 +47,16 @@ def paper_ratios(surfaces):
     return ratios(surfaces, [m for m in used_methods(surfaces) if m in PAPER])
 
 
+def gains(surfaces):
+    """What the compact triangulation, the order and starts of the surface, and both of them gain."""
+    rows = []
+    for names, result in results_of(surfaces):
+        values = [get(method_of(result, m), "ratio_plain_to_method") for m in ("compact-spatial", "nets", "default")]
+        if None not in values:
+            rows.append(names + [f"{v:.2f}" for v in values])
+    return table(["surface", "points", "compact triangulation alone", "surface alone", "both: the default"], rows)
+
+
 def fast_location(surfaces):
     rows = []
     for names, result in results_of(surfaces):
@@ -189,9 +199,9 @@ def surfaces_measured(surfaces):
     return table(["surface", "what it is"], rows, 2)
 
 
-TABLES = {"summary": summary, "surfaces": surfaces_measured, "ratios": main_ratios, "paper": paper_ratios, "fast": fast_location,
-          "stages": stages, "yardstick": yardstick, "work": work, "memory": memory, "growth": growth, "traces": traces,
-          "cells": cells}
+TABLES = {"summary": summary, "gains": gains, "surfaces": surfaces_measured, "ratios": main_ratios,
+          "paper": paper_ratios, "fast": fast_location, "stages": stages, "yardstick": yardstick, "work": work,
+          "memory": memory, "growth": growth, "traces": traces, "cells": cells}
 
 
 def machine(reports):
