@@ -12,7 +12,7 @@
 
 namespace surfaces {
 
-/// The loops of marching cubes (Lorensen and Cline 1987) for each of the 256 ways in which the
+/// The loops of marching cubes (Lorensen, Cline 1987) for each of the 256 ways in which the
 /// corners of a cube can lie inside or outside, and triangulations of them. Corner c has the
 /// coordinates that are the bits of c; edge 4 d + e leads along axis d.
 ///

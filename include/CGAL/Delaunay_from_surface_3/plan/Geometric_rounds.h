@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_GEOMETRIC_ROUNDS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_GEOMETRIC_ROUNDS_H
 
-// A biased randomised insertion order (Amenta, Choi, Rote, SoCG 2003): rounds that grow
+// A biased randomised insertion order (Amenta, Choi, Rote 2003): rounds that grow
 // geometrically, each in a spatially coherent order.
 
 #include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>

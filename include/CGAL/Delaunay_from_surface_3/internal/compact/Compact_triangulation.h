@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_TRIANGULATION_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_COMPACT_TRIANGULATION_H
 
-// Bowyer's and Watson's insertion (1981) on numbered cells: walk to a conflict, dig the conflict
+// Insertion (Bowyer 1981; Watson 1981) on numbered cells: walk to a conflict, dig the conflict
 // zone, fill the star (Choi 2002, Fig. 1, lines 2b and 2c). Each of the three has a header of its
 // own.
 

@@ -15,9 +15,8 @@
 // the other, and the order is random inside each. That keeps memory together, and stays near the
 // order of the numbers, which is a good one on scans. Hubs come before all others: the middle of a
 // fan is better there before the fan than after it. Chains of vertices of which each waits for the
-// one before have logarithmic length in random orders (Blelloch, Fineman, Shun: Greedy sequential
-// maximal independent set and matching are parallel on average, SPAA 2012; Fischer, Noever: Tight
-// analysis of parallel randomized greedy MIS, SODA 2018).
+// one before have logarithmic length in random orders (Blelloch, Fineman, Shun 2012; Fischer, Noever
+// 2018).
 //
 // Cost: linear in vertices and edges. Every edge is stored at one of its ends only, at which it is
 // seen from both: a vertex asks those in its list, and tells them when it joins.
@@ -37,8 +36,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Random numbers that depend on the seed alone, with any library: splitmix64 (Steele, Lea, Flood:
-// Fast splittable pseudorandom number generators, OOPSLA 2014).
+// Random numbers that depend on the seed alone, with any library: splitmix64 (Steele, Lea, Flood
+// 2014).
 class Split_mix
 {
 public:

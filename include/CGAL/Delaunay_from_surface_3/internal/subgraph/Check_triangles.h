@@ -12,7 +12,7 @@
 // the other two. When all these are there, and heaviest, middle and lightest corners are equally
 // many, then no corner is left over.
 // Cost: the sum over the edges of the smaller degree of its two ends, O(n) on surfaces of bounded
-// genus (Chiba and Nishizeki 1985), one list with a million entries included; no memory.
+// genus (Chiba, Nishizeki 1985), one list with a million entries included; no memory.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
