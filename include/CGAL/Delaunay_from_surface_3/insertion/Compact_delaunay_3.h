@@ -48,8 +48,7 @@ predicates of the geometric traits and CGAL's symbolic perturbation.
 It serves geometric traits with exact predicates, such as
 `Exact_predicates_inexact_constructions_kernel`, `Exact_predicates_exact_constructions_kernel` and
 `Filtered_kernel<Simple_cartesian<float>>`, if all coordinates are doubles; empty triangulations;
-and points that do not all lie in one plane; `obstacle()` says what stands against it. The rounding
-mode must be to nearest.
+points that do not all lie in one plane: see `obstacle()`. The rounding mode must be to nearest.
 
 Memory: 32 bytes per cell and per point, and the size of an `Id` per point, while it inserts. The
 export gives the cells back as it goes.
@@ -230,8 +229,7 @@ public:
     fill_upper_levels(m_tr, m_handles);
   }
 
-  /// gives the handles of the points' vertices away, none if the work was not finished; to be
-  /// called last.
+  /// gives the vertices of the points away, none if the work was not finished; to be called last.
   std::vector<typename Triangulation::Vertex_handle> take_vertices()
   {
     std::vector<typename Triangulation::Vertex_handle> handles(m_points.size());

@@ -57,14 +57,11 @@ Lemma 4). At each node at most eight tests are made in vain, four of sons and on
 whatever the degrees of the vertices are: work is proportional to nodes.
 
 Memory: 104 bytes per cell that ever was, where handles have 8 bytes, and 24 per cell of today.
-
 Points may only be inserted, all conflict zones must be reported, and predicates must be exact.
 
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`, not with `Fast_location`
 
 \cgalModels{UpdateObserver_3}
-
-\sa `History_dag_3`
 */
 template <class Triangulation>
 class Conflict_history_3
@@ -84,10 +81,9 @@ public:
   /// what a search did.
   struct Search
   {
-    Vertex vertex; ///< the vertex at the point; none if there is none.
-    std::size_t
-        nodes_visited; ///< nodes in conflict with the point, those given at first not counted.
-    std::size_t nodes_tested; ///< nodes that were tested.
+    Vertex vertex;             ///< the vertex at the point; none if there is none.
+    std::size_t nodes_visited; ///< those in conflict with the point, but for those given at first.
+    std::size_t nodes_tested;  ///< nodes that were tested.
   };
 
   /// `true`: the conflict zone is what becomes history.
