@@ -38,8 +38,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
-#include <iomanip>
 #include <iostream>
 #include <iterator>
 #include <random>
@@ -292,11 +290,8 @@ try {
     return EXIT_SUCCESS;
   }
 
-  Json report = {{"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
-  report["machine"]["load_before"] = comparison::load_average();
-  report["command"] = "measure_consumers";
-  for (int i = 1; i < argc; ++i)
-    report["command"] = report["command"].get<std::string>() + " " + argv[i];
+  Json report = comparison::begin_report("measure_consumers", argc, argv,
+                                         DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
   report["repetitions"] = repetitions;
 
   Table table(repetitions);
@@ -314,7 +309,7 @@ try {
   const double alpha = 40. / double(n); // the square of a few edges' length
   measure_on_top(table, surface.points, alpha);
   report["results"] = table.lines();
-  std::ofstream(output) << std::setw(1) << report << "\n";
+  comparison::write_report(output, report);
 } catch (const std::exception& e) {
   std::cerr << "measure_consumers: " << e.what() << "\n";
   return EXIT_FAILURE;

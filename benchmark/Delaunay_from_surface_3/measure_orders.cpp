@@ -37,9 +37,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <functional>
-#include <iomanip>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -274,11 +272,8 @@ Options read_options(int argc, char** argv)
 int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
-  Json report = {{"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
-  report["machine"]["load_before"] = comparison::load_average();
-  report["command"] = "measure_orders";
-  for (int i = 1; i < argc; ++i)
-    report["command"] = report["command"].get<std::string>() + " " + argv[i];
+  Json report = comparison::begin_report("measure_orders", argc, argv,
+                                         DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
   if (options.blocks.empty())
     report["repetitions"] = options.repetitions;
   else
@@ -297,7 +292,7 @@ try {
       measure({"scan", "refined", roundings[0],
                surfaces::densified(surfaces::read_mesh(options.scan), n, 0.05, seed)});
   }
-  std::ofstream(options.output) << std::setw(1) << report << "\n";
+  comparison::write_report(options.output, report);
 } catch (const std::exception& e) {
   std::cerr << "measure_orders: " << e.what() << "\n";
   return EXIT_FAILURE;

@@ -28,8 +28,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
-#include <fstream>
-#include <iomanip>
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
@@ -249,14 +247,10 @@ Options read_options(int argc, char** argv)
 int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
-  ordered_json result = {
-      {"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
-  result["machine"]["load_before"] = comparison::load_average();
-  result["command"] = "measure_subgraphs";
-  for (int i = 1; i < argc; ++i)
-    result["command"] = result["command"].get<std::string>() + " " + argv[i];
+  ordered_json result = comparison::begin_report("measure_subgraphs", argc, argv,
+                                                 DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
   result.update(measure_all(options));
-  std::ofstream(options.output) << std::setw(1) << result << "\n";
+  comparison::write_report(options.output, result);
   if (!options.sizes.empty())
     subgraphs::plot_times(result["times"], options.plot);
 } catch (const std::exception& e) {

@@ -27,9 +27,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <functional>
-#include <iomanip>
 #include <iostream>
 #include <map>
 #include <stdexcept>
@@ -225,11 +223,8 @@ Options read_options(int argc, char** argv)
 int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
-  Json report = {{"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
-  report["machine"]["load_before"] = comparison::load_average();
-  report["command"] = "measure_threads";
-  for (int i = 1; i < argc; ++i)
-    report["command"] = report["command"].get<std::string>() + " " + argv[i];
+  Json report = comparison::begin_report("measure_threads", argc, argv,
+                                         DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
   report["repetitions"] = options.repetitions;
   report["results"] = Json::array();
   for (const std::size_t n : options.sizes)
@@ -245,7 +240,7 @@ try {
       std::cerr << result.dump() << "\n";
       report["results"].push_back(std::move(result));
     }
-  std::ofstream(options.output) << std::setw(1) << report << "\n";
+  comparison::write_report(options.output, report);
 } catch (const std::exception& e) {
   std::cerr << "measure_threads: " << e.what() << "\n";
   return EXIT_FAILURE;

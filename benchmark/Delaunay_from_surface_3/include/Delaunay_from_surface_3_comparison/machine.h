@@ -14,9 +14,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <iomanip>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -62,6 +65,28 @@ inline nlohmann::ordered_json describe_machine(const std::string& compiler_flags
           {"cgal", CGAL_VERSION_STR},
           {"boost", BOOST_LIB_VERSION},
           {"date", date_today()}};
+}
+
+// What the report of a program begins with: machine, load and command line.
+inline nlohmann::ordered_json begin_report(const std::string& program, int argc, char** argv,
+                                           const std::string& compiler_flags)
+{
+  nlohmann::ordered_json report = {{"machine", describe_machine(compiler_flags)}};
+  report["machine"]["load_before"] = load_average();
+  std::string command = program;
+  for (int i = 1; i < argc; ++i)
+    command += std::string(" ") + argv[i];
+  report["command"] = command;
+  return report;
+}
+
+// One line for each value, and a message where it cannot be written.
+inline void write_report(const std::string& file_name, const nlohmann::ordered_json& report)
+{
+  std::ofstream file(file_name);
+  file << std::setw(1) << report << '\n';
+  if (!file.flush())
+    throw std::runtime_error("cannot write " + file_name);
 }
 
 } // namespace comparison
