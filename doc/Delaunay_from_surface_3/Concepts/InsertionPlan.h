@@ -28,7 +28,7 @@ public:
   makes the plan from `seed`, which stands for all its random choices: plans with the same seed give
   the same order for the same points. A plan without random choices ignores it.
 
-  Only `CGAL::Surface_insertion_policies_3` asks for this constructor. A traits class of one's own
+  Only `CGAL::Surface_insertion_policies_3` asks for this constructor. A traits class of your own
   may make its plan in another way.
   */
   explicit InsertionPlan(unsigned int seed);
