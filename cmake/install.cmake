@@ -18,3 +18,5 @@ install(FILES
   "${PROJECT_BINARY_DIR}/Delaunay_from_surface_3ConfigVersion.cmake"
   DESTINATION "${package_config_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+include("${CMAKE_CURRENT_LIST_DIR}/pkg_config.cmake")

@@ -1,0 +1,24 @@
+# Installs the file that pkg-config reads. CGAL has none of its own: what its target asks for is written here.
+
+set(pc_cflags -frounding-math) # interval arithmetic needs it
+set(pc_libs "")
+if(CGAL_DISABLE_GMP)
+  list(APPEND pc_cflags -DCGAL_DISABLE_GMP=1)
+elseif(CGAL_USE_GMP)
+  list(APPEND pc_libs -lmpfr -lgmp)
+endif()
+foreach(dir IN LISTS CGAL_INCLUDE_DIRS)
+  if(EXISTS "${dir}/CGAL/version.h" AND NOT dir IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
+    list(APPEND pc_cflags "-I${dir}")
+  endif()
+endforeach()
+list(JOIN pc_cflags " " pc_cflags)
+list(JOIN pc_libs " " pc_libs)
+
+# From the file itself, so that an installed copy can be moved.
+file(RELATIVE_PATH pc_prefix "/prefix/${CMAKE_INSTALL_DATADIR}/pkgconfig" "/prefix")
+string(REGEX REPLACE "/$" "" pc_prefix "${pc_prefix}")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/delaunay_from_surface_3.pc.in"
+  "${PROJECT_BINARY_DIR}/delaunay_from_surface_3.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/delaunay_from_surface_3.pc"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/pkgconfig")

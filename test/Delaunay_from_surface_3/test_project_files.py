@@ -1,0 +1,97 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""What surrounds the code names one version, and only scripts, presets, tests and options that are there."""
+
+import json
+import re
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+MANUAL = ROOT / "doc/Delaunay_from_surface_3"
+
+
+def read(path):
+    return (ROOT / path).read_text(encoding="utf-8")
+
+
+def found(pattern, path):
+    return re.search(pattern, read(path), re.MULTILINE).group(1)
+
+
+class ProjectFiles(unittest.TestCase):
+    def test_one_version(self):
+        version = found(r"^  VERSION ([\d.]+)$", "CMakeLists.txt")
+        self.assertEqual(version, found(r"^version: ([\d.]+)$", "CITATION.cff"))
+        self.assertEqual(version, found(r"^delaunay-from-surface-3 \(([\d.]+)\)", "debian/changelog"))
+        self.assertEqual(version, found(r'"version": "([\d.]+)"', "packaging/vcpkg/ports/delaunay-from-surface-3/vcpkg.json"))
+        self.assertEqual(version, found(r'version = "([\d.]+)"', "packaging/conan/conanfile.py"))
+        self.assertEqual(version, found(r"^## ([\d.]+)$", "CHANGES.md"))
+
+    def test_paper_is_cited_as_in_the_bibliography(self):
+        entry = re.search(r"@inproceedings\{choi-dtsm-02,(.*?)^\}", read("doc/Delaunay_from_surface_3/geom.bib"),
+                          re.MULTILINE | re.DOTALL).group(1)
+        fields = {name: re.sub("[{}]", "", value) for name, value in re.findall(r"(\w+) *= \{(.*)\},?", entry)}
+        citation = read("CITATION.cff")
+        first, last = fields["pages"].split("--")
+        for text in (f'title: "{fields["title"]}"', f'collection-title: "{fields["booktitle"]}"',
+                     f'start: "{first}"', f'end: "{last}"', f"year: {fields['year']}"):
+            self.assertIn(text, citation)
+
+    def test_presets(self):
+        presets = {preset["name"] for preset in json.loads(read("CMakePresets.json"))["configurePresets"]}
+        text = read("CONTRIBUTING.md")
+        named = re.findall(r"--preset ([\w.-]+)", text)
+        named += [name for row in re.findall(r"^\| (`.*?) \|", text, re.MULTILINE)
+                  for name in re.findall(r"`([\w.-]+)`", row) if "/" not in name and name not in folders()]
+        self.assertGreater(len(named), 5)
+        self.assertEqual(set(named) - presets, set())
+
+    def test_scripts(self):
+        for path in ("CONTRIBUTING.md", ".github/workflows/tests.yml", ".github/workflows/manual.yml", "packaging/README.md"):
+            for script in re.findall(r"\b((?:scripts|packaging)/\w+)\b", read(path)):
+                self.assertTrue((ROOT / script).exists(), f"{path}: {script}")
+
+    def test_what_is_called_supported_has_a_test(self):
+        tests = read("test/Delaunay_from_surface_3/consumers/CMakeLists.txt") + read("python/CMakeLists.txt")
+        rows = re.findall(r"^\| .* \| (supported.*) \|$", read("packaging/README.md"), re.MULTILINE)
+        self.assertGreater(len(rows), 4)
+        for row in rows:
+            names = re.findall(r"`((?:consumer|test)_\w+)`", row)
+            self.assertTrue(names, row)
+            for name in names:
+                call = name.replace("consumer_debian_indep", "foreach(kind indep all)").replace(
+                    "consumer_debian_all", "foreach(kind indep all)")
+                self.assertTrue(call in tests or f"add_consumer({name.removeprefix('consumer_')} " in tests, name)
+
+    def test_options(self):
+        options = set(re.findall(r"option\((DELAUNAY_FROM_SURFACE_3_\w+)", read("CMakeLists.txt")))
+        for path in ("debian/rules", "scripts/manual", "packaging/vcpkg/ports/delaunay-from-surface-3/portfile.cmake"):
+            named = set(re.findall(r"-D(DELAUNAY_FROM_SURFACE_3_BUILD_\w+)", read(path)))
+            self.assertEqual(named, {option for option in options if "_BUILD_" in option}, path)
+
+    def test_yaml(self):
+        try:
+            import yaml
+        except ImportError:
+            self.skipTest("PyYAML was not found")
+        paths = ["CITATION.cff", *(str(path.relative_to(ROOT)) for path in (ROOT / ".github").rglob("*.yml"))]
+        self.assertGreater(len(paths), 5)
+        for path in paths:
+            content = yaml.safe_load(read(path))
+            self.assertIsInstance(content, dict, path)
+            if "ISSUE_TEMPLATE" in path and not path.endswith("config.yml"):
+                self.assertEqual({"name", "description", "labels", "body"}, set(content), path)
+                ids = [item["id"] for item in content["body"] if item["type"] != "markdown"]
+                self.assertEqual(len(ids), len(set(ids)), path)
+
+
+def folders():
+    """The first column of the table of folders, which are not presets."""
+    return {path.name for path in ROOT.iterdir() if path.is_dir()}
+
+
+if __name__ == "__main__":
+    unittest.main()
