@@ -1,16 +1,22 @@
 # The target `doc`: the user and reference manual, as HTML in <build>/doc/html.
 
-set(doxyfile_template "${PROJECT_SOURCE_DIR}/doc/Delaunay_from_surface_3/Doxyfile.in")
+set(DELAUNAY_FROM_SURFACE_3_DOC_TAGFILES "" CACHE STRING
+  "Tag files of other manuals that this one links, as CGAL's: FILE=URL;FILE=URL…")
+
 find_package(Doxygen QUIET)
-if(DOXYGEN_FOUND AND EXISTS "${doxyfile_template}")
+find_package(Python3 COMPONENTS Interpreter QUIET)
+if(DOXYGEN_FOUND AND Python3_FOUND)
   set(DOC_OUTPUT_DIR "${PROJECT_BINARY_DIR}/doc")
-  file(MAKE_DIRECTORY "${DOC_OUTPUT_DIR}")
-  configure_file("${doxyfile_template}" "${DOC_OUTPUT_DIR}/Doxyfile" @ONLY)
+  set(CGAL_PACKAGE_DIR "${PROJECT_SOURCE_DIR}")
+  include("${CMAKE_CURRENT_LIST_DIR}/configure_manual.cmake")
   add_custom_target(doc
     COMMAND Doxygen::doxygen "${DOC_OUTPUT_DIR}/Doxyfile"
-    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}/doc/Delaunay_from_surface_3"
+    COMMAND Python3::Interpreter -B "${CGAL_PACKAGE_DOC_DIR}/title_concepts.py" "${DOC_OUTPUT_DIR}/html"
+    WORKING_DIRECTORY "${CGAL_PACKAGE_DOC_DIR}"
     COMMENT "Writing the manual to ${DOC_OUTPUT_DIR}"
     VERBATIM)
+else()
+  message(STATUS "skipped: the manual, as Doxygen or Python was not found")
 endif()
 
 # The target `figures`: draws the manual's figures anew, into the source tree where they are kept.

@@ -72,12 +72,13 @@ def reference(entry):
 
 
 def page(entries):
-    lines = ["/*!", "\\page delaunay_from_surface_3_bibliography Bibliography", "",
-             "<!-- written by bibliography.py, of geom.bib -->"]
+    lines = ["// Written by bibliography.py, of geom.bib, which a tree of CGAL reads itself.",
+             "/// \\cond STANDALONE_MANUAL", "/*!",
+             "\\page delaunay_from_surface_3_bibliography Bibliography"]
     for key, entry in sorted(entries.items(), key=lambda item: heading(item[1]).casefold()):
         lines += ["", f"\\section bib_{key} {heading(entry)}", "",
                   textwrap.fill(reference(entry), 110, break_long_words=False, break_on_hyphens=False)]
-    return "\n".join([*lines, "*/", ""])
+    return "\n".join([*lines, "*/", "/// \\endcond", ""])
 
 
 def main():

@@ -55,7 +55,7 @@ std::vector<std::size_t> numbers_of_points(const Triangulation& tr,
 } // namespace Delaunay_from_surface_3
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Trees
 
 returns whether the edges of a surface contain a Euclidean minimum spanning tree of its vertices. If
 they do, `Delaunay_from_surface_3::Minimum_spanning_forest` finds it without the triangulation

@@ -97,7 +97,7 @@ Delaunay_3_arrays<Index> arrays_of_points(const PointRange& points, const MakeOr
 } // namespace Delaunay_from_surface_3
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Arrays
 
 returns the Delaunay triangulation of points as arrays of numbers: its cells are those of
 `Delaunay_triangulation_3` after `insert(first, last)`. No triangulation of CGAL's is made, unless
@@ -165,7 +165,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 }
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Arrays
 
 does the same for the points of a polygon soup, whose faces show which points are near each other:
 as `insert_surface_points_3()` does it.

@@ -66,7 +66,7 @@ euclidean_minimum_spanning_tree(const Triangulation& tr,
 } // namespace Delaunay_from_surface_3
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Trees
 
 writes the edges of a Euclidean minimum spanning tree of the vertices of a Delaunay triangulation:
 of all trees that span them one whose edges have the smallest sum of lengths

@@ -40,7 +40,7 @@ std::ptrdiff_t insert_range_of_points(Triangulation& tr, const Range& items,
 } // namespace Delaunay_from_surface_3
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Points
 
 inserts points into a Delaunay triangulation: no surface and no graph is needed. The result equals
 what `tr.insert(first, last)` makes of them. What holds after refused input, a stop or an exception
@@ -125,7 +125,7 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   return Delaunay_from_surface_3::internal::insert_range_of_points<ConcurrencyTag>(tr, points, np);
 }
 
-/// \ingroup PkgDelaunayFromSurface3Ref
+/// \ingroup PkgDelaunayFromSurface3Points
 /// does the same for the points in the range [`first`, `last`) of a model of `InputIterator`.
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
           class InputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -38,7 +38,7 @@ auto vertex_index_map(const Graph& graph, const NamedParameters& np)
 } // namespace Delaunay_from_surface_3
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Graph
 
 inserts points that are joined by any graph: the edges of a soup, curves, nearest neighbours. This
 is the mesh-free core of `insert_surface_vertices_3()`. The result, and what holds after a stop or
@@ -142,7 +142,7 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
   });
 }
 
-/// \ingroup PkgDelaunayFromSurface3Ref
+/// \ingroup PkgDelaunayFromSurface3Graph
 /// does the same with the default traits, an object of `Surface_insertion_traits_3`.
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
           class PointRange, class Graph, typename CGAL_NP_TEMPLATE_PARAMETERS>

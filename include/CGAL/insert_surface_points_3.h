@@ -19,7 +19,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Soup
 
 inserts the points of a polygon soup into a Delaunay triangulation. The edges of the faces serve as
 the surface; the faces may be polygons, overlap, be oriented at random, or have edges with many
@@ -115,7 +115,7 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
   });
 }
 
-/// \ingroup PkgDelaunayFromSurface3Ref
+/// \ingroup PkgDelaunayFromSurface3Soup
 /// does the same with the default traits, an object of `Surface_insertion_traits_3`.
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
           class PointRange, class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>

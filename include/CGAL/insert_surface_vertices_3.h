@@ -53,7 +53,7 @@ auto vertex_index_map_of_mesh(const FaceGraph& mesh, const NamedParameters& np)
 } // namespace Delaunay_from_surface_3
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Mesh
 
 inserts the vertices of a surface mesh into a Delaunay triangulation. The result equals what
 `tr.insert(first, last)` makes of the same points; the surface serves to find the way.
@@ -180,7 +180,7 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
       tr, input, with_concurrency<ConcurrencyTag>(tr, traits), np);
 }
 
-/// \ingroup PkgDelaunayFromSurface3Ref
+/// \ingroup PkgDelaunayFromSurface3Mesh
 /// does the same with the default traits, an object of `Surface_insertion_traits_3`.
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
           class FaceGraph, typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -54,6 +54,11 @@ class Bibliography(unittest.TestCase):
         self.assertIn("Choi 2002", self.cited_names)
         self.assertEqual(self.cited_names - set(self.headings.values()), set())
 
+    def test_no_colon_after_a_citation(self):
+        """In a tree of CGAL it would be taken for a part of the key."""
+        for text in texts("include", "doc"):
+            self.assertNotRegex(text, r"\\cgalCite\{[^}]*\}[:\w-]")
+
     def test_what_exists_is_cited(self):
         self.assertEqual({key for key, heading in self.headings.items()
                           if key not in self.cited_keys and heading not in self.cited_names}, set())

@@ -11,7 +11,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Progress
 
 names what the insertion of a surface is doing. `PLAN` and `SUBGRAPH` come once; `LOCATION` and
 `UPDATE` alternate, point by point; `TRACE` comes at the end of each round but the last; `FINISH`
@@ -28,7 +28,7 @@ enum class Surface_insertion_phase {
 };
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Progress
 
 watches nothing and never stops the work; to be derived from. A function of the same name in the
 derived class takes the place of the one here, at compile time. All calls are inlined away.

@@ -18,7 +18,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Arrays
 
 is a 3D Delaunay triangulation as numbers, and holds no object of CGAL: what
 `delaunay_3_arrays()` returns.

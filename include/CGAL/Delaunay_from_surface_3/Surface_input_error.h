@@ -10,7 +10,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Progress
 
 is thrown when a surface cannot serve as input: a coordinate that is not a finite number, an index
 out of range or given twice, a graph whose number of vertices differs from the number of points. The

@@ -21,7 +21,7 @@ enum Vertex_info_range_tag { vertex_info_range_tag };
 } // namespace internal
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Points
 
 begins a sequence of \ref bgl_namedparameters "Named Parameters" with a property map whose values
 the `info()` of the vertices gets. Others may follow, joined by dots:
@@ -46,7 +46,7 @@ auto vertex_info_map(const InfoMap& map)
 }
 
 /*!
-\ingroup PkgDelaunayFromSurface3Ref
+\ingroup PkgDelaunayFromSurface3Points
 
 does the same for a range whose i-th item is the info of the i-th point, or of the i-th vertex of a
 mesh in the order of `vertices(mesh)`. Where their numbers differ the functions that insert throw a

@@ -24,7 +24,7 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Plans
 
 draws a random order and cuts it into rounds that grow geometrically; each round is then sorted
-along a Hilbert curve. This is a biased randomised insertion order \cgalCite{acr-icbr-03}: random
+along a Hilbert curve. This is a biased randomised insertion order (\cgalCite{acr-icbr-03}): random
 enough for the expected size of the conflict zones, coherent enough for short walks and warm caches.
 
 O(n log n) expected.

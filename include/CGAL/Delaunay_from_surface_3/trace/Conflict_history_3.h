@@ -37,8 +37,8 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-is the location structure of \cgalCite{choi-dtsm-02}: the history of a Delaunay triangulation in
-dimension 3 while points are inserted, as a graph of conflicts (\cgalCite{bt-rcdt-93},
+is the paper's location structure (\cgalCite{choi-dtsm-02}): the history of a Delaunay triangulation
+in dimension 3 while points are inserted, as a graph of conflicts (\cgalCite{bt-rcdt-93},
 \cgalCite{cms-frric-93}). Every cell that ever was, infinite ones too, is a node. A new cell is
 linked to two older ones, its father and its stepfather: the destroyed and the surviving cell at the
 facet on which it stands. A point in conflict with a cell is in conflict with one of these two.

@@ -1,0 +1,102 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""The manual on its own links CGAL's and can be linked; and it builds as one of CGAL's manuals, by CGAL's macros."""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+MANUAL = ROOT / "doc/Delaunay_from_surface_3"
+CONCEPTS = sorted(path.stem for path in (MANUAL / "Concepts").glob("*.h"))
+CGAL_TAGS = HERE / "manual/cgal.tag"
+
+# Doxygen needs bibtex for \cite; that all keys exist is the matter of test_bibliography.
+NO_BIBTEX = re.compile(r"bibtex|\.bbl|\\cite command|^citelist")
+# An example named without its folder.
+SHORT_EXAMPLE = re.compile(r"Delaunay_from_surface_3\.txt:\d+: warning: (?:included file|unable .* reference to) '?\w+\.cpp")
+
+
+def doxygen(doxyfile):
+    done = subprocess.run([os.environ["DOXYGEN"], doxyfile], cwd=MANUAL, capture_output=True, text=True, check=False)
+    return done.stderr.splitlines()
+
+
+class Standalone(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.html = Path(folder.name) / "html"
+        subprocess.run([os.environ["CMAKE"], f"-DCGAL_PACKAGE_DIR={ROOT}", f"-DDOC_OUTPUT_DIR={folder.name}",
+                        "-DPROJECT_VERSION=1.2.3",
+                        f"-DDELAUNAY_FROM_SURFACE_3_DOC_TAGFILES={CGAL_TAGS}=https://cgal.example/manual",
+                        "-P", ROOT / "cmake/configure_manual.cmake"], check=True)
+        cls.warnings = doxygen(Path(folder.name) / "Doxyfile")
+        subprocess.run([sys.executable, "-B", MANUAL / "title_concepts.py", cls.html], check=True)
+
+    def page(self, name):
+        return (self.html / name).read_text(encoding="utf-8")
+
+    def test_no_warnings(self):
+        self.assertEqual(self.warnings, [])
+
+    def test_links_cgal(self):
+        link = 'href="https://cgal.example/manual/classCGAL_1_1Delaunay__triangulation__3.html"'
+        self.assertIn(link, self.page("group__PkgDelaunayFromSurface3Ref.html"))
+
+    def test_can_be_linked(self):
+        tags = self.page("Delaunay_from_surface_3.tag")
+        self.assertIn("<name>insert_surface_vertices_3</name>", tags)
+        self.assertIn("<name>InsertionPlan</name>", tags)
+
+    def test_concepts_are_called_concepts(self):
+        listed = self.page("group__PkgDelaunayFromSurface3Concepts.html")
+        for concept in CONCEPTS:
+            pages = [page for page in self.html.glob("class*.html")
+                     if re.fullmatch(rf"class\w*?{concept.replace('_', '__')}\.html", page.name)]
+            self.assertEqual(len(pages), 1, concept)
+            text = pages[0].read_text(encoding="utf-8")
+            self.assertIn(f"Concept {concept}</", text)
+            self.assertNotIn("Class Reference", text)
+        self.assertEqual(listed.count(">concept &#160;"), len(CONCEPTS))
+        self.assertIn("Class Reference", self.page("classCGAL_1_1Delaunay__from__surface__3_1_1Full__graph.html"))
+
+    def test_groups_in_the_order_of_use(self):
+        text = self.page("group__PkgDelaunayFromSurface3Ref.html")
+        places = [text.index(f'"group__PkgDelaunayFromSurface3{name}.html"')
+                  for name in ("Mesh", "Soup", "Points", "Graph", "Traits", "Concepts")]
+        self.assertEqual(places, sorted(places))
+        for call in ("insert__surface__vertices__3", "insert__surface__points__3", "insert__points__3",
+                     "insert__points__along__graph__3"):
+            self.assertTrue(call.replace("__", "_") in text, call)
+        self.assertIn('"Reference", "modules.html"', self.page("navtreedata.js"))
+
+
+class In_a_tree_of_CGAL(unittest.TestCase):
+    def test_no_warnings(self):
+        with tempfile.TemporaryDirectory() as folder:
+            values = {"${CGAL_PACKAGE_DOC_DIR}": MANUAL, "${CGAL_PACKAGE_DIR}": ROOT, "${CGAL_DOC_VERSION}": "6.2",
+                      "${CGAL_DOC_PACKAGE_DEFAULTS}": f"{folder}/defaults.dxy", "@OUTPUT@": folder, "@TAGFILE@": CGAL_TAGS}
+            for source, name in ((HERE / "manual/cgal_defaults.dxy", "defaults.dxy"), (MANUAL / "Doxyfile.in", "package.dxy")):
+                text = source.read_text(encoding="utf-8")
+                for key, value in values.items():
+                    text = text.replace(key, str(value))
+                (Path(folder) / name).write_text(text, encoding="utf-8")
+            warnings = doxygen(Path(folder) / "package.dxy")
+            self.assertEqual([line for line in warnings
+                              if not NO_BIBTEX.search(line) and not SHORT_EXAMPLE.search(line)], [])
+            self.assertIn("../CGAL/group__bgl__namedparameters.html",
+                          (Path(folder) / "index.html").read_text(encoding="utf-8"))
+            self.assertFalse((Path(folder) / "delaunay_from_surface_3_bibliography.html").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
