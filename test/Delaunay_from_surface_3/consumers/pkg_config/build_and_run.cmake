@@ -16,7 +16,8 @@ if(NOT version STREQUAL VERSION)
 endif()
 ask(cflags --cflags)
 ask(libs --libs)
-execute_process(
-  COMMAND ${COMPILER} -std=c++17 -O0 ${cflags} "${SOURCE}" -o "${PROGRAM}" ${libs}
+execute_process( # two steps, since ccache serves the first alone
+  COMMAND ${COMPILER} -std=c++17 -O0 ${cflags} -c "${SOURCE}" -o "${PROGRAM}.o"
   COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${COMPILER} "${PROGRAM}.o" -o "${PROGRAM}" ${libs} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${PROGRAM}" COMMAND_ERROR_IS_FATAL ANY)
