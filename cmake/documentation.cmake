@@ -19,18 +19,37 @@ else()
   message(STATUS "skipped: the manual, as Doxygen or Python was not found")
 endif()
 
-# The target `figures`: draws the manual's figures anew, into the source tree where they are kept.
+# The target `figures`: draws the manual's drawings anew, into the source tree where they are kept.
 set(figures_dir "${PROJECT_SOURCE_DIR}/doc/Delaunay_from_surface_3/fig")
 if(PROJECT_IS_TOP_LEVEL)
-  foreach(program draw_steps draw_surface draw_subgraph)
+  foreach(program draw_steps draw_subgraph write_scenes)
     add_executable(${program} EXCLUDE_FROM_ALL "${figures_dir}/${program}.cpp")
     target_link_libraries(${program} PRIVATE Delaunay_from_surface_3_generator)
   endforeach()
   add_custom_target(figures
     COMMAND draw_steps "${figures_dir}"
     COMMAND draw_subgraph "${figures_dir}"
-    COMMAND draw_surface
-      "${DELAUNAY_FROM_SURFACE_3_DATA_DIR}/elephant.off" "${figures_dir}/teaser.svg"
     COMMENT "Drawing the figures of the manual"
+    VERBATIM)
+endif()
+
+# The target `renders`: the pictures of real meshes, from what the programs write. It needs Python with VTK 9, NumPy and
+# Pillow, and xvfb-run; elsewhere there is no such target.
+find_program(DELAUNAY_FROM_SURFACE_3_XVFB_RUN xvfb-run)
+if(PROJECT_IS_TOP_LEVEL AND DELAUNAY_FROM_SURFACE_3_XVFB_RUN AND TARGET delaunay_from_surface
+    AND TARGET write_cut_and_subgraph)
+  set(scenes "${PROJECT_BINARY_DIR}/scenes")
+  set(data "${DELAUNAY_FROM_SURFACE_3_DATA_DIR}")
+  add_custom_target(renders
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${scenes}"
+    COMMAND delaunay_from_surface "${data}/elephant.off" --mark-inside --quiet --output "${scenes}/elephant.vtu"
+    COMMAND delaunay_from_surface "${data}/refined_elephant.off" --mark-inside --quiet --output "${scenes}/fine.vtu"
+    COMMAND "${CMAKE_COMMAND}" -E copy "${data}/elephant.off" "${scenes}/elephant.off"
+    COMMAND write_scenes "${data}/elephant.off" "${scenes}"
+    COMMAND generate_surface --shape genus --genus 3 --vertices 4000 --jitter 0.05 --output "${scenes}/genus_3.off"
+    COMMAND write_cut_and_subgraph "${scenes}/genus_3.off" "${scenes}/cut.vtk"
+    COMMAND "${DELAUNAY_FROM_SURFACE_3_XVFB_RUN}" -a /usr/bin/python3 -B "${figures_dir}/render.py"
+      "${scenes}" "${figures_dir}"
+    COMMENT "Rendering the pictures of the manual"
     VERBATIM)
 endif()

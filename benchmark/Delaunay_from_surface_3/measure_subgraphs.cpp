@@ -4,13 +4,12 @@
 
 // Measures the subgraphs of bounded degree: time and memory per vertex, degrees by genus with both
 // kinds of cut, degrees beside their bounds on surfaces of all kinds, and what a user would
-// otherwise take. Writes JSON, and an SVG plot of the times.
+// otherwise take. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_subgraphs/heap_peak.h>
 #include <Delaunay_from_surface_3_subgraphs/measure_bounds.h>
 #include <Delaunay_from_surface_3_subgraphs/other_trees.h>
-#include <Delaunay_from_surface_3_subgraphs/plot_times.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
@@ -51,7 +50,7 @@ struct Options
   std::vector<std::size_t> genera = {0, 1, 2, 3, 5, 10, 50};
   std::size_t vertices_by_genus = 200000, repetitions = 3, largest_for_others = 1000000;
   int triangulations = 1000;
-  std::string output = "subgraphs.json", plot = "subgraphs.svg";
+  std::string output = "subgraphs.json";
 };
 
 // The function is called with a vector to write edges to; returns the smallest processor time of
@@ -231,7 +230,6 @@ Options read_options(int argc, char** argv)
   add("triangulations,t", po::value(&o.triangulations)->value_name("N"),
       "of each kind of surface, for degrees beside their bounds");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
-  add("plot", po::value(&o.plot)->value_name("FILE"), "where the SVG goes");
   po::variables_map values;
   po::store(po::parse_command_line(argc, argv, options), values);
   po::notify(values);
@@ -251,8 +249,6 @@ try {
                                                  DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
   result.update(measure_all(options));
   comparison::write_report(options.output, result);
-  if (!options.sizes.empty())
-    subgraphs::plot_times(result["times"], options.plot);
 } catch (const std::exception& e) {
   std::cerr << "measure_subgraphs: " << e.what() << "\n";
   return EXIT_FAILURE;

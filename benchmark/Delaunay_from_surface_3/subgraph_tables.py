@@ -3,8 +3,10 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Puts what measure_subgraphs wrote as tables on the manual's page on subgraphs; needs nothing but Python.
+"""Puts what measure_subgraphs wrote as tables on the manual's page on subgraphs, which needs nothing but Python, and
+draws the times as subgraph_times.svg, which needs Matplotlib.
 
+  subgraph_tables.py results/subgraph_*.json --output-dir fig
   subgraph_tables.py results/subgraph_*.json --tables
   subgraph_tables.py results/subgraph_*.json --manual bounded_degree_subgraphs.txt [--check]
 
@@ -16,6 +18,8 @@ The tables, as far as the files hold them:
 
 import argparse
 import json
+import os
+import re
 
 import manual_tables
 from manual_tables import cell, commands_of, machine_of, table
@@ -67,10 +71,31 @@ def all_blocks(reports):
             if report.get(key):
                 rows = [[cell(value) for value in row_of(row)] for row in report[key]]
                 blocks[key] = table(titles, rows, texts)
-                blocks[f"command_of_{key}"] = commands_of(report)
+                blocks[f"command_of_{key}"] = re.sub(r" --plot \S+", "", commands_of(report))  # it drew once
                 if key == "times":
                     blocks["machine"] = machine(report)
     return blocks
+
+
+def draw_times(times, file_name):
+    from plot_style import COLORS, MARKERS, Sheet, line, lines_along, ticks
+    curves = {}
+    for row in times:
+        curves.setdefault(f'{row["surface"]}, {row["order"]}', []).append(
+            (row["vertices"], row["subgraph"]["nanoseconds_per_vertex"]))
+    sheet = Sheet(360)
+    axes = sheet.axes(52, 30, 560, 270)
+    for curve, color, marker in zip(curves.values(), COLORS, MARKERS):
+        axes.plot(*zip(*curve), color=color, marker=marker)
+    lines_along(axes, "y")
+    sizes = sorted({n for curve in curves.values() for n, _ in curve})
+    ticks(axes.xaxis, [10**e for e in range(2, 9) if sizes[0] / 1.5 < 10**e < 1.5 * sizes[-1]],
+          lambda n: f"{round(n):,}".replace(",", " "), log=True)
+    axes.set_xlim(sizes[0] / 1.2, sizes[-1] * 1.2)
+    axes.set_ylim(0, None)
+    axes.set(title="nanoseconds per vertex", xlabel="vertices (logarithmic)")
+    sheet.legend([line(color, name, marker) for name, color, marker in zip(curves, COLORS, MARKERS)], 640, 200, 1)
+    sheet.write(file_name)
 
 
 def read(file_name):
@@ -81,9 +106,14 @@ def read(file_name):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_subgraphs wrote")
+    parser.add_argument("--output-dir", metavar="FOLDER", help="draw; where the SVG file goes")
     manual_tables.add_options(parser)
     arguments = parser.parse_args()
-    manual_tables.serve(arguments, all_blocks([read(name) for name in arguments.files]))
+    reports = [read(name) for name in arguments.files]
+    manual_tables.serve(arguments, all_blocks(reports))
+    times = [row for report in reports for row in report["times"]]
+    if arguments.output_dir and times:
+        draw_times(times, os.path.join(arguments.output_dir, "subgraph_times.svg"))
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from program_case import TORUS, ProgramCase
+from program_case import TORUS, ProgramCase, python_with
 
 HERE = Path(__file__).resolve().parent
 PEER = os.path.abspath(os.environ["PLAIN_PEER"])
@@ -87,11 +87,18 @@ class Comparison(ProgramCase):
                              "--repetitions", 1)
         self.assertEqual([(r["surface"], r["points"]) for r in torus], [("torus", 960), ("torus", 1000)])
 
-        plot = subprocess.run([sys.executable, "-B", HERE / "plot_results.py", "all.json", "torus.json", "--tables",
-                               "--output-dir", "."], cwd=self.folder, text=True, capture_output=True)
-        self.assertEqual(plot.returncode, 0, plot.stderr)
-        self.assertIn("\n| genus-3 | 2.44141k |", plot.stdout)
-        for figure in ("before_and_now", "ratio", "phases", "cells"):
+        plot = [HERE / "plot_results.py", "all.json", "torus.json"]
+        tables = subprocess.run([sys.executable, "-B", *plot, "--tables"], cwd=self.folder, text=True,
+                                capture_output=True)
+        self.assertEqual(tables.returncode, 0, tables.stderr)
+        self.assertIn("\n| genus-3 | 2.44141k |", tables.stdout)
+        python = python_with("matplotlib")
+        if python is None:
+            self.skipTest("skipped: nothing is drawn, as Matplotlib was not found")
+        drawn = subprocess.run([python, "-B", *plot, "--output-dir", "."], cwd=self.folder, text=True,
+                               capture_output=True)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        for figure in ("before_and_now", "ratio", "phases"):  # of cells there are too few sizes
             self.assertIn(f"performance_{figure}.svg", self.files())
 
     def test_what_it_refuses(self):

@@ -6,12 +6,20 @@
 
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 TORUS = ROOT / "examples/Delaunay_from_surface_3/data/torus.off"
+
+
+def python_with(module):
+    """A Python that has the module: this one, or the system's; None if neither does."""
+    return next((python for python in (sys.executable, "/usr/bin/python3")
+                 if os.path.exists(python) and subprocess.run([python, "-c", f"import {module}"],
+                                                              capture_output=True).returncode == 0), None)
 
 
 class ProgramCase(unittest.TestCase):

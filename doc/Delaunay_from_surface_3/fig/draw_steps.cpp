@@ -182,7 +182,7 @@ void draw_surface_step(const std::string& folder, Scene scene)
   draw_curve(svg, scene, "curve", 0, scene.points.size() - 1);
   draw_points(svg, scene, inserted(scene, n_1));
   caption(svg, 1,
-          "T, and D(S<tspan baseline-shift='sub' font-size='10'>N₁</tspan>) of the first round");
+          "T, and D(S<tspan baseline-shift='sub' font-size='11.5'>N₁</tspan>) of the first round");
   svg.write(folder + "/step_surface.svg");
 }
 
@@ -266,7 +266,7 @@ void draw_record_step(const std::string& folder, Scene scene)
     svg.circle("now", scene.place(p), 5);
     svg.circle("record", scene.place(v), 8);
     svg.text("red", {scene.place(p).x - 4, scene.place(p).y - 11},
-             "s<tspan baseline-shift='sub' font-size='10'>i</tspan>");
+             "s<tspan baseline-shift='sub' font-size='11.5'>i</tspan>");
     svg.text("green", {scene.place(v).x - 5, scene.place(v).y - 13}, "v");
   };
 
