@@ -18,7 +18,8 @@ NAMES_AND_YEAR = re.compile(r"(?:[A-Z][a-z][\w-]+, )*[A-Z][\w-]+(?: et al\.)? (?
 
 
 def texts(*folders):
-    return [path.read_text(encoding="utf-8") for folder in folders for path in sorted((ROOT / folder).rglob("*"))
+    return [path.read_text(encoding="utf-8")
+            for folder in folders for path in sorted((ROOT / folder).rglob("*"))
             if path.suffix in {".h", ".cpp", ".txt"} and path.name != "Bibliography.txt"]
 
 
@@ -32,7 +33,8 @@ class Bibliography(unittest.TestCase):
     def setUpClass(cls):
         page = (MANUAL / "Bibliography.txt").read_text(encoding="utf-8")
         cls.headings = dict(re.findall(r"^\\section bib_(\S+) (.*)$", page, re.MULTILINE))
-        cls.cited_keys = {key for text in texts("include", "doc") for key in re.findall(r"\\cgalCite\{([^}]*)\}", text)}
+        cls.cited_keys = {key for text in texts("include", "doc")
+                          for key in re.findall(r"\\cgalCite\{([^}]*)\}", text)}
         cls.cited_names = {name for text in texts("include", "examples", "generator", "benchmark", "demo")
                            for name in NAMES_AND_YEAR.findall(comments(text))}
 

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MANUAL = ROOT / "doc/Delaunay_from_surface_3"
+VCPKG_PORT = "packaging/vcpkg/ports/delaunay-from-surface-3"
 
 
 def read(path):
@@ -26,13 +26,13 @@ class ProjectFiles(unittest.TestCase):
         version = found(r"^  VERSION ([\d.]+)$", "CMakeLists.txt")
         self.assertEqual(version, found(r"^version: ([\d.]+)$", "CITATION.cff"))
         self.assertEqual(version, found(r"^delaunay-from-surface-3 \(([\d.]+)\)", "debian/changelog"))
-        self.assertEqual(version, found(r'"version": "([\d.]+)"', "packaging/vcpkg/ports/delaunay-from-surface-3/vcpkg.json"))
+        self.assertEqual(version, found(r'"version": "([\d.]+)"', f"{VCPKG_PORT}/vcpkg.json"))
         self.assertEqual(version, found(r'version = "([\d.]+)"', "packaging/conan/conanfile.py"))
         self.assertEqual(version, found(r"^## ([\d.]+)$", "CHANGES.md"))
 
     def test_paper_is_cited_as_in_the_bibliography(self):
-        entry = re.search(r"@inproceedings\{choi-dtsm-02,(.*?)^\}", read("doc/Delaunay_from_surface_3/geom.bib"),
-                          re.MULTILINE | re.DOTALL).group(1)
+        entry = re.search(r"@inproceedings\{choi-dtsm-02,(.*?)^\}",
+                          read("doc/Delaunay_from_surface_3/geom.bib"), re.MULTILINE | re.DOTALL).group(1)
         fields = {name: re.sub("[{}]", "", value) for name, value in re.findall(r"(\w+) *= \{(.*)\},?", entry)}
         citation = read("CITATION.cff")
         first, last = fields["pages"].split("--")
@@ -50,7 +50,8 @@ class ProjectFiles(unittest.TestCase):
         self.assertEqual(set(named) - presets, set())
 
     def test_scripts(self):
-        for path in ("CONTRIBUTING.md", ".github/workflows/tests.yml", ".github/workflows/manual.yml", "packaging/README.md"):
+        for path in ("CONTRIBUTING.md", "packaging/README.md", ".github/workflows/tests.yml",
+                     ".github/workflows/manual.yml"):
             for script in re.findall(r"\b((?:scripts|packaging)/\w+)\b", read(path)):
                 self.assertTrue((ROOT / script).exists(), f"{path}: {script}")
 
@@ -68,7 +69,7 @@ class ProjectFiles(unittest.TestCase):
 
     def test_options(self):
         options = set(re.findall(r"option\((DELAUNAY_FROM_SURFACE_3_\w+)", read("CMakeLists.txt")))
-        for path in ("debian/rules", "scripts/manual", "packaging/vcpkg/ports/delaunay-from-surface-3/portfile.cmake"):
+        for path in ("debian/rules", "scripts/manual", f"{VCPKG_PORT}/portfile.cmake"):
             named = set(re.findall(r"-D(DELAUNAY_FROM_SURFACE_3_BUILD_\w+)", read(path)))
             self.assertEqual(named, {option for option in options if "_BUILD_" in option}, path)
 
