@@ -36,8 +36,8 @@ endif()
 # The target `renders`: the pictures of real meshes, from what the programs write. It needs Python with VTK 9, NumPy and
 # Pillow, and xvfb-run; elsewhere there is no such target.
 find_program(DELAUNAY_FROM_SURFACE_3_XVFB_RUN xvfb-run)
-if(PROJECT_IS_TOP_LEVEL AND DELAUNAY_FROM_SURFACE_3_XVFB_RUN AND TARGET delaunay_from_surface
-    AND TARGET write_cut_and_subgraph)
+if(PROJECT_IS_TOP_LEVEL AND DELAUNAY_FROM_SURFACE_3_XVFB_RUN AND DELAUNAY_FROM_SURFACE_3_BUILD_PROGRAMS
+    AND DELAUNAY_FROM_SURFACE_3_BUILD_EXAMPLES)
   set(scenes "${PROJECT_BINARY_DIR}/scenes")
   set(data "${DELAUNAY_FROM_SURFACE_3_DATA_DIR}")
   add_custom_target(renders

@@ -76,8 +76,9 @@ def draw(reports, surface, file_name):
     axes.set(xlim=(0, most), ylim=(len(times) - 0.5, -0.5))
     axes.set_axis_off()
     machine = reports[-1]["machine"]
-    sheet.text(14, sheet.height - 44, f'CGAL {machine["cgal"]}, {machine["compiler"].replace("GNU C++ version", "g++")}, '
-               f'-O3\n{machine["cpu"]}, {machine["cores"]} cores', fontsize=12, color="#555555", linespacing=1.4)
+    compiler = machine["compiler"].replace("GNU C++ version", "g++")
+    sheet.text(14, sheet.height - 44, f'CGAL {machine["cgal"]}, {compiler}, -O3\n{machine["cpu"]}, '
+               f'{machine["cores"]} cores', fontsize=12, color="#555555", linespacing=1.4)
     sheet.write(file_name)
 
 

@@ -2,21 +2,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws the figures on subgraphs of bounded degree: a surface of genus 3 with its cut graph and its
-// subgraph; the cut of a torus step by step, on the square it unrolls to, and a tree of it; the
-// peeling of a disc step by step.
+// Draws the figures on subgraphs of bounded degree: the cut of a torus step by step, on the square it
+// unrolls to, and a tree of it; the peeling of a disc step by step.
 //
 //   draw_subgraph FOLDER
 
 #include "Svg.h"
 
-#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
-
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Bounded_degree_marks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Peel_discs.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/bounded_degree_spanning_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +18,9 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <iterator>
 #include <map>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,10 +30,6 @@ namespace {
 namespace internal = CGAL::Delaunay_from_surface_3::internal;
 using figures::Place;
 using figures::Svg;
-using surfaces::Indexed_surface;
-using Mesh = CGAL::Surface_mesh<Indexed_surface::Point_3>;
-using Vector = Indexed_surface::Vector_3;
-using Edges = std::vector<Mesh::Edge_index>;
 using Segments = std::vector<std::vector<Place>>;
 
 const char* const style =
@@ -48,80 +38,7 @@ const char* const style =
     ".c{fill:none;stroke:#d23b45;stroke-width:2.6;stroke-linecap:round}.g{fill:none;stroke:#c98a1b;"
     "stroke-width:1.4}"
     ".v{fill:#fff;stroke:#333;stroke-width:1}.z{fill:#d23b45}.l{fill:#eef2f6;stroke:none}"
-    "text{font:14px sans-serif;fill:#333;text-anchor:middle}.s{stroke-width:.3;stroke:#b9b9b4}";
-
-// --- a surface of genus 3 ---
-
-constexpr double tilt = 0.75, zoom = 78;
-const Vector right(1, 0, 0), up(0, std::cos(tilt), std::sin(tilt)),
-    back(0, -std::sin(tilt), std::cos(tilt));
-
-Place place(const Indexed_surface::Point_3& p, double top)
-{
-  const Vector v = p - CGAL::ORIGIN;
-  return {360 + zoom * (v * right), top + 120 - zoom * (v * up)};
-}
-
-// The far parts first; an edge right after the farther of the faces at it, so that nearer parts
-// hide it.
-void draw_surface_with(Svg& svg, const Mesh& mesh, const Edges& edges,
-                       const std::string& edge_style, double top)
-{
-  std::vector<bool> is_drawn(num_edges(mesh), false);
-  for (auto e : edges)
-    is_drawn[e] = true;
-  struct Face
-  {
-    double depth;
-    int grey;
-    std::vector<Place> corners;
-    Segments edges;
-  };
-  std::vector<Face> faces;
-  for (auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    const auto a = mesh.point(mesh.source(h)), b = mesh.point(mesh.target(h)),
-               c = mesh.point(mesh.target(mesh.next(h)));
-    const Vector normal = CGAL::normal(a, b, c);
-    if (normal * back <= 0)
-      continue;
-    const Vector light = back + 0.6 * up - 0.4 * right;
-    const double brightness =
-        normal * light / std::sqrt(normal.squared_length() * light.squared_length());
-    Face face = {(CGAL::centroid(a, b, c) - CGAL::ORIGIN) * back,
-                 int(200 + 52 * (std::max)(brightness, 0.)),
-                 {place(a, top), place(b, top), place(c, top)},
-                 {}};
-    for (auto i : CGAL::halfedges_around_face(h, mesh))
-      if (is_drawn[mesh.edge(i)])
-        face.edges.push_back(
-            {place(mesh.point(mesh.source(i)), top), place(mesh.point(mesh.target(i)), top)});
-    faces.push_back(face);
-  }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face& x, const Face& y) { return x.depth < y.depth; });
-  for (const Face& face : faces) {
-    svg.polygon("s f" + std::to_string(face.grey / 4), face.corners);
-    if (!face.edges.empty())
-      svg.lines(edge_style, face.edges);
-  }
-}
-
-void draw_genus_3(const std::string& file_name)
-{
-  const Mesh mesh = surfaces::to_mesh<Mesh>(surfaces::genus_surface(3, 2600, 0.05, 1));
-  Edges cut, subgraph;
-  CGAL::Delaunay_from_surface_3::cut_graph(mesh, std::back_inserter(cut));
-  CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
-  std::string greys;
-  for (int i = 50; i <= 63; ++i)
-    greys += ".f" + std::to_string(i) + "{fill:rgb(" + std::to_string(4 * i) + "," +
-             std::to_string(4 * i) + "," + std::to_string(4 * i - 6) + ")}";
-  Svg svg(720, 500, style + greys);
-  draw_surface_with(svg, mesh, cut, "c", 0);
-  draw_surface_with(svg, mesh, subgraph, "h", 240);
-  svg.write(file_name);
-}
+    "text{font:14px sans-serif;fill:#333;text-anchor:middle}";
 
 // --- the cut of a torus, on the square ---
 
@@ -323,7 +240,6 @@ try {
   if (argc != 2)
     throw std::invalid_argument("usage: draw_subgraph FOLDER");
   const std::string folder = argv[1];
-  draw_genus_3(folder + "/subgraph_genus_3.svg");
   draw_torus(folder + "/subgraph_cut.svg", folder + "/subgraph_tree.svg");
   draw_peeling(folder + "/subgraph_peel.svg");
 } catch (const std::exception& e) {

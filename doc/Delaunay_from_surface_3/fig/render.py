@@ -245,10 +245,11 @@ def add_cut_open(scene, inputs, panel):
     inside = cell_data(grid, "inside") > 0
     longest = np.linalg.norm(cells[:, (0, 0, 0, 1, 1, 2)] - cells[:, (1, 2, 3, 2, 3, 3)], axis=2).max(axis=1)
     behind = (cells @ VIEW).max(axis=1) > depth
-    outside = ~inside & behind & ~taken_away(centers) & (centers[:, 0] < side) & (longest < 0.21 * diameter(points))
+    outside = ~inside & behind & ~taken_away(centers) & (centers[:, 0] < side) & (longest < 0.15 * diameter(points))
     skin = faces[~taken_away(places[faces].mean(axis=1))]
     scene.add(smooth(polydata(places, skin)), GREY, panel, smooth=True)
-    scene.add(tetrahedra(points, corners[inside & ~taken_away(centers)], 0.86), ORANGE, panel, edges=(0.62, 0.36, 0.04))
+    near = inside & ~taken_away(centers) & (centers[:, 0] < side + 0.08 * np.ptp(places[:, 0]))
+    scene.add(tetrahedra(points, corners[near], 0.86), ORANGE, panel, edges=(0.62, 0.36, 0.04))
     scene.add(tetrahedra(points, corners[outside], 0.86), BLUE, panel, edges=(0.42, 0.53, 0.66))
 
 
@@ -297,10 +298,10 @@ def trace(inputs, file_name):
     places, faces = read_off(os.path.join(inputs, "elephant.off"))
     points, corners = points_of(grid), corners_of(grid)
     entered = cell_data(grid, "entered") > 0
-    scene = Scene(1000, 1240)
+    scene = Scene(700, 870)
     scene.add(smooth(polydata(places, faces)), GREY, opacity=0.28, smooth=True)
-    scene.add(tetrahedra(points, corners[entered], 0.97), ORANGE, opacity=0.55, edges=INK, width=0.7)
-    scene.add(tubes(path, 0.004 * diameter(points)), RED, smooth=True)
+    scene.add(tetrahedra(points, corners[entered], 0.97), ORANGE, opacity=0.36, edges=INK, width=0.6)
+    scene.add(tubes(path, 0.006 * diameter(points)), RED, smooth=True)
     scene.look(VIEW, zoom=1.35)
     scene.write(file_name)
 
@@ -383,10 +384,10 @@ def medial_axis(inputs, file_name):
     axis.GetCellData().SetScalars(numpy_to_vtk(ramp(np.minimum(radii, np.quantile(radii, 0.995))), deep=1))
     points = points_of(grid)
     places, faces = read_off(os.path.join(inputs, "elephant.off"))
-    scene = Scene(1000, 1240)
+    scene = Scene(700, 870)
     scene.add(axis)
     scene.add(smooth(polydata(places, faces)), GREY, opacity=0.22, smooth=True)
-    scene.look(VIEW, zoom=1.35, bounds=tuple(np.column_stack([points.min(0), points.max(0)]).ravel()))
+    scene.look(VIEW, zoom=1.35, bounds=np.column_stack([points.min(axis=0), points.max(axis=0)]).ravel().tolist())
     scene.write(file_name)
 
 

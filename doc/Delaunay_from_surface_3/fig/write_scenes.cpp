@@ -155,8 +155,8 @@ void write_first_round(const Surface& surface, const Path& path, const std::stri
 
   std::set<Triangulation::Cell_handle> entered;
   for (std::size_t k = 1; k < path.size(); ++k)
-    for (const auto& c : tr.segment_traverser_cell_handles(surface.points[path[k - 1]],
-                                                          surface.points[path[k]]))
+    for (const auto& c :
+         tr.segment_traverser_cell_handles(surface.points[path[k - 1]], surface.points[path[k]]))
       entered.insert(c);
 
   points.clear();
