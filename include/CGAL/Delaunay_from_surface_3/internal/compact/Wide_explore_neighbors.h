@@ -60,7 +60,7 @@ struct Wide_explore_neighbors : Explore_alone
   {
     const __m128i links = load(cell.links);
     store(ends.cell, pack(_mm_srli_epi32(links, 2), inside));
-    ends.cell += _mm_popcnt_u32(inside);
+    ends.cell += __builtin_popcount(inside);
     for (unsigned k = 0; k < 4; ++k)
       cells[cell.links[k] >> 2].v[0] |= inside << (31 - k) & Complex::dead;
     const __m128i v = _mm_and_si128(load(cell.v), _mm_setr_epi32(int(~Complex::dead), -1, -1, -1));
@@ -87,21 +87,29 @@ struct Wide_explore_neighbors : Explore_alone
     return _mm_shuffle_epi8(ids, load(packed[wanted]));
   }
 
+  // Lane 0 of `first`, the others of `rest`.
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static __m128i with_first_of(__m128i first,
+                                                                              __m128i rest)
+  {
+    return reinterpret_cast<__m128i>(lanes_of<4, 1, 2, 3>(reinterpret_cast<Four_words>(rest),
+                                                          reinterpret_cast<Four_words>(first)));
+  }
+
   // The facets `bounding` of the cell with these vertices and links. Returns where the next one
   // goes. Lane 0: the link; lanes 1, 2, 3: the facet_corners.
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Zone_facet<Id>*
   write_facets(Zone_facet<Id>* to, unsigned bounding, __m128i v, __m128i links)
   {
-    store(to, _mm_blend_epi32(v, links, 1));
+    store(to, with_first_of(links, v));
     to += bounding & 1;
-    store(to, _mm_blend_epi32(_mm_shuffle_epi32(v, _MM_SHUFFLE(3, 0, 2, 0)),
-                              _mm_shuffle_epi32(links, 1), 1));
+    store(to, with_first_of(_mm_shuffle_epi32(links, 1),
+                            _mm_shuffle_epi32(v, _MM_SHUFFLE(3, 0, 2, 0))));
     to += bounding >> 1 & 1;
-    store(to, _mm_blend_epi32(_mm_shuffle_epi32(v, _MM_SHUFFLE(3, 1, 0, 0)),
-                              _mm_shuffle_epi32(links, 2), 1));
+    store(to, with_first_of(_mm_shuffle_epi32(links, 2),
+                            _mm_shuffle_epi32(v, _MM_SHUFFLE(3, 1, 0, 0))));
     to += bounding >> 2 & 1;
-    store(to, _mm_blend_epi32(_mm_shuffle_epi32(v, _MM_SHUFFLE(0, 1, 2, 0)),
-                              _mm_shuffle_epi32(links, 3), 1));
+    store(to, with_first_of(_mm_shuffle_epi32(links, 3),
+                            _mm_shuffle_epi32(v, _MM_SHUFFLE(0, 1, 2, 0))));
     return to + (bounding >> 3 & 1);
   }
 

@@ -12,7 +12,6 @@
 // for them; the caller asks the machine first. The target has no fma.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
-
 #include <CGAL/Delaunay_from_surface_3/internal/support/vectors.h>
 
 #include <algorithm>
@@ -26,12 +25,12 @@ namespace internal {
 // A coordinate of the four rows, and the three permutations of it.
 struct Wide_column
 {
-  __m256d v, a, b, c;
-  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS explicit Wide_column(__m256d value)
+  Four_doubles v, a, b, c;
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS explicit Wide_column(Four_doubles value)
     : v(value)
-    , a(_mm256_permute_pd(value, 5))
-    , b(_mm256_permute2f128_pd(value, value, 1))
-    , c(_mm256_permute_pd(b, 5))
+    , a(lanes_of<1, 0, 3, 2>(value))
+    , b(lanes_of<2, 3, 0, 1>(value))
+    , c(lanes_of<1, 0, 3, 2>(b))
   {
   }
 };
@@ -39,36 +38,35 @@ struct Wide_column
 // (x, y, z) - p of four points, by coordinate, and the squared lengths.
 struct Wide_rows
 {
-  __m256d x, y, z, w;
+  Four_doubles x, y, z, w;
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Wide_rows(const double* const* points,
                                                            const double* p)
   {
-    const __m256d r0 = _mm256_loadu_pd(points[0]), r1 = _mm256_loadu_pd(points[1]);
-    const __m256d r2 = _mm256_loadu_pd(points[2]), r3 = _mm256_loadu_pd(points[3]);
-    const __m256d xz01 = _mm256_unpacklo_pd(r0, r1), xz23 = _mm256_unpacklo_pd(r2, r3);
-    const __m256d y01 = _mm256_unpackhi_pd(r0, r1), y23 = _mm256_unpackhi_pd(r2, r3);
-    x = _mm256_sub_pd(_mm256_permute2f128_pd(xz01, xz23, 0x20), _mm256_broadcast_sd(p));
-    y = _mm256_sub_pd(_mm256_permute2f128_pd(y01, y23, 0x20), _mm256_broadcast_sd(p + 1));
-    z = _mm256_sub_pd(_mm256_permute2f128_pd(xz01, xz23, 0x31), _mm256_broadcast_sd(p + 2));
-    w = _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(x, x), _mm256_mul_pd(y, y)), _mm256_mul_pd(z, z));
+    const Four_doubles r0 = load_four(points[0]), r1 = load_four(points[1]);
+    const Four_doubles r2 = load_four(points[2]), r3 = load_four(points[3]);
+    const Four_doubles xz01 = lanes_of<0, 4, 2, 6>(r0, r1), xz23 = lanes_of<0, 4, 2, 6>(r2, r3);
+    const Four_doubles y01 = lanes_of<1, 5, 3, 7>(r0, r1), y23 = lanes_of<1, 5, 3, 7>(r2, r3);
+    x = lanes_of<0, 1, 4, 5>(xz01, xz23) - p[0];
+    y = lanes_of<0, 1, 4, 5>(y01, y23) - p[1];
+    z = lanes_of<2, 3, 6, 7>(xz01, xz23) - p[2];
+    w = x * x + y * y + z * z;
   }
 };
 
 // The minors of two columns, and what a third makes of them.
 struct Wide_minors
 {
-  __m256d bc, ca, ab;
+  Four_doubles bc, ca, ab;
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Wide_minors(const Wide_column& r,
                                                              const Wide_column& s)
-    : bc(_mm256_sub_pd(_mm256_mul_pd(r.b, s.c), _mm256_mul_pd(s.b, r.c)))
-    , ca(_mm256_sub_pd(_mm256_mul_pd(r.c, s.a), _mm256_mul_pd(s.c, r.a)))
-    , ab(_mm256_sub_pd(_mm256_mul_pd(r.a, s.b), _mm256_mul_pd(s.a, r.b)))
+    : bc(r.b * s.c - s.b * r.c)
+    , ca(r.c * s.a - s.c * r.a)
+    , ab(r.a * s.b - s.a * r.b)
   {
   }
-  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS __m256d times(const Wide_column& t) const
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles times(const Wide_column& t) const
   {
-    return _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(t.a, bc), _mm256_mul_pd(t.b, ca)),
-                         _mm256_mul_pd(t.c, ab));
+    return t.a * bc + t.b * ca + t.c * ab;
   }
 };
 
@@ -80,17 +78,12 @@ struct Wide_sphere_filter
     const Wide_rows rows(vertices, p), e(opposite, p);
     const Wide_column x(rows.x), y(rows.y), z(rows.z), w(rows.w);
     const Wide_minors xy(x, y), zw(z, w);
-    const __m256d value = _mm256_add_pd(
-        _mm256_sub_pd(_mm256_mul_pd(e.x, zw.times(y)), _mm256_mul_pd(e.y, zw.times(x))),
-        _mm256_sub_pd(_mm256_mul_pd(e.z, xy.times(w)), _mm256_mul_pd(e.w, xy.times(z))));
-    const __m256d m = _mm256_max_pd(_mm256_max_pd(e.w, w.a), _mm256_max_pd(w.b, w.c));
-    const __m256d m52 = _mm256_mul_pd(_mm256_mul_pd(m, m), _mm256_sqrt_pd(m));
-    const __m256d bound =
-        _mm256_add_pd(_mm256_mul_pd(m52, _mm256_set1_pd(80 * Filter_bounds::unit)),
-                      _mm256_set1_pd(Filter_bounds::tiny));
-    const __m256d minus = _mm256_sub_pd(_mm256_setzero_pd(), bound);
-    return {unsigned(_mm256_movemask_pd(_mm256_cmp_pd(value, bound, _CMP_GT_OQ))),
-            unsigned(_mm256_movemask_pd(_mm256_cmp_pd(value, minus, _CMP_LT_OQ)))};
+    const Four_doubles value =
+        (e.x * zw.times(y) - e.y * zw.times(x)) + (e.z * xy.times(w) - e.w * xy.times(z));
+    const Four_doubles m = max_of(max_of(e.w, w.a), max_of(w.b, w.c));
+    const Four_doubles bound =
+        m * m * sqrt_of(m) * (80 * Filter_bounds::unit) + Filter_bounds::tiny;
+    return {bits_of(value > bound), bits_of(value < -bound)};
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Cell_view view(const double* const* vertices,
@@ -98,13 +91,12 @@ struct Wide_sphere_filter
   {
     const Wide_rows rows(vertices, p);
     const Wide_column x(rows.x), y(rows.y), z(rows.z);
-    const __m256d facets = Wide_minors(x, y).times(z);
-    const __m256d products = _mm256_mul_pd(facets, rows.w);
+    const Four_doubles facets = Wide_minors(x, y).times(z);
     Cell_view view;
     double value[4], w[4];
-    _mm256_storeu_pd(view.facets, facets);
-    _mm256_storeu_pd(value, products);
-    _mm256_storeu_pd(w, rows.w);
+    store_four(view.facets, facets);
+    store_four(value, facets * rows.w);
+    store_four(w, rows.w);
     const double m = (std::max)((std::max)(w[0], w[1]), (std::max)(w[2], w[3]));
     view.sphere =
         certified_sign((value[0] + value[1]) + (value[2] + value[3]), Filter_bounds::four_rows(m));

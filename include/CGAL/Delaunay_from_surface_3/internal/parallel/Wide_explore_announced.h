@@ -93,7 +93,7 @@ public:
     const __m128i words = Wide::load(m_words);
     Wide::store(m_zone.words.data() + (ends.cell - m_zone.cells.data()), Wide::pack(words, inside));
     Wide::store(ends.cell, Wide::pack(_mm_srli_epi32(links, 2), inside));
-    ends.cell += _mm_popcnt_u32(inside);
+    ends.cell += __builtin_popcount(inside);
     Wide::store(m_zone.outside_words.data() + (ends.facet - m_zone.facets.data()),
                 Wide::pack(words, bounding));
     ends.facet = Wide::write_facets(ends.facet, bounding, v, links);
