@@ -6,8 +6,10 @@
 // more, beside plain CGAL and its Parallel_tag, in turn; and, by simulation, how often up to 64
 // workers would get into each other's way. Writes JSON.
 
+#include <Delaunay_from_surface_3_comparison/launcher.h>
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/peers.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_threads/simulate_workers.h>
@@ -30,6 +32,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -55,6 +58,7 @@ constexpr std::uint64_t seed = 2024;
 struct Watch : CGAL::Default_surface_insertion_visitor_3
 {
   double plan = 0, insertion = 0, finish = 0;
+  double export_begins = 0; // on the clock
   DFS::Insertion_counts counts;
 
   void phase_begins(CGAL::Surface_insertion_phase phase)
@@ -67,6 +71,8 @@ struct Watch : CGAL::Default_surface_insertion_visitor_3
      : phase == Phase::FINISH ? insertion
                               : finish) += phase == Phase::PLAN ? 0 : now - m_since;
     m_since = now;
+    if (phase == Phase::FINISH)
+      export_begins = now;
   }
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints&)
@@ -99,7 +105,7 @@ struct Times
 
 struct Options
 {
-  std::vector<std::string> names;
+  std::vector<std::string> names, peers;
   std::vector<std::size_t> sizes = {64000, 256000, 1000000};
   std::vector<std::size_t> threads = {1, 2};
   std::vector<unsigned> simulated;
@@ -132,38 +138,88 @@ Json phases(const Watch& watch)
           {"put_off", watch.counts.put_off}};
 }
 
-Json measure_times(const Indexed_surface& surface, const Options& options)
+// Whole calls on one surface, in turn, and those of other programs.
+class Turns
 {
-  Times plain, plain_parallel;
-  std::map<std::size_t, Times> ours;
-  std::map<std::size_t, Watch> watches;
-  for (std::size_t r = 0; r < options.repetitions; ++r) {
+public:
+  Turns(const Indexed_surface& surface, const Options& options, comparison::Launcher* launcher)
+    : m_surface(surface)
+    , m_options(options)
+    , m_launcher(launcher)
+  {
+    for (const std::string& text : options.peers)
+      m_peers.emplace_back(comparison::parse_peer(text));
+    if (!m_peers.empty())
+      m_points.emplace(surface.points);
+  }
+
+  // Adds "times" and, with peers, "peers" to `result`.
+  void run(Json& result)
+  {
+    for (std::size_t r = 0; r < m_options.repetitions; ++r)
+      take_turn(r == 0);
+    result["times"] = times();
+    const double plain_cpu = comparison::median(m_plain.cpu);
+    for (const auto& peer : m_peers)
+      result["peers"].push_back(peer.as_json(plain_cpu, m_tetrahedra));
+  }
+
+private:
+  void take_turn(bool is_compared)
+  {
     Triangulation expected;
-    plain.add([&] { expected.insert(surface.points.begin(), surface.points.end()); });
-    for (const std::size_t threads : options.threads)
-      with_threads(threads, [&] {
-        Triangulation tr;
-        Watch watch;
-        ours[threads].add([&] { insert(tr, surface, threads, watch); });
-        watches[threads] = watch;
-        if (r == 0 && tr != expected)
-          throw std::runtime_error("not equal to plain CGAL");
-      });
-    with_threads(options.threads.back(), [&] {
-      CGAL::Bbox_3 box = CGAL::bbox_3(surface.points.begin(), surface.points.end());
-      Parallel_triangulation::Lock_data_structure locks(box, 50);
-      Parallel_triangulation tr(Epick(), &locks);
-      plain_parallel.add([&] { tr.insert(surface.points.begin(), surface.points.end()); });
-    });
+    m_plain.add([&] { expected.insert(m_surface.points.begin(), m_surface.points.end()); });
+    m_tetrahedra = expected.number_of_finite_cells();
+    for (const std::size_t threads : m_options.threads)
+      with_threads(threads, [&] { insert_ours(threads, is_compared ? &expected : nullptr); });
+    with_threads(m_options.threads.back(), [&] { insert_in_parallel(); });
+    for (auto& peer : m_peers)
+      peer.run(*m_launcher, m_points->name());
   }
-  Json result = {{"plain", plain.json()}, {"plain_parallel", plain_parallel.json()}};
-  for (const std::size_t threads : options.threads) {
-    Json of_threads = ours[threads].json();
-    of_threads["phases"] = phases(watches[threads]);
-    result["threads_" + std::to_string(threads)] = of_threads;
+
+  void insert_ours(std::size_t threads, const Triangulation* expected)
+  {
+    Triangulation tr;
+    Watch watch;
+    const double begin = comparison::Steady_seconds()();
+    m_ours[threads].add([&] { insert(tr, m_surface, threads, watch); });
+    m_until_export[threads].push_back(watch.export_begins - begin);
+    m_watches[threads] = watch;
+    if (expected && tr != *expected)
+      throw std::runtime_error("not equal to plain CGAL");
   }
-  return result;
-}
+
+  void insert_in_parallel()
+  {
+    const CGAL::Bbox_3 box = CGAL::bbox_3(m_surface.points.begin(), m_surface.points.end());
+    Parallel_triangulation::Lock_data_structure locks(box, 50);
+    Parallel_triangulation tr(Epick(), &locks);
+    m_plain_parallel.add([&] { tr.insert(m_surface.points.begin(), m_surface.points.end()); });
+  }
+
+  Json times() const
+  {
+    Json result = {{"plain", m_plain.json()}, {"plain_parallel", m_plain_parallel.json()}};
+    for (const std::size_t threads : m_options.threads) {
+      Json of_threads = m_ours.at(threads).json();
+      of_threads["median_until_export"] = rounded(comparison::median(m_until_export.at(threads)));
+      of_threads["phases"] = phases(m_watches.at(threads));
+      result["threads_" + std::to_string(threads)] = of_threads;
+    }
+    return result;
+  }
+
+  const Indexed_surface& m_surface;
+  const Options& m_options;
+  comparison::Launcher* m_launcher; // needed for peers
+  Times m_plain, m_plain_parallel;
+  std::map<std::size_t, Times> m_ours;
+  std::map<std::size_t, Watch> m_watches; // of the last turn
+  std::map<std::size_t, std::vector<double>> m_until_export;
+  std::vector<comparison::Peer_record> m_peers;
+  std::optional<comparison::Points_file> m_points;
+  std::size_t m_tetrahedra = 0;
+};
 
 // Per number of workers the insertions rolled back, by round.
 Json simulate(const Indexed_surface& surface, const std::vector<unsigned>& numbers)
@@ -205,6 +261,8 @@ Options read_options(int argc, char** argv)
   add("threads", po::value(&o.threads)->multitoken()->value_name("N..."), "numbers of threads");
   add("simulate", po::value(&o.simulated)->multitoken()->value_name("N..."),
       "numbers of workers that one thread plays, to count rollbacks");
+  add("peer", po::value(&o.peers)->composing()->value_name("NAME=COMMAND"),
+      "one more program, as for compare_with_plain; may be repeated");
   add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn; 0: no times");
   add("data-dir", po::value(&o.data_dir)->value_name("DIR"), "the meshes of libcgal-demo");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
@@ -223,6 +281,9 @@ Options read_options(int argc, char** argv)
 int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
+  std::optional<comparison::Launcher> launcher;
+  if (!options.peers.empty())
+    launcher.emplace(); // before anything large is in memory
   Json report = comparison::begin_report("measure_threads", argc, argv,
                                          DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
   report["repetitions"] = options.repetitions;
@@ -234,12 +295,13 @@ try {
       const Indexed_surface surface = named.make(n, seed);
       Json result = {{"surface", named.name}, {"points", surface.points.size()}};
       if (options.repetitions > 0)
-        result["times"] = measure_times(surface, options);
+        Turns(surface, options, launcher ? &*launcher : nullptr).run(result);
       if (!options.simulated.empty())
         result["rolled_back"] = simulate(surface, options.simulated);
       std::cerr << result.dump() << "\n";
       report["results"].push_back(std::move(result));
     }
+  report["machine"]["load_after"] = comparison::load_average();
   comparison::write_report(options.output, report);
 } catch (const std::exception& e) {
   std::cerr << "measure_threads: " << e.what() << "\n";

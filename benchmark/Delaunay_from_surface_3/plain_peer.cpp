@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <iostream>
 #include <vector>
@@ -31,10 +30,10 @@ int main(int argc, char** argv)
     for (std::size_t i = 0; i < coordinates.size(); i += 3)
       points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
     CGAL::Delaunay_triangulation_3<Kernel> tr;
-    const std::clock_t begin = std::clock();
+    comparison::Stopwatch watch;
     tr.insert(points.begin(), points.end());
-    const std::clock_t end = std::clock();
-    comparison::print_answer(begin, end, tr.number_of_finite_cells());
+    watch.stop();
+    comparison::print_answer(watch, tr.number_of_finite_cells());
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
     std::cerr << "plain_peer: " << error.what() << '\n';

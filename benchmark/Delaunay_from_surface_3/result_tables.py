@@ -5,7 +5,8 @@
 """The tables of the manual's page on performance, in Markdown, from what compare_with_plain measured."""
 
 from manual_tables import cell, commands_of, machine_of, table
-from results import (PAPER, cells_entered, method_of, methods_that_walk, microseconds, peers, size_name,
+from peer_tables import peers_block
+from results import (PAPER, cells_entered, is_of_compare, method_of, methods_that_walk, microseconds, peers, size_name,
                      used_methods, without_export)
 
 
@@ -214,4 +215,8 @@ def machine(reports):
 def all_blocks(reports, surfaces):
     """{name: text} of all that the manual shows."""
     blocks = {name: make(surfaces) for name, make in TABLES.items()}
-    return {"machine": machine(reports), **blocks, "commands": commands_of(*reports)}
+    others = [report for report in reports if not is_of_compare(report)]
+    if others:
+        blocks["peers"] = peers_block(others)
+    return {"machine": machine([report for report in reports if is_of_compare(report)]), **blocks,
+            "commands": commands_of(*reports)}

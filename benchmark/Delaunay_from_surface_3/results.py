@@ -45,12 +45,13 @@ def size_name(n):
 
 
 def read(file_names):
-    """The reports, and {surface: {size: result}}. Of a method measured twice the first file has it."""
+    """The reports, and {surface: {size: result}} of compare_with_plain. Of a method measured twice the first file has
+    it."""
     reports, surfaces = [], {}
     for name in file_names:
         with open(name, encoding="utf-8") as file:
             reports.append(json.load(file))
-        for result in reports[-1]["results"]:
+        for result in reports[-1]["results"] if is_of_compare(reports[-1]) else []:
             known = surfaces.setdefault(result["surface"], {}).setdefault(result["size"], result)
             names = {method["method"] for method in known["methods"]}
             known["methods"] += [m for m in result["methods"] if m["method"] not in names]
@@ -59,6 +60,10 @@ def read(file_names):
     if not surfaces:
         sys.exit("plot_results.py: there are no results in the files given")
     return reports, {name: dict(sorted(sizes.items())) for name, sizes in surfaces.items()}
+
+
+def is_of_compare(report):
+    return report["program"] == "compare_with_plain"
 
 
 def method_of(result, name):

@@ -11,12 +11,19 @@ import sys
 import unittest
 from pathlib import Path
 
+from peer_tables import peers_block
 from program_case import TORUS, ProgramCase, python_with
 
 HERE = Path(__file__).resolve().parent
 PEER = os.path.abspath(os.environ["PLAIN_PEER"])
-TETGEN = os.environ.get("TETGEN_PEER", "")
+COMMANDS = {"tetgen": ("TETGEN_PEER", ""), "geogram": ("GEOGRAM_PEER", "1"), "geogram-2": ("GEOGRAM_PEER", "2"),
+            "hxt": ("HXT_PEER", "1"), "hxt-2": ("HXT_PEER", "2")}
+LIBRARIES = {name: f"{os.path.abspath(os.environ[variable])} {threads}"
+             for name, (variable, threads) in COMMANDS.items() if variable in os.environ}
+MEASURE_THREADS = os.environ.get("MEASURE_THREADS", "")
 METHODS = ["plain", "plain-fast", "default", "default-fast", "compact-spatial", "nets", "plain-order", "tracing"]
+PEERS = [word for name, command in {"again": PEER, "broken": "false", "mute": "echo", **LIBRARIES}.items()
+         for word in ("--peer", f"{name}={command}")]
 
 
 class Comparison(ProgramCase):
@@ -58,26 +65,30 @@ class Comparison(ProgramCase):
             self.between(5, destroyed, 100)
             self.between(destroyed - 2, methods[ours]["cells"]["destroyed"], destroyed + 2)
 
-    def check_peers(self, again, broken, mute, tetgen=None):
-        self.assertEqual((again["method"], again["has_as_many_tetrahedra"]), ("again", True))
+    def check_peers(self, again, broken, mute, *libraries, generic=True):
+        self.assertEqual((again["method"], again["threads"], again["has_as_many_tetrahedra"]), ("again", 1, True))
         self.between(1e6, again["memory"]["peak_bytes"], 1e10)
         self.assertEqual(broken["left_out"], "exit code 1")
         self.assertEqual(mute["left_out"], "it does not print cpu_seconds and tetrahedra")
-        if tetgen:
-            self.between(5000, tetgen["tetrahedra"], 50000)
+        for peer in libraries:
+            name, _, threads = peer["method"].partition("-")
+            self.assertEqual((peer["library"].split()[0].lower(), peer["threads"]), (name, int(threads or 1)))
+            self.between(0, peer["median_wall"], 100)
+            self.between(5000, peer["tetrahedra"], 50000)
+            if generic:
+                self.assertTrue(peer["has_as_many_tetrahedra"], peer)
 
     def test_all_that_can_be_measured(self):
-        peers = {"again": PEER, "broken": "false", "mute": "echo", **({"tetgen": TETGEN} if TETGEN else {})}
         results = self.compare("all.json", "--surfaces", "genus-3", "sphere-exact-shuffled", "--sizes", 2500,
                                "--repetitions", 2, "--memory", "--methods", *METHODS[1:],
-                               *(word for name, command in peers.items() for word in ("--peer", f"{name}={command}")))
+                               *PEERS)
         self.assertEqual([r["surface"] for r in results], ["genus-3", "sphere-exact-shuffled"])
         for result in results:
             methods = dict(zip(METHODS, result["methods"]))
             for name, method in methods.items():
                 self.check_method(name, method)
             self.check_counts(methods)
-            self.check_peers(*result["methods"][len(METHODS):])
+            self.check_peers(*result["methods"][len(METHODS):], generic=result["surface"] == "genus-3")
             self.between(0, result["yardstick"]["verification"], 100)
             self.between(0, result["yardstick"]["total"], 100)
         # Cospherical points are where the first filter must give up.
@@ -100,6 +111,22 @@ class Comparison(ProgramCase):
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
         for figure in ("before_and_now", "ratio", "phases"):  # of cells there are too few sizes
             self.assertIn(f"performance_{figure}.svg", self.files())
+
+    @unittest.skipUnless(MEASURE_THREADS, "skipped: measure_threads was not built")
+    def test_peers_beside_threads(self):
+        subprocess.run([os.path.abspath(MEASURE_THREADS), "--surfaces", "genus-3", "--sizes", "2500", "-r", "2", *PEERS,
+                        "--output", "threads.json"], cwd=self.folder, check=True, capture_output=True)
+        report = json.loads((self.folder / "threads.json").read_text())
+        result, = report["results"]
+        self.assertIn("--peer again=", report["command"])
+        self.check_peers(*result["peers"])
+        ours = result["times"]["threads_2"]
+        self.between(0, ours["median_until_export"], ours["median_wall"])
+
+        lines = peers_block([report]).splitlines()
+        self.assertEqual(lines[0].split("|")[3:7], [" CGAL ", " default ", " default until the export ", " again "])
+        self.assertIn(f"""| genus-3 | 2 | {result["times"]["plain_parallel"]["median_wall"]:.3f} |""", "\n".join(lines))
+        self.assertIn("Other numbers of tetrahedra than plain %CGAL: none.", lines)
 
     def test_what_it_refuses(self):
         self.refuses("a peer is given as NAME=COMMAND, not as 'false'", "--peer", "false")

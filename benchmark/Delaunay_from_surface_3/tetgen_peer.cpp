@@ -9,8 +9,8 @@
 #include <tetgen.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <iostream>
 #include <vector>
@@ -28,10 +28,11 @@ int main(int argc, char** argv)
     in.pointlist = new REAL[coordinates.size()]; // tetgenio deletes it
     std::copy(coordinates.begin(), coordinates.end(), in.pointlist);
     char switches[] = "Q"; // quiet, and nothing but the points' tetrahedralization
-    const std::clock_t begin = std::clock();
+    comparison::Stopwatch watch;
     tetrahedralize(switches, &in, &out);
-    const std::clock_t end = std::clock();
-    comparison::print_answer(begin, end, static_cast<std::size_t>(out.numberoftetrahedra));
+    watch.stop();
+    comparison::print_answer(watch, static_cast<std::size_t>(out.numberoftetrahedra), 1, "TetGen",
+                             DELAUNAY_FROM_SURFACE_3_BUILT_AS);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
     std::cerr << "tetgen_peer: " << error.what() << '\n';

@@ -54,6 +54,17 @@ inline double load_average()
   return getloadavg(&load, 1) == 1 ? load : -1;
 }
 
+// As a shell would take it, but for the folder of the program.
+inline std::string command_line(const std::string& program, int argc, char** argv)
+{
+  std::string text = program;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    text += word.find(' ') == std::string::npos ? " " + word : " '" + word + "'";
+  }
+  return text;
+}
+
 inline nlohmann::ordered_json describe_machine(const std::string& compiler_flags)
 {
   return {{"cpu", value_in_file("/proc/cpuinfo", "model name")},
@@ -67,16 +78,14 @@ inline nlohmann::ordered_json describe_machine(const std::string& compiler_flags
           {"date", date_today()}};
 }
 
-// What the report of a program begins with: machine, load and command line.
+// What the report of a program begins with: its name, machine, load and command line.
 inline nlohmann::ordered_json begin_report(const std::string& program, int argc, char** argv,
                                            const std::string& compiler_flags)
 {
-  nlohmann::ordered_json report = {{"machine", describe_machine(compiler_flags)}};
+  nlohmann::ordered_json report = {{"program", program},
+                                   {"machine", describe_machine(compiler_flags)},
+                                   {"command", command_line(program, argc, argv)}};
   report["machine"]["load_before"] = load_average();
-  std::string command = program;
-  for (int i = 1; i < argc; ++i)
-    command += std::string(" ") + argv[i];
-  report["command"] = command;
   return report;
 }
 

@@ -7,6 +7,7 @@
 
 // The command line of compare_with_plain.
 
+#include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/methods.h>
 #include <Delaunay_from_surface_3_comparison/peers.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
@@ -103,11 +104,7 @@ inline std::optional<Options> parse_command_line(int argc, char** argv)
   // An empty positional description: a stray word is an error.
   po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), given);
   po::notify(given);
-  options.command = "compare_with_plain";
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    options.command += word.find(' ') == std::string::npos ? " " + word : " '" + word + "'";
-  }
+  options.command = command_line("compare_with_plain", argc, argv);
   if (options.repetitions == 0)
     throw std::invalid_argument("--repetitions must be at least 1");
   if (given.count("help") != 0)

@@ -47,7 +47,7 @@ public:
   template <class Points>
   explicit Points_file(const Points& points)
     : m_name((std::filesystem::temp_directory_path() /
-              ("compare_with_plain-" + std::to_string(getpid()) + ".points"))
+              ("delaunay_from_surface_3-" + std::to_string(getpid()) + ".points"))
                  .string())
   {
     write_points_file(points, m_name);
@@ -66,14 +66,14 @@ private:
   std::string m_name;
 };
 
-// The word after `key`, where that begins a line.
+// What comes after `key` on the line that begins with it.
 inline std::optional<std::string> value_in_output(const std::string& output, const std::string& key)
 {
   std::istringstream lines(output);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string word, value;
-    if (words >> word >> value && word == key)
+    if (words >> word && word == key && std::getline(words >> std::ws, value) && !value.empty())
       return value;
   }
   return std::nullopt;
@@ -102,6 +102,10 @@ public:
     if (!m_failure.empty())
       return;
     m_cpu.push_back(std::stod(*seconds));
+    if (const auto wall = value_in_output(outcome.output, "wall_seconds"))
+      m_wall.push_back(std::stod(*wall));
+    m_threads = value_in_output(outcome.output, "threads");
+    m_library = value_in_output(outcome.output, "library");
     m_tetrahedra = std::stoul(*tetrahedra);
     m_peak_bytes = std::max(m_peak_bytes, outcome.peak_bytes);
   }
@@ -116,7 +120,13 @@ public:
       result["left_out"] = m_failure;
       return result;
     }
+    if (m_library)
+      result["library"] = *m_library;
+    if (m_threads)
+      result["threads"] = std::stoul(*m_threads);
     result.update(with_median("cpu", m_cpu));
+    if (!m_wall.empty())
+      result.update(with_median("wall", m_wall));
     result["ratio_plain_to_method"] = rounded(plain_cpu / double(result["median_cpu"]), 1e4);
     result["tetrahedra"] = m_tetrahedra;
     result["has_as_many_tetrahedra"] = m_tetrahedra == plain_tetrahedra;
@@ -126,7 +136,8 @@ public:
 
 private:
   Peer m_peer;
-  std::vector<double> m_cpu;
+  std::vector<double> m_cpu, m_wall;
+  std::optional<std::string> m_threads, m_library;
   std::size_t m_tetrahedra = 0, m_peak_bytes = 0;
   std::string m_failure;
 };

@@ -8,6 +8,8 @@
 // How points go to programs of all kinds: the number of points as an unsigned integer of 8 bytes,
 // then x, y, z of each as doubles, all in the machine's byte order. And how the programs answer.
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
@@ -48,12 +50,35 @@ inline std::vector<double> read_points_file(const std::string& file_name)
   return coordinates;
 }
 
-// What a peer prints at the end: the seconds of process CPU time since `begin`, when it had its
-// points as it wants them, to `end`, when it had the tetrahedra; and their number, finite ones.
-inline void print_answer(std::clock_t begin, std::clock_t end, std::size_t tetrahedra)
+// What a peer measures: from when this is made, as it has its points the way it wants them, to stop(),
+// when it has the tetrahedra. CPU time is that of all threads of the process.
+class Stopwatch
 {
-  std::printf("cpu_seconds %.6f\ntetrahedra %zu\n", double(end - begin) / CLOCKS_PER_SEC,
-              tetrahedra);
+public:
+  void stop()
+  {
+    m_cpu = std::clock() - m_cpu;
+    m_wall = Clock::now() - m_begin;
+  }
+  double cpu_seconds() const { return double(m_cpu) / CLOCKS_PER_SEC; }
+  double wall_seconds() const { return m_wall.count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  std::clock_t m_cpu = std::clock();
+  Clock::time_point m_begin = Clock::now();
+  std::chrono::duration<double> m_wall = {};
+};
+
+// What it prints at the end: the times, the number of finite tetrahedra and of threads, and of a
+// library other than CGAL its name, its version and how it was built.
+inline void print_answer(const Stopwatch& watch, std::size_t tetrahedra, unsigned threads = 1,
+                         const std::string& library = "", const std::string& built_as = "")
+{
+  std::printf("cpu_seconds %.6f\nwall_seconds %.6f\ntetrahedra %zu\nthreads %u\n",
+              watch.cpu_seconds(), watch.wall_seconds(), tetrahedra, threads);
+  if (!library.empty())
+    std::printf("library %s%s%s\n", library.c_str(), built_as.empty() ? "" : " ", built_as.c_str());
 }
 
 } // namespace comparison
