@@ -110,7 +110,7 @@ def draw_ratio_by_size(axes, surfaces):
     if sizes:
         size_ticks(axes, sizes)
         axes.legend(loc="upper left", bbox_to_anchor=(0, -0.17), ncol=2)
-    axes.set_ylim(0, math.ceil(max([1.2] + [r for name in chosen for _, r in curves[name]])))
+    axes.set_ylim(0, math.ceil(1.04 * max([1] + [r for name in chosen for _, r in curves[name]])))
     axes.set(title="the default, by number of points", xlabel="points (logarithmic)")
 
 
