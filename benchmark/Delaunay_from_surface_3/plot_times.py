@@ -19,6 +19,8 @@ import sys
 
 METHODS = {  # from the slowest to the fastest, as a rule
     "tetgen": "TetGen",
+    "geogram": "Geogram",
+    "hxt": "HXT",
     "plain": "CGAL",
     "plain_parallel": "CGAL, Parallel_tag, {threads} threads",
     "default": "this package",
@@ -37,7 +39,9 @@ def of_threads(result):
     times = result["times"]
     names = {"plain": "plain", "plain_parallel": "plain_parallel", "default": "threads_1",
              "threads": f"threads_{THREADS}"}
-    return {name: times[key]["median_wall"] for name, key in names.items() if key in times}
+    peers = [peer for peer in result.get("peers", []) if "left_out" not in peer]
+    return {**{name: times[key]["median_wall"] for name, key in names.items() if key in times},
+            **{peer["method"]: peer.get("median_wall", peer["median_cpu"]) for peer in peers}}
 
 
 def machine_of(report):
