@@ -16,6 +16,7 @@
 #include "read_surface.h"
 #include "surface_statistics.h"
 #include "write_output.h"
+#include "write_view.h"
 
 #include <Delaunay_from_surface_3_files/Remove_on_signal.h>
 #include <Delaunay_from_surface_3_files/one_line.h>
@@ -87,11 +88,10 @@ int run(const Options& options, const Surface& surface, Output& output, Report& 
   Triangulation tr;
   Vertices vertices;
   Seconds seconds;
+  Progress_visitor visitor(surface.points.size(), messages);
   try {
-    seconds = time_of([&] {
-      Progress_visitor visitor(surface.points.size(), messages);
-      vertices = insert_and_watch(tr, surface, traits, options.seed, visitor);
-    });
+    seconds =
+        time_of([&] { vertices = insert_and_watch(tr, surface, traits, options.seed, visitor); });
   } catch (const CGAL::Surface_input_error& error) {
     throw std::runtime_error(options.input + ": " + error.what());
   }
@@ -99,9 +99,16 @@ int run(const Options& options, const Surface& surface, Output& output, Report& 
   messages.clear();
   report("CPU seconds", seconds.cpu, 6);
   report_result(surface, tr, report);
+  check_that_view_is_possible(options, tr);
   if (!options.output.empty()) {
     messages.step("writing " + options.output);
     write(options, surface, tr, vertices, output, report);
+    messages.clear();
+  }
+  if (!options.view.empty()) {
+    messages.step("writing " + options.view);
+    write_view(options, surface, tr, vertices, traits, visitor.has_replaced_order(), output.view(),
+               report);
     messages.clear();
   }
 

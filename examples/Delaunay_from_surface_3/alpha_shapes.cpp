@@ -6,6 +6,7 @@
 // They are the same as from points that the classes insert themselves.
 
 #include <CGAL/insert_points_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 
 #include <CGAL/Alpha_shape_3.h>
 #include <CGAL/Alpha_shape_cell_base_3.h>
@@ -80,7 +81,7 @@ bool is_same_shape(const std::vector<Point>& points, double alpha, const std::st
 
 int main(int argc, char* argv[])
 {
-  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   const double alpha = argc > 2 ? std::atof(argv[2]) : 0.05; // the square of a radius
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> unused_faces;
@@ -88,8 +89,13 @@ int main(int argc, char* argv[])
     std::cerr << "Cannot read " << file_name << '\n';
     return EXIT_FAILURE;
   }
-  const bool is_same =
-      is_same_shape<Fixed_triangulation, Fixed_alpha_shape>(points, alpha, "one alpha") &&
-      is_same_shape<General_triangulation, Alpha_shape>(points, alpha, "all alphas");
-  return is_same ? EXIT_SUCCESS : EXIT_FAILURE;
+  try {
+    const bool is_same =
+        is_same_shape<Fixed_triangulation, Fixed_alpha_shape>(points, alpha, "one alpha") &&
+        is_same_shape<General_triangulation, Alpha_shape>(points, alpha, "all alphas");
+    return is_same ? EXIT_SUCCESS : EXIT_FAILURE;
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << file_name << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 }

@@ -5,6 +5,7 @@
 // Every vertex of the triangulation learns which vertex of the mesh it comes from.
 
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
@@ -31,7 +32,7 @@ using Triangulation = CGAL::Delaunay_triangulation_3<K, Tds>;
 
 int main(int argc, char* argv[])
 {
-  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(file_name, mesh)) {
     std::cerr << "Cannot read " << file_name << '\n';
@@ -43,9 +44,14 @@ int main(int argc, char* argv[])
     pair.second->info() = pair.first;
   };
   Triangulation tr;
-  CGAL::insert_surface_vertices_3(tr, mesh,
-                                  CGAL::parameters::vertex_to_vertex_output_iterator(
-                                      boost::make_function_output_iterator(keep)));
+  try {
+    CGAL::insert_surface_vertices_3(tr, mesh,
+                                    CGAL::parameters::vertex_to_vertex_output_iterator(
+                                        boost::make_function_output_iterator(keep)));
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << file_name << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 
   // Which edges of the triangulation run along the surface?
   std::size_t on_surface = 0, through_space = 0;

@@ -5,6 +5,7 @@
 // The Delaunay triangulation of the vertices of a surface mesh, in one call.
 
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,7 +22,7 @@ using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 
 int main(int argc, char* argv[])
 {
-  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(file_name, mesh)) {
     std::cerr << "Cannot read " << file_name << '\n';
@@ -29,7 +30,12 @@ int main(int argc, char* argv[])
   }
 
   Triangulation tr;
-  CGAL::insert_surface_vertices_3(tr, mesh);
+  try {
+    CGAL::insert_surface_vertices_3(tr, mesh);
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << file_name << ": " << error.what() << '\n';
+    return EXIT_FAILURE; // a coordinate is no number, say
+  }
 
   std::cout << tr.number_of_vertices() << " vertices, " << tr.number_of_finite_cells()
             << " tetrahedra\n";

@@ -11,6 +11,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
@@ -35,7 +36,7 @@ struct My_traits : CGAL::Surface_insertion_policies_3<DFS::Full_graph,       // 
 
 int main(int argc, char* argv[])
 {
-  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(file_name, mesh)) {
     std::cerr << "Cannot read " << file_name << '\n';
@@ -43,8 +44,13 @@ int main(int argc, char* argv[])
   }
 
   Triangulation ours, papers;
-  CGAL::insert_surface_vertices_3(ours, mesh, My_traits(), CGAL::parameters::random_seed(7));
-  CGAL::insert_surface_vertices_3(papers, mesh, CGAL::Tracing_traits_3());
+  try {
+    CGAL::insert_surface_vertices_3(ours, mesh, My_traits(), CGAL::parameters::random_seed(7));
+    CGAL::insert_surface_vertices_3(papers, mesh, CGAL::Tracing_traits_3());
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << file_name << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 
   // Traits and seed change the way, not the result.
   std::cout << "The triangulations are " << (ours == papers ? "equal" : "different") << '\n';

@@ -7,6 +7,7 @@
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -44,7 +45,7 @@ struct My_visitor : CGAL::Default_surface_insertion_visitor_3
 
 int main(int argc, char* argv[])
 {
-  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(file_name, mesh)) {
     std::cerr << "Cannot read " << file_name << '\n';
@@ -55,7 +56,12 @@ int main(int argc, char* argv[])
   // Visitors are copied; std::ref() hands over this one, which can be asked afterwards.
   My_visitor visitor;
   visitor.limit = mesh.number_of_vertices() / 2;
-  CGAL::insert_surface_vertices_3(tr, mesh, CGAL::parameters::visitor(std::ref(visitor)));
+  try {
+    CGAL::insert_surface_vertices_3(tr, mesh, CGAL::parameters::visitor(std::ref(visitor)));
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << file_name << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 
   // A triangulation that was empty is empty again after a stop.
   std::cout << "stopped after " << visitor.inserted << " points; the triangulation has "

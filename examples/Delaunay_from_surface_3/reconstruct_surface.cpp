@@ -6,6 +6,7 @@
 // already built. Its result is that of the function which inserts the points itself.
 
 #include <CGAL/insert_points_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -43,7 +44,7 @@ Facets sorted(Facets facets)
 
 int main(int argc, char* argv[])
 {
-  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> unused_faces;
   if (!CGAL::IO::read_polygon_soup(file_name, points, unused_faces)) {
@@ -58,7 +59,12 @@ int main(int argc, char* argv[])
   for (const Point& p : points)
     numbered.emplace_back(p, numbered.size());
   Triangulation tr;
-  CGAL::insert_points_3(tr, numbered);
+  try {
+    CGAL::insert_points_3(tr, numbered);
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << file_name << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
   CGAL::Advancing_front_surface_reconstruction<Triangulation> front(tr);
   front.run();
   Facets facets;

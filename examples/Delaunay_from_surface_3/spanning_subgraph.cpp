@@ -11,8 +11,9 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_component_topology.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/filtered_graph.hpp>
@@ -22,7 +23,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
-#include <iterator>
+#include <string>
 #include <vector>
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
@@ -42,14 +43,9 @@ struct Is_in_subgraph
   }
 };
 
-int main(int argc, char** argv)
+// Prints what there is to say; returns whether the subgraph is what it should be.
+bool certified_subgraph(Mesh& mesh)
 {
-  Mesh mesh;
-  if (!CGAL::IO::read_OFF(argc > 1 ? argv[1] : "data/torus.off", mesh)) {
-    std::cerr << "cannot read the mesh\n";
-    return EXIT_FAILURE;
-  }
-
   const DFS::Surface_topology topology = DFS::surface_topology(mesh);
   for (const auto& component : topology.components)
     std::cout << "genus " << component.genus() << ", " << component.number_of_boundary_loops
@@ -80,5 +76,21 @@ int main(int argc, char** argv)
           boost::make_iterator_property_map(distances.begin(), index), boost::on_tree_edge()))));
   std::cout << "the farthest vertex is " << *std::max_element(distances.begin(), distances.end())
             << " edges away from the first\n";
-  return certificate.is_valid_subgraph() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return certificate.is_valid_subgraph();
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(file_name, mesh)) {
+    std::cerr << "Cannot read " << file_name << '\n';
+    return EXIT_FAILURE;
+  }
+  try {
+    return certified_subgraph(mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << file_name << ": " << error.what() << '\n';
+    return EXIT_FAILURE; // the surface is not made of triangles, say
+  }
 }

@@ -8,6 +8,7 @@
 // (Jacobson, Kavan, Sorkine-Hornung 2013).
 
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -49,7 +50,7 @@ Inside inside(const Triangulation& tr, const Mesh& mesh)
 
 int main(int argc, char* argv[])
 {
-  const std::string file_name = argc > 1 ? argv[1] : "data/torus.off";
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(file_name, mesh)) {
     std::cerr << "Cannot read " << file_name << '\n';
@@ -63,7 +64,12 @@ int main(int argc, char* argv[])
   CGAL::Timer ours;
   ours.start();
   Triangulation tr;
-  CGAL::insert_surface_vertices_3(tr, mesh);
+  try {
+    CGAL::insert_surface_vertices_3(tr, mesh);
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << file_name << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
   const Inside found = inside(tr, mesh);
   ours.stop();
 

@@ -13,6 +13,7 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -28,6 +29,8 @@ struct Options
 {
   std::string input, from; // `from`: empty if the extension says it
   std::string output, to;  // `to`: of written_formats; both are empty if nothing is written
+  std::string view;        // a page for a browser, if any
+  std::string three_js = DELAUNAY_FROM_SURFACE_3_THREE_JS;
   std::string traits;
   unsigned int seed = 0, repetitions = 5, threads = 1;
   bool inside = false, mark_inside = false;
@@ -94,6 +97,19 @@ inline void check_output(const Options& options)
     throw std::runtime_error("'--quiet' and '--verbose' exclude each other");
 }
 
+inline void check_view(const Options& options)
+{
+  if (options.view.empty())
+    return;
+  const std::string extension = files::file_extension(options.view);
+  if (extension != "html" && extension != "htm")
+    throw std::runtime_error(options.view + ": a page for a browser is .html");
+  if (std::ifstream(options.three_js).peek() == std::ifstream::traits_type::eof())
+    throw std::runtime_error("'--view' needs three.js, and " + options.three_js +
+                             " cannot be read: install Debian's package libjs-three, or name a "
+                             "three.min.js by '--three-js'");
+}
+
 inline void check_threads(const Options& options)
 {
 #ifndef CGAL_LINKED_WITH_TBB
@@ -123,6 +139,7 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
       "threads", po::value(&threads))("stats", po::bool_switch(&options.stats))(
       "json", po::bool_switch(&options.json))("quiet", po::bool_switch(&options.quiet))(
       "verbose", po::bool_switch(&options.verbose))("help,h", "")("version", "")(
+      "view", po::value(&options.view))("three-js", po::value(&options.three_js))(
       "input", po::value(&options.input));
   const po::positional_options_description positional =
       po::positional_options_description().add("input", 1);
@@ -154,6 +171,9 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
   if (!options.output.empty())
     options.to = output_format(options);
   check_output(options);
+  if (options.view.empty() && given.count("three-js") != 0)
+    throw std::runtime_error("option '--three-js' needs '--view'");
+  check_view(options);
   return options;
 }
 

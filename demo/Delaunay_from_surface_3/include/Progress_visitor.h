@@ -38,7 +38,10 @@ public:
   {
     m_messages.note("another order of the points is tried: " + reason);
     m_inserted = 0;
+    m_order_is_replaced = true;
   }
+
+  bool has_replaced_order() const { return m_order_is_replaced; }
 
   void phase_begins(CGAL::Surface_insertion_phase phase)
   {
@@ -66,6 +69,7 @@ public:
 private:
   Messages& m_messages;
   std::size_t m_number_of_points, m_inserted = 0;
+  bool m_order_is_replaced = false;
 };
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_PROGRESS_VISITOR_H

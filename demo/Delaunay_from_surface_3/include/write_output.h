@@ -26,6 +26,7 @@
 #include <filesystem>
 #include <iostream>
 #include <list>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,6 +42,8 @@ public:
   explicit Output(const Options& options)
     : m_format(options.to)
   {
+    if (!options.view.empty())
+      m_view.emplace(options.view);
     if (options.output.empty() || options.output == "-")
       return;
     if (m_format != "tetgen") {
@@ -75,6 +78,9 @@ public:
     finish();
   }
 
+  // The page of --view, if that was asked for.
+  files::Output_file& view() { return *m_view; }
+
 private:
   std::ostream& stream() { return m_files.empty() ? std::cout : m_files.front().stream(); }
 
@@ -96,13 +102,18 @@ private:
 
   std::string m_format;
   std::list<files::Output_file> m_files; // none for the standard output
+  std::optional<files::Output_file> m_view;
 };
 
-// Throws if inside and outside mean nothing for the surface.
+// Do inside and outside mean something for the surface?
+inline bool has_inside(const Surface& surface)
+{
+  return surface.is_manifold && is_triangle_mesh(surface.mesh) && is_closed(surface.mesh);
+}
+
 inline void check_that_inside_is_meaningful(const Options& options, const Surface& surface)
 {
-  if ((options.inside || options.mark_inside) &&
-      !(surface.is_manifold && is_triangle_mesh(surface.mesh) && is_closed(surface.mesh)))
+  if ((options.inside || options.mark_inside) && !has_inside(surface))
     throw std::runtime_error(options.input +
                              ": it has no inside: it is not a closed mesh of triangles");
 }
