@@ -11,6 +11,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include <Delaunay_from_surface_3_surfaces/Marching_cubes_table.h>
+#include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 
 #if __has_include(<CGAL/Isosurfacing_3/internal/tables.h>)
 #include <CGAL/Isosurfacing_3/internal/tables.h>
@@ -22,6 +23,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -201,6 +203,44 @@ BOOST_AUTO_TEST_CASE(degree_with_the_table_of_the_generator)
   BOOST_TEST_MESSAGE("degrees with the generator's table: " << least << " to " << most);
   BOOST_TEST(least == 4);
   BOOST_TEST(most == 15);
+}
+
+// Closed, oriented, one fan at each point; and no degree above that of the table.
+BOOST_AUTO_TEST_CASE(surfaces_are_closed_manifolds)
+{
+  for (const surfaces::Volume& volume :
+       {surfaces::random_waves(30, 8, 1), surfaces::random_waves(12, 20, 2),
+        surfaces::noise(12, 3)}) {
+    const surfaces::Indexed_surface surface = surfaces::marching_cubes(volume);
+    BOOST_TEST(surface.points.size() > 500u);
+    std::vector<std::map<std::size_t, std::size_t>> next(
+        surface.points.size()); // around each point
+    double six_volumes = 0;
+    for (const auto& t : surface.faces) {
+      for (std::size_t k = 0; k < 3; ++k)
+        BOOST_TEST(next[t[k]].emplace(t[(k + 1) % 3], t[(k + 2) % 3]).second);
+      const auto origin = CGAL::ORIGIN;
+      six_volumes += CGAL::determinant(surface.points[t[0]] - origin, surface.points[t[1]] - origin,
+                                       surface.points[t[2]] - origin);
+    }
+    BOOST_TEST(six_volumes < 0); // counterclockwise from inside
+    std::size_t largest = 0, wrong = 0;
+    for (const auto& around : next) {
+      std::size_t steps = 0, v = around.begin()->first;
+      do {
+        const auto found = around.find(v);
+        if (found == around.end())
+          break;
+        v = found->second;
+        ++steps;
+      } while (v != around.begin()->first && steps <= around.size());
+      wrong += steps != around.size() || v != around.begin()->first;
+      largest = (std::max)(largest, around.size());
+    }
+    BOOST_TEST(wrong == 0u);
+    BOOST_TEST(largest <= 15u);
+    BOOST_TEST_MESSAGE(surface.points.size() << " points, largest degree " << largest);
+  }
 }
 
 #ifdef HAS_TABLE_OF_CGAL

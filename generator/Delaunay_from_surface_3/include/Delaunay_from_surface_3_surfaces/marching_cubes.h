@@ -114,9 +114,9 @@ struct Table_triangulation
 } // namespace internal
 
 /// The surface between the lattice points inside and outside a volume, by marching cubes: a closed
-/// 2-manifold, with a point on each lattice edge that it crosses. `triangulate(inside, k, points)`
-/// gives the triangulation of loop k of case `inside`, whose points are given by their numbers.
-/// O(n^3).
+/// 2-manifold, oriented counterclockwise from inside, with a point on each lattice edge that it
+/// crosses. `triangulate(inside, k, points)` gives the triangulation of loop k of case `inside`,
+/// whose points are given by their numbers. O(n^3).
 template <class Triangulate>
 Indexed_surface marching_cubes(const Volume& volume, const Marching_cubes_table& table,
                                const Triangulate& triangulate)
