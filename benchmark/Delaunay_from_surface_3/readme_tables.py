@@ -5,10 +5,11 @@
 
 """Puts the few numbers that the first page shows into README.md, from the results; needs nothing but Python.
 
-  readme_tables.py results/{threads_256k,orders_200k,demo_meshes}.json --tables
-  readme_tables.py results/{threads_256k,orders_200k,demo_meshes}.json --manual README.md [--check]
+  readme_tables.py results/{threads_256k,orders_200k,demo_meshes,python}.json --tables
+  readme_tables.py results/{threads_256k,orders_200k,demo_meshes,python}.json --manual README.md [--check]
 
-Blocks: times, seconds on one and two threads beside plain CGAL; collections, the gain over many meshes.
+Blocks: times, seconds on one and two threads beside plain CGAL; collections, the gain over many meshes; python, the
+gain over SciPy.
 """
 
 import argparse
@@ -60,6 +61,13 @@ def collections_block(orders, meshes, least_vertices=3000):
     return table(["", "how many", "geometric mean", "least", "most"], rows)
 
 
+def python_block(report):
+    ratios = [r["median_ratio"] for r in report["results"]]
+    points = max(r["points"] for r in report["results"])
+    return (f"On {points:,} points, with tetrahedra and neighbours, it is {min(ratios):.0f} to {max(ratios):.0f} times as "
+            f'fast as `scipy.spatial.Delaunay` (SciPy {report["scipy"]}).')
+
+
 def all_blocks(reports):
     """{name: text} of all that the first page shows; a report is known by what it has."""
     def report_with(has):
@@ -68,12 +76,13 @@ def all_blocks(reports):
     threads = report_with(lambda r: "results" in r and "times" in r["results"][0])
     orders = report_with(lambda r: "results" in r and "family" in r["results"][0])
     return {"times": times_block(threads),
-            "collections": collections_block(orders, report_with(lambda r: "meshes" in r))}
+            "collections": collections_block(orders, report_with(lambda r: "meshes" in r)),
+            "python": python_block(report_with(lambda r: "scipy" in r))}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_threads, measure_orders and check_meshes wrote")
+    parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_threads and the others wrote")
     manual_tables.add_options(parser)
     arguments = parser.parse_args()
     reports = []
