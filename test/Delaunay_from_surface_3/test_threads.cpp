@@ -31,6 +31,7 @@
 #include <iterator>
 #include <map>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -247,6 +248,23 @@ BOOST_AUTO_TEST_CASE(in_the_loop_of_a_caller)
                                                         surface.faces);
     });
   });
+  for (const Triangulation& tr : triangulations)
+    BOOST_TEST((tr == plain));
+}
+
+BOOST_AUTO_TEST_CASE(several_callers_at_once)
+{
+  const Indexed_surface surface = surfaces::genus_surface(2, 6000, 0.1);
+  const Triangulation plain(surface.points.begin(), surface.points.end());
+  const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
+  std::vector<Triangulation> triangulations(4);
+  std::vector<std::thread> callers;
+  for (Triangulation& tr : triangulations)
+    callers.emplace_back([&] {
+      CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
+    });
+  for (std::thread& caller : callers)
+    caller.join();
   for (const Triangulation& tr : triangulations)
     BOOST_TEST((tr == plain));
 }

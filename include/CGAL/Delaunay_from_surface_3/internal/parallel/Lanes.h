@@ -43,6 +43,8 @@ public:
       throw std::bad_alloc();
   }
 
+  void deallocate() { m_bytes.reset(); }
+
   std::uint8_t& lane(std::size_t cell, unsigned worker)
   {
     return m_bytes.get()[(cell << m_shift) + worker];

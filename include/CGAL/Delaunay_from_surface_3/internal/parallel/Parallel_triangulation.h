@@ -84,8 +84,13 @@ public:
     return insert_put_off(round);
   }
 
-  // To be called when all is inserted.
-  void finish() { m_shared.finish(); }
+  // To be called when all is inserted. Gives back what only threads need.
+  void finish()
+  {
+    m_shared.finish();
+    m_counts = counts();
+    m_workers.clear();
+  }
 
   Insertion_counts counts() const
   {

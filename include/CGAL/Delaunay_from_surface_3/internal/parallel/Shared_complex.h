@@ -76,9 +76,10 @@ public:
   }
 
   // All cells are told to the complex, fresh ones too: they are dead. A cell of the infinite vertex
-  // is found.
+  // is found. The lanes are given back.
   void finish()
   {
+    m_lanes.deallocate();
     m_complex.use_cells((std::min)(m_next.load(), m_complex.capacity()));
     for (std::size_t c = m_complex.cells_end(); c-- > 0;)
       if (!Complex::is_dead(m_complex.cell(c)) && Complex::is_infinite(m_complex.cell(c))) {
