@@ -11,6 +11,7 @@
 // is read once and its memory can go back to the system while CGAL's grows. Linear.
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/Large_heap_pages.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
@@ -49,6 +50,20 @@ std::size_t blocks_of_export(const Executor& executor, std::size_t n)
                                                            : number_of_blocks(executor, n, least);
 }
 
+// Calls body(begin, end) for portions of first, …, last - 1, in ascending order, each of which makes an
+// element for each number, or for fewer.
+template <class Element, class Body>
+void for_each_portion(std::size_t first, std::size_t last, const Body& body)
+{
+  constexpr std::size_t portion = std::size_t(1) << 16;
+  Large_heap_pages pages((last - first) * sizeof(Element));
+  for (std::size_t begin = first, end; begin < last; begin = end) {
+    end = (std::min)(last, begin / portion * portion + portion);
+    pages.expect((end - begin) * sizeof(Element));
+    body(begin, end);
+  }
+}
+
 // The cells of one block: made in ascending order, each linked with those made before it.
 template <class Tds, class Id>
 class Export_block
@@ -57,17 +72,19 @@ class Export_block
   using Complex = Compact_complex<Id>;
 
 public:
-  // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made;
-  // which ones they are cannot be predicted. One to another block is kept.
+  // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
+  // ones they are cannot be predicted. One to another block is kept.
   template <class Vertex>
   void make(typename Tds::Cell_range& range, Complex& complex, const std::vector<Vertex>& vertices,
             Large_vector<Cell_handle>& cells, Cell_handle scratch, std::size_t first,
             std::size_t last)
   {
-    for (std::size_t c = first; c < last; ++c) {
-      fetch_ahead(complex, cells, c, first, last);
-      const Compact_cell<Id>& cell = complex.cell(c);
-      if (!Complex::is_dead(cell)) {
+    for_each_portion<typename Tds::Cell>(first, last, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) {
+        fetch_ahead(complex, cells, c, first, last);
+        const Compact_cell<Id>& cell = complex.cell(c);
+        if (Complex::is_dead(cell))
+          continue;
         const Cell_handle made = range.emplace(vertices[cell.v[0]], vertices[cell.v[1]],
                                                vertices[cell.v[2]], vertices[cell.v[3]]);
         cells[c] = made;
@@ -81,9 +98,8 @@ public:
             m_links_out.push_back({made, i, link});
         }
       }
-      if ((c + 1) % release_interval == 0)
-        complex.release_cells((std::max)(first, c + 1 - release_interval), c + 1);
-    }
+      complex.release_cells(begin, end);
+    });
   }
 
   // When all blocks have made their cells.
@@ -114,7 +130,6 @@ private:
         prefetch(&*cells[link >> 2]);
   }
 
-  static constexpr std::size_t release_interval = std::size_t(1) << 16;
   std::vector<Link_out> m_links_out;
 };
 
@@ -173,14 +188,17 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
   std::vector<Range> ranges(number);
   ranges[0].swap(tr.tds().vertices());
   for_each_block(executor, end, number, [&](std::size_t first, std::size_t last, std::size_t b) {
-    for (std::size_t k = (std::max)(first, std::size_t(1)); k < last; ++k) {
-      const std::size_t v = in_order(k);
-      const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
-      if (const auto* const p = is_new ? point(v) : nullptr) {
-        vertices[v] = ranges[b].emplace();
-        vertices[v]->set_point(*p);
+    const auto make = [&](std::size_t begin, std::size_t stop) {
+      for (std::size_t k = (std::max)(begin, std::size_t(1)); k < stop; ++k) {
+        const std::size_t v = in_order(k);
+        const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
+        if (const auto* const p = is_new ? point(v) : nullptr) {
+          vertices[v] = ranges[b].emplace();
+          vertices[v]->set_point(*p);
+        }
       }
-    }
+    };
+    for_each_portion<typename Range::value_type>(first, last, make);
   });
   for (Range& range : ranges)
     tr.tds().vertices().merge(range);
