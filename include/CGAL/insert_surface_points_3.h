@@ -106,7 +106,7 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
 {
   using namespace Delaunay_from_surface_3::internal;
   return with_points_and_infos(tr, points, np, [&](const auto& converted, const auto& infos) {
-    Soup_graph soup = soup_graph(faces, converted.size());
+    Soup_graph soup = soup_graph(faces, converted.size(), executor_by_tag<ConcurrencyTag>(tr));
     const Graph_of_faces<FaceRange> graph(std::move(soup.graph), faces);
     const Insertion_input input{converted,         graph,           Identity_index_map(),
                                 soup.irregularity, Identity_name(), infos};

@@ -90,6 +90,10 @@ public:
       std::is_void<internal::Parallel_executor>::value, void,
       Compact_delaunay_with_ids_3<Triangulation, Id, internal::Parallel_executor>>;
 
+  /// \cond
+  using Threads = Executor; // for what the driver does around the insertions
+  /// \endcond
+
   /// `false`: `obstacle()` is to be asked.
   static constexpr bool serves_everything = false;
 

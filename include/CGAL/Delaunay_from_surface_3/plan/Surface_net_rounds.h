@@ -100,16 +100,19 @@ public:
 
   \tparam Graph a model of `boost::EdgeListGraph`; loops and multiple edges do no harm
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
+  \tparam Executor runs threads, which make the same nets; by default there is one
   */
-  template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
+  template <class Point, class GeomTraits, class Graph, class VertexIndexMap,
+            class Executor = internal::Alone>
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
-                             const Graph& graph, VertexIndexMap index_map) const
+                             const Graph& graph, VertexIndexMap index_map,
+                             const Executor& executor = Executor()) const
   {
     using Index = std::uint32_t; // one type: another would double what a user's file compiles
     const std::size_t m = std::size_t(num_edges(graph));
     if (m == 0 || (std::max)(points.size(), m) >= (std::numeric_limits<Index>::max)())
       return fallback_plan()(points, gt, graph, index_map);
-    return order<Index>(points, gt, graph, index_map);
+    return order<Index>(points, gt, graph, index_map, executor);
   }
 
   /// returns the plan that serves when the budget is exceeded: the bound of \cgalCite{acr-icbr-03}
@@ -117,15 +120,16 @@ public:
   Geometric_rounds fallback_plan() const { return Geometric_rounds(m_seed); }
 
 private:
-  template <class Index, class Point, class GeomTraits, class Graph, class VertexIndexMap>
+  template <class Index, class Point, class GeomTraits, class Graph, class VertexIndexMap,
+            class Executor>
   Insertion_order order(const std::vector<Point>& points, const GeomTraits& gt, const Graph& graph,
-                        VertexIndexMap index_map) const
+                        VertexIndexMap index_map, const Executor& executor) const
   {
     using namespace Delaunay_from_surface_3::internal;
     const Net_hierarchy<Index> nets(
         lower_neighbors<Index>(graph, index_map, points.size()), coarsest, stall, m_seed,
         [&](std::size_t i, std::size_t j) { return squared_distance(points[i], points[j]); },
-        m_block);
+        m_block, executor);
     if (!joins_near_points(points, nets))
       return fallback_plan()(points, gt, graph, index_map);
     Insertion_order plan;

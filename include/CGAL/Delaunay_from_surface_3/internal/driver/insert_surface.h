@@ -22,6 +22,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
 
@@ -77,6 +78,32 @@ constexpr bool looks_for_doubles()
     return Target::serves_geom_traits();
 }
 
+// What runs threads for a target: its executor, if it names one.
+template <class Target, class = void>
+struct Executor_of
+{
+  using type = Alone;
+};
+template <class Target>
+struct Executor_of<Target, std::void_t<typename Target::Threads>>
+{
+  using type = typename Target::Threads;
+};
+
+// By several threads if the plan can.
+template <class Executor, class Plan, class... Arguments>
+Insertion_order make_order(const Executor& executor, const Plan& make_plan,
+                           const Arguments&... arguments)
+{
+  if constexpr (!std::is_same<Executor, Alone>::value &&
+                std::is_invocable<const Plan&, const Arguments&..., const Executor&>::value) {
+    return make_plan(arguments..., executor);
+  } else {
+    (void)executor;
+    return make_plan(arguments...);
+  }
+}
+
 // The order. If exact numbers are doubles it is made of doubles: that is faster, and it is the
 // same. If one of them is not, says which in `obstacle`.
 template <class Target, class Plan, class Triangulation, class Graph, class VertexIndexMap>
@@ -86,6 +113,7 @@ Insertion_order order_of(const Plan& make_plan, const Triangulation& tr,
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Points = std::vector<Kernel::Point_3>;
+  const typename Executor_of<Target>::type executor{};
   if constexpr (looks_for_doubles<Target, typename Triangulation::Geom_traits>()) {
     const std::size_t i = first_not_double(points);
     if (i < points.size())
@@ -98,11 +126,11 @@ Insertion_order order_of(const Plan& make_plan, const Triangulation& tr,
         const auto c = *double_coordinates(p);
         doubles.emplace_back(c[0], c[1], c[2]);
       }
-      return make_plan(doubles, Kernel(), graph, index_map);
+      return make_order(executor, make_plan, doubles, Kernel(), graph, index_map);
     }
   }
   (void)obstacle;
-  return make_plan(points, tr.geom_traits(), graph, index_map);
+  return make_order(executor, make_plan, points, tr.geom_traits(), graph, index_map);
 }
 
 // Order, T, and the points in that order.
@@ -118,7 +146,7 @@ plan_insertion(const Triangulation& tr, const Input& input, const Traits& traits
   planned.plan =
       order_of<Target>(make_plan, tr, input.points, input.graph, input.index_map, planned.obstacle);
   planned.places = check_plan(planned.plan, input.points.size());
-  planned.points = permuted(input.points, planned.plan.order);
+  planned.points = permuted(input.points, planned.plan.order, typename Executor_of<Target>::type());
   if constexpr (Has_budget<Plan>::value)
     planned.budget = Insertion_budget(Plan::cells_per_point);
   visitor.phase_begins(Phase::SUBGRAPH);
@@ -143,7 +171,8 @@ insert_by_plan(Triangulation& tr, const Input& input, const Traits& traits, cons
     auto planned = plan_insertion<Target, Hints>(tr, input, traits, make_plan, visitor);
     planned.creates_in_input_order = creates_in_input_order;
     inserted = insert_into_target<Target, Traits>(tr, planned, visitor);
-    inserted.vertices = permuted(inserted.vertices, planned.places);
+    inserted.vertices =
+        permuted(inserted.vertices, planned.places, typename Executor_of<Target>::type());
   }
   if constexpr (Has_budget<Plan>::value)
     if (inserted.outcome == Insertion_outcome::OVER_BUDGET) {

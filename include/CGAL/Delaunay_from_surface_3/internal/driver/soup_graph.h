@@ -97,8 +97,9 @@ std::size_t keep_one_of_each(Lists<Index>& lists)
 
 // The edges of the faces as a graph on the points; without edges if there are more sides than
 // numbers of 32 bits. Linear: the sides of the faces are sorted by counting.
-template <class FaceRange>
-Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
+template <class FaceRange, class Executor = Alone>
+Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points,
+                      const Executor& executor = Executor())
 {
   using Index = std::uint32_t;
   std::size_t number_of_sides = 0;
@@ -110,7 +111,7 @@ Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points)
   Large_vector<Numbered_edge<Index>> sides;
   sides.reserve(number_of_sides);
   const std::size_t non_triangles = read_sides(faces, number_of_points, sides);
-  Lists<Index> lists = lower_neighbors(sides, number_of_points);
+  Lists<Index> lists = lower_neighbors(sides, number_of_points, executor);
   const std::size_t non_manifold_edges = keep_one_of_each(lists);
 
   Soup_graph soup = {Lower_neighbor_graph(std::move(lists)), std::nullopt};

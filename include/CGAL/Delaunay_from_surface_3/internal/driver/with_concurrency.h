@@ -9,6 +9,8 @@
 // it.
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/parallel/Tbb_executor.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/tags.h>
@@ -76,6 +78,16 @@ public:
 private:
   const Traits& m_traits;
 };
+
+// What runs as many threads as a concurrency tag asks for.
+template <class ConcurrencyTag, class Triangulation>
+auto executor_by_tag(const Triangulation&)
+{
+  using Tag = typename Default::Get<ConcurrencyTag, typename Triangulation::Concurrency_tag>::type;
+  constexpr bool has_threads =
+      std::is_convertible<Tag, Parallel_tag>::value && !std::is_void<Parallel_executor>::value;
+  return std::conditional_t<has_threads, Parallel_executor, Alone>();
+}
 
 // The traits themselves where one thread is asked for: by ConcurrencyTag or, if that is Default, by
 // the type of the triangulation.

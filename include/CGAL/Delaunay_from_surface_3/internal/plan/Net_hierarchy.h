@@ -22,6 +22,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/plan/random_net.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -48,12 +49,13 @@ struct Numbered_edge
 };
 
 // The neighbours of each of n vertices that have smaller numbers.
-template <class Index>
-Lists<Index> lower_neighbors(const Large_vector<Numbered_edge<Index>>& edges, std::size_t n)
+template <class Index, class Executor = Alone>
+Lists<Index> lower_neighbors(const Large_vector<Numbered_edge<Index>>& edges, std::size_t n,
+                             const Executor& executor = Executor())
 {
   return in_lists<Index>(
       n, edges.size(), [&](std::size_t k) { return std::size_t(edges[k].upper); },
-      [&](std::size_t k) { return edges[k].lower; });
+      [&](std::size_t k) { return edges[k].lower; }, executor);
 }
 
 // The same for the n vertices of a graph. Its number of edges must be an Index.
@@ -84,13 +86,13 @@ Lists<Index> lower_neighbors(const Graph_of_faces<FaceRange>& graph, Identity_in
 }
 
 // The members of every cluster, its net vertex first, the others in ascending order.
-template <class Index>
-Lists<Index> members(const Net<Index>& net)
+template <class Index, class Executor>
+Lists<Index> members(const Net<Index>& net, const Executor& executor)
 {
   Lists<Index> lists = in_lists<Index>(
       net.centers.size(), net.cluster_of.size(),
       [&](std::size_t v) { return std::size_t(net.cluster_of[v]); },
-      [](std::size_t v) { return Index(v); });
+      [](std::size_t v) { return Index(v); }, executor);
   for (std::size_t c = 0; c < lists.size(); ++c) {
     Index* const first = lists.items.data() + lists.first[c];
     Index* k = first;
@@ -103,20 +105,20 @@ Lists<Index> members(const Net<Index>& net)
 }
 
 // The graph of the clusters: two are neighbours if members of theirs are. An edge is met from each
-// of its clusters at most once, so that it is there twice at most.
+// of its clusters at most once, so that it is there twice at most. Here those met from the clusters
+// first, …, last - 1 are written behind `edges`.
 template <class Index>
-Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cluster_of,
-                        const Lists<Index>& clusters)
+void append_contracted(const Lists<Index>& lower, const Large_vector<Index>& cluster_of,
+                       const Lists<Index>& clusters, std::size_t first, std::size_t last,
+                       Large_vector<Numbered_edge<Index>>& edges)
 {
-  Large_vector<Numbered_edge<Index>> edges;
-  edges.reserve(4 * clusters.size()); // on a surface
   Large_vector<Index> last_met_by(clusters.size(), Index(clusters.size()));
-  const std::size_t last = clusters.items.size() - 1;
-  for (std::size_t c = 0; c < clusters.size(); ++c) {
+  const std::size_t last_item = clusters.items.size() - 1;
+  for (std::size_t c = first; c < last; ++c) {
     last_met_by[c] = Index(c);
     for (std::size_t k = clusters.first[c]; k < clusters.first[c + 1]; ++k) {
-      prefetch(&lower.first[clusters.items[(std::min)(k + prefetch_distance, last)]]);
-      prefetch(lower.begin(clusters.items[(std::min)(k + near_prefetch_distance, last)]));
+      prefetch(&lower.first[clusters.items[(std::min)(k + prefetch_distance, last_item)]]);
+      prefetch(lower.begin(clusters.items[(std::min)(k + near_prefetch_distance, last_item)]));
       const Index v = clusters.items[k];
       for (const Index *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
         const Index d = cluster_of[*u];
@@ -127,7 +129,23 @@ Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cl
       }
     }
   }
-  return lower_neighbors(edges, clusters.size());
+}
+
+template <class Index, class Executor>
+Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cluster_of,
+                        const Lists<Index>& clusters, const Executor& executor)
+{
+  const std::size_t blocks = number_of_blocks(executor, clusters.size(), 4096);
+  std::vector<Large_vector<Numbered_edge<Index>>> edges(blocks);
+  edges[0].reserve(4 * clusters.size()); // on a surface
+  for_each_block(executor, clusters.size(), blocks,
+                 [&](std::size_t first, std::size_t last, std::size_t b) {
+                   edges[b].reserve(4 * (last - first));
+                   append_contracted(lower, cluster_of, clusters, first, last, edges[b]);
+                 });
+  for (std::size_t b = 1; b < blocks; ++b)
+    edges[0].insert(edges[0].end(), edges[b].begin(), edges[b].end());
+  return lower_neighbors(edges[0], clusters.size(), executor);
 }
 
 // The levels, finest first. clusters[l] lists the clusters of the vertices of level l; they are the
@@ -142,10 +160,11 @@ struct Net_hierarchy
 
   // Nets of the graph with these lower neighbours until at most `enough` vertices are left, or a
   // net keeps more than the share `stall` of them. `distance(i, j)` is one of vertices of the
-  // graph. `block`: see Random_blocks.
-  template <class Distance>
+  // graph. `block`: see Random_blocks. The nets are the same whatever the executor.
+  template <class Distance, class Executor = Alone>
   Net_hierarchy(Lists<Index> lower, std::size_t enough, double stall, unsigned int seed,
-                const Distance& distance, std::size_t block = Random_blocks::one_of_many)
+                const Distance& distance, std::size_t block = Random_blocks::one_of_many,
+                const Executor& executor = Executor())
     : points(1)
     , number_of_coarsest(lower.size())
   {
@@ -158,11 +177,11 @@ struct Net_hierarchy
           block);
       if (double(net.centers.size()) > stall * double(number_of_coarsest))
         break;
-      clusters.push_back(members(net));
+      clusters.push_back(members(net, executor));
       points.push_back(net.centers);
       for (Index& c : points.back())
         c = Index(point(level, c));
-      lower = contracted(lower, net.cluster_of, clusters.back());
+      lower = contracted(lower, net.cluster_of, clusters.back(), executor);
       number_of_coarsest = lower.size();
     }
   }

@@ -5,7 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUPPORT_PERMUTATION_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUPPORT_PERMUTATION_H
 
+#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
+
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -13,13 +16,24 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // result[k] = items[order[k]]
-template <class T>
-std::vector<T> permuted(const std::vector<T>& items, const std::vector<std::size_t>& order)
+template <class T, class Executor = Alone>
+std::vector<T> permuted(const std::vector<T>& items, const std::vector<std::size_t>& order,
+                        const Executor& executor = Executor())
 {
   std::vector<T> result;
-  result.reserve(order.size());
-  for (const std::size_t i : order)
-    result.push_back(items[i]);
+  if constexpr (!std::is_same<Executor, Alone>::value && std::is_default_constructible<T>::value) {
+    result.resize(order.size());
+    for_each_block(executor, order.size(), number_of_blocks(executor, order.size(), 4096),
+                   [&](std::size_t first, std::size_t last, std::size_t) {
+                     for (std::size_t k = first; k < last; ++k)
+                       result[k] = items[order[k]];
+                   });
+  } else {
+    (void)executor;
+    result.reserve(order.size());
+    for (const std::size_t i : order)
+      result.push_back(items[i]);
+  }
   return result;
 }
 

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Several threads make the same graph of a soup, and the same order, as one does.
+
+#define BOOST_TEST_MODULE test_order_by_threads
+#include <boost/test/included/unit_test.hpp>
+
+#include "Thread_executor.h"
+
+#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+
+#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
+using surfaces::Indexed_surface;
+
+void shuffle(Indexed_surface& surface)
+{
+  std::vector<std::size_t> order(surface.points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::shuffle(order.begin(), order.end(), std::mt19937(1));
+  const auto places = DFS::internal::inverse(order);
+  surface.points = DFS::internal::permuted(surface.points, order);
+  for (auto& face : surface.faces)
+    for (auto& i : face)
+      i = places[i];
+}
+
+template <class Executor>
+DFS::internal::Soup_graph graph_of(const Indexed_surface& surface, const Executor& executor)
+{
+  return DFS::internal::soup_graph(surface.faces, surface.points.size(), executor);
+}
+
+template <class Executor>
+DFS::Insertion_order order_of(const Indexed_surface& surface, const Executor& executor)
+{
+  const auto soup = graph_of(surface, DFS::internal::Alone());
+  return DFS::Surface_net_rounds(5)(surface.points, CGAL::Epick(), soup.graph,
+                                    DFS::internal::Identity_index_map(), executor);
+}
+
+void check(const Indexed_surface& surface)
+{
+  const auto alone = graph_of(surface, DFS::internal::Alone());
+  const auto order = order_of(surface, DFS::internal::Alone());
+  BOOST_TEST_REQUIRE(alone.graph.number_of_edges() > 32768u); // so that threads have a part
+  for (const std::size_t number : {1, 2, 5}) {
+    const tests::Thread_executor executor(number);
+    const auto soup = graph_of(surface, executor);
+    BOOST_TEST((soup.graph.lists().first == alone.graph.lists().first));
+    BOOST_TEST((soup.graph.lists().items == alone.graph.lists().items));
+    BOOST_TEST(soup.irregularity.has_value() == alone.irregularity.has_value());
+    const auto same = order_of(surface, executor);
+    BOOST_TEST((same.order == order.order));
+    BOOST_TEST((same.round_ends == order.round_ends));
+    BOOST_TEST((same.starting_places == order.starting_places));
+    BOOST_TEST((DFS::internal::permuted(order.order, order.order, executor) ==
+                DFS::internal::permuted(order.order, order.order)));
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_same_graph_and_the_same_order)
+{
+  Indexed_surface surface = surfaces::genus_surface(3, 60000, 0.1);
+  check(surface);
+  shuffle(surface);
+  check(surface);
+}
