@@ -11,7 +11,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -67,18 +68,25 @@ bool write_vtk(const std::string& file_name, const Mesh& mesh, const Edges& subg
 
 int main(int argc, char** argv)
 {
+  const std::string surface = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   Mesh mesh;
-  if (!CGAL::IO::read_OFF(argc > 1 ? argv[1] : "data/torus.off", mesh)) {
-    std::cerr << "cannot read the mesh\n";
+  if (!CGAL::IO::read_polygon_mesh(surface, mesh)) {
+    std::cerr << "Cannot read " << surface << '\n';
     return EXIT_FAILURE;
   }
+
   Edges cut, subgraph;
-  CGAL::Delaunay_from_surface_3::cut_graph(mesh, std::back_inserter(cut));
-  CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
+  try {
+    CGAL::Delaunay_from_surface_3::cut_graph(mesh, std::back_inserter(cut));
+    CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << surface << ": " << error.what() << '\n';
+    return EXIT_FAILURE; // a face that is no triangle, say
+  }
 
   const std::string file_name = argc > 2 ? argv[2] : "cut_and_subgraph.vtk";
   if (!write_vtk(file_name, mesh, subgraph, cut)) {
-    std::cerr << "cannot write " << file_name << "\n";
+    std::cerr << "Cannot write " << file_name << '\n';
     return EXIT_FAILURE;
   }
   std::cout << file_name << ": " << cut.size() << " edges of the cut, " << subgraph.size()
