@@ -72,6 +72,8 @@ def draw_before_and_now(surfaces, file_name):
     from plot_style import Sheet, lines_along, patch
     found = {surface: largest_with_phases(by_size, "plain-order", "default") for surface, by_size in surfaces.items()}
     found = {surface: result for surface, result in found.items() if result}
+    if not found:
+        return
     height, step = 44 * len(found), 44
     sheet = Sheet(height + 110)
     axes = sheet.axes(270, 12, 540, height)
@@ -160,6 +162,8 @@ def draw_phases(surfaces, file_name):
     wanted = {surface: largest_with_phases(by_size, "default", "tracing", "nets")
               for surface, by_size in surfaces.items()}
     found = list({surface: r for surface, r in wanted.items() if r}.items())[:3]
+    if not found:
+        return
     names = [m for m in used_methods(surfaces) if any("phases" in (method_of(r, m) or {}) for _, r in found)]
     height = 24 * max(len(names), 4)
     sheet = Sheet(height + 118)
