@@ -73,7 +73,7 @@ class Export_block
 
 public:
   // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
-  // ones they are cannot be predicted. One to another block is kept.
+  // ones they are cannot be predicted. One to a later block is kept, for both its ends.
   template <class Vertex>
   void make(typename Tds::Cell_range& range, Complex& complex, const std::vector<Vertex>& vertices,
             Large_vector<Cell_handle>& cells, Cell_handle scratch, std::size_t first,
@@ -94,27 +94,31 @@ public:
           const Cell_handle neighbor = is_here ? cells[link >> 2] : scratch;
           made->set_neighbor(i, neighbor);
           neighbor->set_neighbor(int(link & 3), made);
-          if (!is_here)
-            m_links_out.push_back({made, i, link});
+          if (std::size_t(link >> 2) >= last)
+            m_links_out.push_back({Complex::link(Id(c), unsigned(i)), link});
         }
       }
       complex.release_cells(begin, end);
     });
   }
 
-  // When all blocks have made their cells.
-  void set_links_out(const Large_vector<Cell_handle>& cells) const
+  // When all blocks have made their cells: the part-th of so many parts.
+  void set_links_out(const Large_vector<Cell_handle>& cells, std::size_t part,
+                     std::size_t parts) const
   {
-    for (const Link_out& out : m_links_out)
-      out.cell->set_neighbor(out.facet, cells[out.link >> 2]);
+    const std::size_t n = m_links_out.size();
+    for (std::size_t k = n * part / parts; k < n * (part + 1) / parts; ++k) {
+      const Link_out& out = m_links_out[k];
+      const Cell_handle here = cells[out.here >> 2], there = cells[out.there >> 2];
+      here->set_neighbor(int(out.here & 3), there);
+      there->set_neighbor(int(out.there & 3), here);
+    }
   }
 
 private:
   struct Link_out
   {
-    Cell_handle cell;
-    int facet;
-    Id link;
+    Id here, there;
   };
 
   // So many cells ahead handles, and then what they lead to, are fetched. The distances were chosen
@@ -153,8 +157,10 @@ export_cells(Tds& tds, Compact_complex<Id>& complex, const std::vector<Vertex>& 
         ranges[b].erase(own);
       });
   complex.deallocate_cells();
-  for_each_block(executor, number, number,
-                 [&](std::size_t, std::size_t, std::size_t b) { blocks[b].set_links_out(cells); });
+  for_each_block(executor, number, number, [&](std::size_t, std::size_t, std::size_t part) {
+    for (const auto& block : blocks)
+      block.set_links_out(cells, part, number);
+  });
   for (Range& range : ranges)
     tds.cells().merge(range);
   return cells;

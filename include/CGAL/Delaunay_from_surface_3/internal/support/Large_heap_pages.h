@@ -24,9 +24,10 @@ namespace internal {
 class Large_heap_pages
 {
 public:
-  // This thread is to take so many bytes altogether.
+  // This thread is to take so many bytes altogether. A few pages are not worth the last of them,
+  // which is filled in part.
   explicit Large_heap_pages(std::size_t bytes)
-    : m_to_come(has_large_pages(bytes) ? bytes : 0)
+    : m_to_come(bytes >= 8 * large_page ? bytes : 0)
   {
   }
 
