@@ -9,10 +9,12 @@
 #include <Delaunay_from_surface_3_comparison/launcher.h>
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/memory.h>
 #include <Delaunay_from_surface_3_comparison/peers.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_threads/simulate_workers.h>
+#include <Delaunay_from_surface_3_threads/time_parts.h>
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
@@ -110,6 +112,7 @@ struct Options
   std::vector<std::size_t> threads = {1, 2};
   std::vector<unsigned> simulated;
   std::size_t repetitions = 5;
+  bool parts = false, memory = false;
   std::string data_dir = "build/data/meshes", output = "threads.json";
 };
 
@@ -221,6 +224,41 @@ private:
   std::size_t m_tetrahedra = 0;
 };
 
+// The seconds of the parts of a call: medians, each for itself.
+Json measure_parts(const Indexed_surface& surface, const Options& options)
+{
+  std::map<std::string, std::map<std::string, std::vector<double>>> seconds;
+  for (std::size_t r = 0; r < options.repetitions; ++r)
+    for (const std::size_t number : options.threads)
+      with_threads(number, [&] {
+        for (const auto& [part, s] : threads::seconds_of_parts(surface))
+          seconds["threads_" + std::to_string(number)][part].push_back(s);
+      });
+  Json result;
+  for (const auto& [number, parts] : seconds)
+    for (const auto& [part, values] : parts)
+      result[number][part] = rounded(comparison::median(values));
+  return result;
+}
+
+// Of processes that do nothing else, each with its own number of threads.
+Json measure_memory(const Indexed_surface& surface, const Options& options)
+{
+  Json result;
+  for (const std::size_t number : options.threads) {
+    const std::string name = "threads_" + std::to_string(number);
+    const auto build = [&](const auto& look) {
+      Triangulation tr;
+      Watch watch;
+      with_threads(number, [&] { insert(tr, surface, number, watch); });
+      look();
+    };
+    result[name] = comparison::memory_as_json(comparison::memory_of_build(name, build),
+                                              double(surface.points.size()));
+  }
+  return result;
+}
+
 // Per number of workers the insertions rolled back, by round.
 Json simulate(const Indexed_surface& surface, const std::vector<unsigned>& numbers)
 {
@@ -263,6 +301,8 @@ Options read_options(int argc, char** argv)
       "numbers of workers that one thread plays, to count rollbacks");
   add("peer", po::value(&o.peers)->composing()->value_name("NAME=COMMAND"),
       "one more program, as for compare_with_plain; may be repeated");
+  add("parts", po::bool_switch(&o.parts), "the times of the parts of a call instead of whole ones");
+  add("memory", po::bool_switch(&o.memory), "memory instead of times");
   add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn; 0: no times");
   add("data-dir", po::value(&o.data_dir)->value_name("DIR"), "the meshes of libcgal-demo");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
@@ -294,7 +334,11 @@ try {
         continue;
       const Indexed_surface surface = named.make(n, seed);
       Json result = {{"surface", named.name}, {"points", surface.points.size()}};
-      if (options.repetitions > 0)
+      if (options.memory) // threads that were started would be missing in a child
+        result["memory"] = measure_memory(surface, options);
+      else if (options.parts)
+        result["parts"] = measure_parts(surface, options);
+      else if (options.repetitions > 0)
         Turns(surface, options, launcher ? &*launcher : nullptr).run(result);
       if (!options.simulated.empty())
         result["rolled_back"] = simulate(surface, options.simulated);

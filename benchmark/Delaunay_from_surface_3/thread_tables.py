@@ -8,7 +8,7 @@
   thread_tables.py results/threads*.json --tables
   thread_tables.py results/threads*.json --manual Threads.txt [--check]
 
-Blocks: times, phases, rollbacks, machine, and commands.
+Blocks: times, phases, rollbacks, machine, and commands; parts of calls and memory if they were measured.
 """
 
 import argparse
@@ -54,12 +54,46 @@ def rollback_block(rows):
     return {"rollbacks": table(titles, [[cell(v) for v in line] for line in lines], 1)}
 
 
+PARTS = ["read", "plan", "permute", "insertion", "vertices", "cells", "links", "rest"]
+
+
+def part_block(rows):
+    lines = []
+    for row in rows:
+        for key in numbers_of(row["parts"], "threads_"):
+            parts = row["parts"][key]
+            lines.append([row["surface"], row["points"], key.split("_")[1]] +
+                         [f"{parts.get(part, 0):.3f}" for part in PARTS] + [f"{sum(parts.values()):.3f}"])
+    titles = ["surface", "points", "threads", *PARTS, "together"]
+    return {"thread_parts": table(titles, [[cell(v) for v in line] for line in lines], 1)}
+
+
+def memory_block(rows):
+    lines = []
+    for row in rows:
+        memory = row["memory"]
+        for key in numbers_of(memory, "threads_"):
+            peak = memory[key]["peak_bytes"]
+            lines.append([row["surface"], row["points"], key.split("_")[1], f"{peak / 2**20:.0f}",
+                          f'{memory[key]["peak_above_input_per_point"]:.0f}',
+                          f'{peak / memory["threads_1"]["peak_bytes"]:.2f}'])
+    titles = ["surface", "points", "threads", "peak in MiB", "bytes per point above the input",
+              "this / one thread"]
+    return {"thread_memory": table(titles, [[cell(v) for v in line] for line in lines], 1)}
+
+
 def all_blocks(reports):
     """{name: text} of all that the manual shows."""
     rows = [row for report in reports for row in report["results"]]
+
+    def rows_with(what):
+        return [row for row in rows if row.get(what)]
+
     loads = ", ".join(f'{report["machine"]["load_before"]:.1f}' for report in reports)
-    return {**time_blocks([row for row in rows if "times" in row]),
-            **rollback_block([row for row in rows if row.get("rolled_back")]),
+    return {**time_blocks(rows_with("times")),
+            **(part_block(rows_with("parts")) if rows_with("parts") else {}),
+            **(memory_block(rows_with("memory")) if rows_with("memory") else {}),
+            **rollback_block(rows_with("rolled_back")),
             "machine": f"{machine_of(reports[0])}. Load average before the runs: {loads}.",
             "command": commands_of(*reports)}
 

@@ -79,7 +79,11 @@ public:
     std::vector<Json> memory;
     if (m_options.memory) // first: the process holds little more than the mesh
       for (const Method& method : m_methods)
-        memory.push_back(memory_as_json(memory_of_build(method, mesh, m_seed),
+        memory.push_back(memory_as_json(memory_of_build(method.name,
+                                                        [&](const auto& look) {
+                                                          method.build(mesh, m_seed,
+                                                                       [&look](auto) { look(); });
+                                                        }),
                                         double(mesh.number_of_vertices())));
     const Reference plain(mesh, m_options.largest_compared); // warms up, too
     time_all(mesh, plain);

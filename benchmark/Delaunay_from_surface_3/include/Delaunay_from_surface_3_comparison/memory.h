@@ -7,7 +7,7 @@
 
 // The memory that a method needs, told by a child process that does nothing else.
 
-#include <Delaunay_from_surface_3_comparison/methods.h>
+#include <Delaunay_from_surface_3_comparison/measure.h>
 
 #include <array>
 #include <cerrno>
@@ -54,12 +54,13 @@ struct Memory
   std::size_t input, result, peak;
 };
 
-// An exception ends the process, which is not the one that has anything to clean up.
-inline Memory memory_of_build_here(const Method& method, const Mesh& mesh,
-                                   unsigned int seed) noexcept
+// build(look) calls look() when the result is there. An exception ends the process, which is not the
+// one that has anything to clean up.
+template <class Build>
+Memory memory_of_build_here(const Build& build) noexcept
 {
   Memory memory = {resident_bytes(), 0, 0};
-  method.build(mesh, seed, [&memory](auto) {
+  build([&memory] {
     rusage usage = {};
     getrusage(RUSAGE_SELF, &usage);
     memory.peak = peak_bytes(usage);
@@ -69,8 +70,10 @@ inline Memory memory_of_build_here(const Method& method, const Mesh& mesh,
   return memory;
 }
 
-// In a child, whose peak begins with what the parent holds: mesh and program.
-inline Memory memory_of_build(const Method& method, const Mesh& mesh, unsigned int seed)
+// In a child, whose peak begins with what the parent holds: input and program. The parent must not
+// have started threads: a child has but one.
+template <class Build>
+Memory memory_of_build(const std::string& name, const Build& build)
 {
   release_free_memory();
   int ends[2];
@@ -80,7 +83,7 @@ inline Memory memory_of_build(const Method& method, const Mesh& mesh, unsigned i
   if (child < 0)
     throw std::runtime_error("cannot start a process");
   if (child == 0) {
-    const Memory memory = memory_of_build_here(method, mesh, seed);
+    const Memory memory = memory_of_build_here(build);
     const bool written = write(ends[1], &memory, sizeof memory) == sizeof memory;
     _exit(written ? 0 : 1);
   }
@@ -92,7 +95,7 @@ inline Memory memory_of_build(const Method& method, const Mesh& mesh, unsigned i
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (!is_read || status != 0)
-    throw std::runtime_error("the process that measures memory has failed: " + method.name);
+    throw std::runtime_error("the process that measures memory has failed: " + name);
   return memory;
 }
 
