@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/vertex_info.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/insert_points_3.h>
+#include <CGAL/property_map.h>
 
 #include <boost/iterator/zip_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
@@ -165,6 +166,10 @@ BOOST_AUTO_TEST_CASE(infos_by_named_parameters)
     CGAL::insert_points_3(tr, points, DFS::vertex_info_range(infos).random_seed(5));
   });
   check([&](With_info& tr) { CGAL::insert_points_3(tr, points, DFS::vertex_info_map(by_index)); });
+  check([&](With_info& tr) { // returns a reference to its key
+    CGAL::insert_points_3(tr, points,
+                          DFS::vertex_info_map(CGAL::Identity_property_map<std::size_t>()));
+  });
   check([&](With_info& tr) {
     CGAL::insert_surface_points_3(tr, points, torus().surface.faces,
                                   DFS::vertex_info_map(by_index));

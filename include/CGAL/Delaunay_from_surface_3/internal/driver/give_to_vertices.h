@@ -43,12 +43,14 @@ struct Infos_in_order
   }
 };
 
+// By value: what a map returns may be a reference to its key, as that of Identity_property_map is, and
+// the key does not outlive the call.
 template <class InfoMap, class NameOf>
 struct Infos_of_map
 {
   InfoMap map;
   const NameOf& name_of;
-  decltype(auto) operator()(std::size_t i) const
+  auto operator()(std::size_t i) const
   {
     using boost::get; // of a pointer
     return get(map, name_of(i));
