@@ -64,7 +64,8 @@ def collections_block(orders, meshes, least_vertices=3000):
 def python_block(report):
     ratios = [r["median_ratio"] for r in report["results"]]
     points = max(r["points"] for r in report["results"])
-    return (f"On {points:,} points, with tetrahedra and neighbours, it is {min(ratios):.0f} to {max(ratios):.0f} times as "
+    times = " to ".join(sorted({f"{ratio:.0f}" for ratio in (min(ratios), max(ratios))}, key=int))
+    return (f"On {points:,} points, with tetrahedra and neighbours, it is {times} times as "
             f'fast as `scipy.spatial.Delaunay` (SciPy {report["scipy"]}).')
 
 
