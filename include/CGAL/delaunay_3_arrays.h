@@ -55,7 +55,7 @@ struct Coordinates_map
 
 // Who inserts: Alone, or what runs many threads.
 template <class ConcurrencyTag>
-struct Executor_of
+struct Executor_of_tag
 {
   static constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
   static_assert(!is_parallel || !std::is_void<Parallel_executor>::value,
@@ -86,7 +86,7 @@ Delaunay_3_arrays<Index> arrays_of_points(const PointRange& points, const MakeOr
 
   const Rounding_to_nearest rounding;
   Visitor_in_mode_of_caller<std::remove_reference_t<decltype(visitor)>> observer(visitor, rounding);
-  return arrays_by_plan<Traits, typename Executor_of<ConcurrencyTag>::type, Index>(
+  return arrays_by_plan<Traits, typename Executor_of_tag<ConcurrencyTag>::type, Index>(
       [&] { return read_points<Array_point>(points, point_map); },
       Traits().insertion_plan_object(seed),
       [&](const auto& read, const auto& plan) { return make_order(read, plan, observer); },
