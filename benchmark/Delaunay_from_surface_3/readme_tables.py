@@ -5,11 +5,12 @@
 
 """Puts the few numbers that the first page shows into README.md, from the results; needs nothing but Python.
 
-  readme_tables.py results/{threads_256k,orders_200k,demo_meshes,python}.json --tables
-  readme_tables.py results/{threads_256k,orders_200k,demo_meshes,python}.json --manual README.md [--check]
+  cd results
+  ../readme_tables.py {compare_peers,threads_256k,orders_200k,demo_meshes,python}.json --tables
+  ../readme_tables.py {compare_peers,threads_256k,orders_200k,demo_meshes,python}.json --manual README.md [--check]
 
-Blocks: times, seconds on one and two threads beside plain CGAL; collections, the gain over many meshes; python, the
-gain over SciPy.
+Blocks: times, seconds on one and two threads beside plain CGAL and others; collections, the gain over many meshes;
+python, the gain over SciPy.
 """
 
 import argparse
@@ -20,32 +21,35 @@ from manual_tables import cell, machine_of, table
 from order_tables import geometric_mean, is_cad
 
 SURFACES = {  # what the first page shows, and what it says they are
-    "bunny": "Stanford's bunny, densified",
-    "elephant": "an elephant, densified",
-    "sphere": "a noisy sphere",
-    "genus-50": "a folded surface of genus 50",
-    "plate": "a flat plate with holes",
+    "bunny": "bunny",
+    "elephant": "elephant",
+    "genus-50": "folded surface of genus 50",
+    "plate": "flat plate with holes",
 }
+OURS = [("this package", 1, "threads_1"), ("this package", 2, "threads_2"), ("plain CGAL", 1, "plain"),
+        ("CGAL with `Parallel_tag`", 2, "plain_parallel")]
+PEERS = [("Geogram", 1, "geogram-1"), ("Geogram", 2, "geogram-2"), ("HXT", 1, "hxt-1"), ("HXT", 2, "hxt-2"),
+         ("TetGen", 1, "tetgen")]
 
 
 def seconds(row, method):
-    return row["times"][method]["median_wall"]
+    if method in row["times"]:
+        return row["times"][method]["median_wall"]
+    return next(peer["median_wall"] for peer in row["peers"] if peer["method"] == method)
 
 
-def times_block(report):
-    rows = {row["surface"]: row for row in report["results"]}
-    lines = [[text, f'{rows[name]["points"]:,}'.replace(",", " "), *(f"{seconds(rows[name], m):.2f}" for m in METHODS)]
-             for name, text in SURFACES.items()]
-    gains = [[seconds(row, "plain") / seconds(row, m) for row in rows.values()] for m in METHODS]
-    lines.append([f"plain CGAL / this, geometric mean of {len(rows)} surfaces", "",
-                  *(f"{geometric_mean(g):.2f}" for g in gains)])
-    titles = ["surface", "points", *METHODS.values()]
-    return (table(titles, [[cell(v) for v in line] for line in lines]) +
-            f'\n\n{machine_of(report).replace("%", "")}; {report["machine"]["date"]}.')
-
-
-METHODS = {"plain": "plain CGAL", "plain_parallel": "its `Parallel_tag`, two threads", "threads_1": "this package",
-           "threads_2": "two threads"}
+def times_block(peers, threads):
+    rows = {row["surface"]: row for row in peers["results"]}
+    lines = [[name, count, *(f"{seconds(rows[surface], method):.2f}" for surface in SURFACES)]
+             for name, count, method in OURS + PEERS]
+    gains = [geometric_mean([seconds(row, "plain") / seconds(row, method) for row in threads["results"]])
+             for method in ("threads_1", "threads_2")]
+    text = [f'Points: {", ".join(f"""{rows[surface]["points"]:,}""" for surface in SURFACES)}. Geogram, HXT and TetGen '
+            "make tetrahedra of their own, which takes less than to fill a triangulation of CGAL's.",
+            f'Time of plain CGAL / time of this package, geometric mean of {len(threads["results"])} surfaces of '
+            f'{round(threads["results"][0]["points"], -3):,} points: {gains[0]:.2f} with one thread, {gains[1]:.2f} with two.',
+            f'{machine_of(peers).replace("%", "")}; {peers["machine"]["date"]}.']
+    return table(["", "threads", *SURFACES.values()], [[cell(v) for v in line] for line in lines]) + "\n\n" + "\n".join(text)
 
 
 def collections_block(orders, meshes, least_vertices=3000):
@@ -74,9 +78,10 @@ def all_blocks(reports):
     def report_with(has):
         return next(report for report in reports if has(report))
 
-    threads = report_with(lambda r: "results" in r and "times" in r["results"][0])
+    peers = report_with(lambda r: "results" in r and "peers" in r["results"][0])
+    threads = report_with(lambda r: "results" in r and "times" in r["results"][0] and r is not peers)
     orders = report_with(lambda r: "results" in r and "family" in r["results"][0])
-    return {"times": times_block(threads),
+    return {"times": times_block(peers, threads),
             "collections": collections_block(orders, report_with(lambda r: "meshes" in r)),
             "python": python_block(report_with(lambda r: "scipy" in r))}
 

@@ -48,8 +48,8 @@ class Manual_tables(unittest.TestCase):
         self.check(["Performance.txt", "Performance_tables.txt"], "plot_results.py", "compare_*.json", "paper_*.json")
 
     def test_readme(self):
-        self.check(["../../README.md"], "readme_tables.py", "threads_256k.json", "orders_200k.json", "demo_meshes.json",
-                   "python.json")
+        self.check(["../../README.md"], "readme_tables.py", "compare_peers.json", "threads_256k.json",
+                   "orders_200k.json", "demo_meshes.json", "python.json")
 
     def test_consumers(self):
         self.check(["Consumers.txt"], "consumer_tables.py", "consumers.json", "python.json")
