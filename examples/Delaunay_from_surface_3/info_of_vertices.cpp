@@ -14,14 +14,12 @@
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-
-#include <boost/iterator/function_output_iterator.hpp>
+#include <CGAL/property_map.h>
 
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <string>
-#include <utility>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<K::Point_3>;
@@ -39,15 +37,12 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // The output iterator receives pairs; of vertices at the same point the last one is kept.
-  const auto keep = [](const std::pair<Mesh::Vertex_index, Triangulation::Vertex_handle>& pair) {
-    pair.second->info() = pair.first;
-  };
+  // The info of a vertex is the vertex of the mesh itself; of those at the same point the first.
   Triangulation tr;
   try {
     CGAL::insert_surface_vertices_3(tr, mesh,
-                                    CGAL::parameters::vertex_to_vertex_output_iterator(
-                                        boost::make_function_output_iterator(keep)));
+                                    CGAL::Delaunay_from_surface_3::vertex_info_map(
+                                        CGAL::Identity_property_map<Mesh::Vertex_index>()));
   } catch (const CGAL::Surface_input_error& error) {
     std::cerr << file_name << ": " << error.what() << '\n';
     return EXIT_FAILURE;
