@@ -50,16 +50,17 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Vector lanes_of(Vector a)
   return lanes_of<i, j, k, l>(a, a);
 }
 
-// At any address of a double.
-using Four_doubles_in_memory = double __attribute__((vector_size(32), aligned(8), may_alias));
-
+// At any address of a double: copied, as clang takes a vector type for aligned whatever its attributes
+// say in an alias. One instruction each.
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles load_four(const double* from)
 {
-  return *reinterpret_cast<const Four_doubles_in_memory*>(from);
+  Four_doubles v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
 }
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS void store_four(double* to, Four_doubles v)
 {
-  *reinterpret_cast<Four_doubles_in_memory*>(to) = v;
+  __builtin_memcpy(to, &v, sizeof v);
 }
 
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles max_of(Four_doubles a, Four_doubles b)
