@@ -12,9 +12,6 @@ but Python.
 Blocks: consumers and python, each with its machine and command.
 """
 
-import argparse
-import json
-
 import manual_tables
 from manual_tables import cell, commands_of, machine_of, table
 
@@ -39,17 +36,5 @@ def all_blocks(reports):
             "python_command": commands_of(python)}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_consumers and measure_python.py wrote")
-    manual_tables.add_options(parser)
-    arguments = parser.parse_args()
-    reports = []
-    for name in arguments.files:
-        with open(name, encoding="utf-8") as file:
-            reports.append(json.load(file))
-    manual_tables.serve(arguments, all_blocks(reports))
-
-
 if __name__ == "__main__":
-    main()
+    manual_tables.fill_from_results(__doc__, all_blocks, "measure_consumers and measure_python.py")

@@ -5,6 +5,8 @@
 """What all scripts need that put measured results on a page of the manual: tables in Markdown, and blocks of
 text that belong between <!-- NAME --> and <!-- end -->."""
 
+import argparse
+import json
 import os
 import re
 import sys
@@ -77,3 +79,17 @@ def serve(arguments, blocks):
         print("\n\n".join(f"<!-- {name} -->\n\n{text}" for name, text in blocks.items()))
     if arguments.manual:
         refill(arguments.manual, blocks, arguments.check)
+
+
+def read(file_name):
+    with open(file_name, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def fill_from_results(description, all_blocks, writers):
+    """The whole of a script whose blocks are all_blocks(reports); `writers` are the programs whose JSON it reads."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="+", metavar="JSON", help=f"what {writers} wrote")
+    add_options(parser)
+    arguments = parser.parse_args()
+    serve(arguments, all_blocks([read(name) for name in arguments.files]))

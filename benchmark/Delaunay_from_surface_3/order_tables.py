@@ -13,8 +13,6 @@ Blocks: one table for each size, a summary of all, machine, and commands; the ru
 by times, and the small ones by instructions.
 """
 
-import argparse
-import json
 import math
 
 import manual_tables
@@ -133,18 +131,5 @@ def all_blocks(reports):
     return blocks
 
 
-def read(file_name):
-    with open(file_name, encoding="utf-8") as file:
-        return json.load(file)
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_orders and check_meshes wrote")
-    manual_tables.add_options(parser)
-    arguments = parser.parse_args()
-    manual_tables.serve(arguments, all_blocks([read(name) for name in arguments.files]))
-
-
 if __name__ == "__main__":
-    main()
+    manual_tables.fill_from_results(__doc__, all_blocks, "measure_orders and check_meshes")

@@ -13,9 +13,6 @@ Blocks: times, seconds on one and two threads beside plain CGAL and others; coll
 python, the gain over SciPy.
 """
 
-import argparse
-import json
-
 import manual_tables
 from manual_tables import cell, machine_of, table
 from order_tables import geometric_mean, is_cad
@@ -86,17 +83,5 @@ def all_blocks(reports):
             "python": python_block(report_with(lambda r: "scipy" in r))}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_threads and the others wrote")
-    manual_tables.add_options(parser)
-    arguments = parser.parse_args()
-    reports = []
-    for name in arguments.files:
-        with open(name, encoding="utf-8") as file:
-            reports.append(json.load(file))
-    manual_tables.serve(arguments, all_blocks(reports))
-
-
 if __name__ == "__main__":
-    main()
+    manual_tables.fill_from_results(__doc__, all_blocks, "measure_threads and the others")

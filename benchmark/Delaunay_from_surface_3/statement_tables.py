@@ -9,7 +9,6 @@
 """
 
 import argparse
-import json
 
 import manual_tables
 from manual_tables import commands_of, table
@@ -59,10 +58,7 @@ def main():
     parser.add_argument("results", nargs="+", help="what location_costs wrote")
     manual_tables.add_options(parser)
     arguments = parser.parse_args()
-    reports = []
-    for name in sorted(arguments.results):
-        with open(name, encoding="utf-8") as file:
-            reports.append(json.load(file))
+    reports = [manual_tables.read(name) for name in sorted(arguments.results)]
     manual_tables.serve(arguments, {"traced": traced(reports), "located": located(reports),
                                     "command_of_subgraphs": commands_of(*reports)})
 

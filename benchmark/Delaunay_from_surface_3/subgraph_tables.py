@@ -17,7 +17,6 @@ The tables, as far as the files hold them:
 """
 
 import argparse
-import json
 import os
 import re
 
@@ -98,18 +97,13 @@ def draw_times(times, file_name):
     sheet.write(file_name)
 
 
-def read(file_name):
-    with open(file_name, encoding="utf-8") as file:
-        return json.load(file)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_subgraphs wrote")
     parser.add_argument("--output-dir", metavar="FOLDER", help="draw; where the SVG file goes")
     manual_tables.add_options(parser)
     arguments = parser.parse_args()
-    reports = [read(name) for name in arguments.files]
+    reports = [manual_tables.read(name) for name in arguments.files]
     manual_tables.serve(arguments, all_blocks(reports))
     times = [row for report in reports for row in report["times"]]
     if arguments.output_dir and times:

@@ -11,8 +11,6 @@
 Blocks: times, phases, rollbacks, machine, and commands; parts of calls and memory if they were measured.
 """
 
-import argparse
-import json
 import math
 
 import manual_tables
@@ -98,18 +96,5 @@ def all_blocks(reports):
             "command": commands_of(*reports)}
 
 
-def read(file_name):
-    with open(file_name, encoding="utf-8") as file:
-        return json.load(file)
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", metavar="JSON", help="what measure_threads wrote")
-    manual_tables.add_options(parser)
-    arguments = parser.parse_args()
-    manual_tables.serve(arguments, all_blocks([read(name) for name in arguments.files]))
-
-
 if __name__ == "__main__":
-    main()
+    manual_tables.fill_from_results(__doc__, all_blocks, "measure_threads")
