@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
@@ -51,16 +52,6 @@ struct Coordinates_map
     else
       return converted_point<Array_point>(item);
   }
-};
-
-// Who inserts: Alone, or what runs many threads.
-template <class ConcurrencyTag>
-struct Executor_of_tag
-{
-  static constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
-  static_assert(!is_parallel || !std::is_void<Parallel_executor>::value,
-                "Parallel_tag is enabled but TBB is unavailable.");
-  using type = std::conditional_t<is_parallel, Parallel_executor, Alone>;
 };
 
 // The named parameters of both forms.

@@ -105,8 +105,10 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
                                        const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   return with_points_and_infos(tr, points, np, [&](const auto& converted, const auto& infos) {
-    Soup_graph soup = soup_graph(faces, converted.size(), executor_by_tag<ConcurrencyTag>(tr));
+    Soup_graph soup = soup_graph(faces, converted.size(),
+                                 typename Executor_by_tag<ConcurrencyTag, Triangulation>::type());
     const Graph_of_faces<FaceRange> graph(std::move(soup.graph), faces);
     const Insertion_input input{converted,         graph,           Identity_index_map(),
                                 soup.irregularity, Identity_name(), infos};

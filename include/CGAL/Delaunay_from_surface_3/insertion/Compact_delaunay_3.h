@@ -77,6 +77,7 @@ public:
   using Vertex = Id;                               ///< the number of a vertex; `Vertex()`: none.
   using Cell = Id;                                 ///< the number of a cell.
   using Location = internal::Compact_location<Id>; ///< a cell in conflict with the point.
+  using Threads = Executor;                        ///< what runs the threads that insert.
 
   /// the same with ids of twice as many bits, or `void` if those here have 64.
   using Wider_target = std::conditional_t<
@@ -89,10 +90,6 @@ public:
   using Parallel_target = std::conditional_t<
       std::is_void<internal::Parallel_executor>::value, void,
       Compact_delaunay_with_ids_3<Triangulation, Id, internal::Parallel_executor>>;
-
-  /// \cond
-  using Threads = Executor; // for what the driver does around the insertions
-  /// \endcond
 
   /// `false`: `obstacle()` is to be asked.
   static constexpr bool serves_everything = false;
@@ -285,8 +282,7 @@ private:
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
 
-is `Compact_delaunay_with_ids_3` with ids of 32 bits: up to 2^30 cells, which suffices for 150
-million points on a surface.
+is `Compact_delaunay_with_ids_3` with ids of 32 bits: up to 2^30 cells, some 150 million points.
 
 \cgalModels{InsertionTarget_3}
 */

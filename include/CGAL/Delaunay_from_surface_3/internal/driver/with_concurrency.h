@@ -79,27 +79,26 @@ private:
   const Traits& m_traits;
 };
 
-// What runs as many threads as a concurrency tag asks for.
-template <class ConcurrencyTag, class Triangulation>
-auto executor_by_tag(const Triangulation&)
+// What a concurrency tag asks for: Alone, or what runs many threads.
+template <class Tag>
+struct Executor_of_tag
 {
-  using Tag = typename Default::Get<ConcurrencyTag, typename Triangulation::Concurrency_tag>::type;
-  constexpr bool has_threads =
-      std::is_convertible<Tag, Parallel_tag>::value && !std::is_void<Parallel_executor>::value;
-  return std::conditional_t<has_threads, Parallel_executor, Alone>();
-}
+  static constexpr bool is_parallel = std::is_convertible<Tag, Parallel_tag>::value;
+  static_assert(!is_parallel || !std::is_void<Parallel_executor>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+  using type = std::conditional_t<is_parallel, Parallel_executor, Alone>;
+};
 
-// The traits themselves where one thread is asked for: by ConcurrencyTag or, if that is Default, by
-// the type of the triangulation.
+// The tag of a call: if that is Default, the one of the triangulation.
+template <class ConcurrencyTag, class Triangulation>
+using Executor_by_tag = Executor_of_tag<
+    typename Default::Get<ConcurrencyTag, typename Triangulation::Concurrency_tag>::type>;
+
+// The traits themselves where one thread is asked for.
 template <class ConcurrencyTag, class Triangulation, class Traits>
 decltype(auto) with_concurrency(const Triangulation&, const Traits& traits)
 {
-  using Tag = typename Default::Get<ConcurrencyTag, typename Triangulation::Concurrency_tag>::type;
-#ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!std::is_convertible<Tag, Parallel_tag>::value,
-                "Parallel_tag is enabled but TBB is unavailable.");
-#endif
-  if constexpr (std::is_convertible<Tag, Parallel_tag>::value)
+  if constexpr (Executor_by_tag<ConcurrencyTag, Triangulation>::is_parallel)
     return Parallel_policies<Traits>(traits);
   else
     return (traits);
