@@ -2,6 +2,8 @@
 
 set(DELAUNAY_FROM_SURFACE_3_DOC_TAGFILES "" CACHE STRING
   "Tag files of other manuals that this one links, as CGAL's: FILE=URL;FILE=URL…")
+set(DELAUNAY_FROM_SURFACE_3_MATHJAX "/usr/share/javascript/mathjax" CACHE PATH
+  "MathJax 2, which draws the manual's formulas: a folder with MathJax.js, as Debian's package libjs-mathjax has it")
 
 find_package(Doxygen QUIET)
 find_package(Python3 COMPONENTS Interpreter QUIET)
@@ -11,7 +13,8 @@ if(DOXYGEN_FOUND AND Python3_FOUND)
   include("${CMAKE_CURRENT_LIST_DIR}/configure_manual.cmake")
   add_custom_target(doc
     COMMAND Doxygen::doxygen "${DOC_OUTPUT_DIR}/Doxyfile"
-    COMMAND Python3::Interpreter -B "${CGAL_PACKAGE_DOC_DIR}/title_concepts.py" "${DOC_OUTPUT_DIR}/html"
+    COMMAND Python3::Interpreter -B "${CGAL_PACKAGE_DOC_DIR}/finish_pages.py" "${DOC_OUTPUT_DIR}/html"
+      "${DELAUNAY_FROM_SURFACE_3_MATHJAX}"
     WORKING_DIRECTORY "${CGAL_PACKAGE_DOC_DIR}"
     COMMENT "Writing the manual to ${DOC_OUTPUT_DIR}"
     VERBATIM)

@@ -83,8 +83,8 @@ def lemma_4(report):
             rows.append((names(r) if h == 0 else ["", ""]) + [
                 str(h + 1), str(row["points"]), f'{row["iterated_log"]:.2f}', f'{row["lemma_4"]:.2f}',
                 f'{row["history-trace"]:.2f}', f'{row["history-root"]:.1f}'])
-    return table(["surface", "points", "round h", "points in it", "log⁽ʰ⁾ n", "4 ln(i/k), mean", "from the last trace",
-                  "from the root"], rows)
+    return table(["surface", "points", "round h", "points in it", r"\f$\log^{(h)} n\f$", r"\f$4 \ln(i/k)\f$, mean",
+                  "from the last trace", "from the root"], rows)
 
 
 def locations(report):
@@ -112,6 +112,11 @@ def slopes(report):
                   "walk-trace with traces", "plain"], rows)
 
 
+def trace_name(h):
+    """The number of points that the trace after round h + 1 goes through."""
+    return rf"\f$N_{h + 1}\f$"
+
+
 def crossings(report):
     """At powers of four, and at the largest size."""
     found = [r for results in by_surface(report).values() for r in results
@@ -122,7 +127,7 @@ def crossings(report):
         values = [t["crossings_per_point"] for t in r["traces"]] + [None] * (rounds - len(r["traces"]))
         rows.append(names(r) + [cell(v, "{:.3f}") for v in values] +
                     [f"{all_crossings(r):.2f}", f"{mean_crossings(r):.2f}", f"{cells_of_traces(r):.2f}"])
-    return table(["surface", "points"] + [f"N<sub>{h + 1}</sub>" for h in range(rounds)] +
+    return table(["surface", "points"] + [trace_name(h) for h in range(rounds)] +
                  ["all traces", "per trace", "cells entered per traced point"], rows)
 
 
@@ -138,7 +143,7 @@ def crossings_spread(report):
         series = [[r["traces"][h]["crossings_per_point"] for r in found] for h in range(3)]
         series += [[all_crossings(r) for r in found], [mean_crossings(r) for r in found]]
         rows.append([name] + [spread(values) for values in series])
-    return table(["surface", "N<sub>1</sub>", "N<sub>2</sub>", "N<sub>3</sub>", "all traces", "per trace"], rows)
+    return table(["surface", *map(trace_name, range(3)), "all traces", "per trace"], rows)
 
 
 def theorem_5(report):
@@ -149,8 +154,8 @@ def theorem_5(report):
         logs, cells = ([row[key] for row in found] for key in ("iterated_log", "history-trace"))
         ratio = max(c / max(log, 1) for c, log in zip(cells, logs))
         rows.append([str(h + 1)] + [f"{v:.2f}" for v in (min(logs), max(logs), min(cells), max(cells), ratio)])
-    return table(["round h", "log⁽ʰ⁾ n, least", "most", "nodes entered, least", "most",
-                  "nodes / max(log⁽ʰ⁾ n, 1), most"], rows)
+    return table(["round h", r"\f$\log^{(h)} n\f$, least", "most", "nodes entered, least", "most",
+                  r"nodes \f$/ \max(\log^{(h)} n, 1)\f$, most"], rows)
 
 
 def hypothesis(report):

@@ -4,26 +4,15 @@
 
 """Opens the page that delaunay_from_surface --view writes in Chromium without a window, and uses it."""
 
-import html
-import json
 import os
-import re
-import subprocess
 import unittest
 
+from headless_chromium import LISTEN, chromium, report_in
 from program_case import TORUS, ProgramCase
 from test_view import arrays_of
 
-# Before the page's own scripts: keeps what the console says.
-LISTEN = """<script>
-const problems = [];
-addEventListener("error", (event) => problems.push(event.message));
-addEventListener("securitypolicyviolation", (event) => problems.push(event.blockedURI));
-window.requestAnimationFrame = (draw) => draw(); // all is done before the page is loaded, and its DOM dumped
-for (const name of ["error", "warn"])
-  console[name] = (...words) => problems.push(words.join(" "));
-</script>
-"""
+# Before the page's own scripts: all is done before the page is loaded, and its DOM dumped.
+AT_ONCE = "<script>window.requestAnimationFrame = (draw) => draw();</script>\n"
 
 # After them: does what a user does, and writes what it saw into the page.
 USE = """<script>
@@ -83,25 +72,15 @@ document.body.append(report);
 class ViewInBrowser(ProgramCase):
     program = os.environ["DELAUNAY_FROM_SURFACE"]
 
-    def chromium(self, *arguments):
-        """What it prints. Its renderer is software, its profile a folder of the test's own."""
-        command = [os.environ["CHROMIUM"], "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
-                   "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", f"--user-data-dir={self.folder}/profile",
-                   "--hide-scrollbars", *map(str, arguments)]
-        result = subprocess.run(command, capture_output=True, text=True, timeout=280, check=True)
-        return result.stdout
-
     def write_page(self, *arguments):
         self.works(*arguments, "--view", "page.html", "--quiet")
         return (self.folder / "page.html").read_text()
 
     def use(self, page):
-        page = page.replace("<head>\n", "<head>\n" + LISTEN, 1).replace("</body>", USE + "</body>")
+        page = page.replace("<head>\n", "<head>\n" + LISTEN + AT_ONCE, 1).replace("</body>", USE + "</body>")
         (self.folder / "used.html").write_text(page)
-        dom = self.chromium("--window-size=420,600", "--dump-dom", f"file://{self.folder}/used.html")
-        report = re.search(r'<pre id="report">(.*?)</pre>', dom)
-        self.assertIsNotNone(report, dom[-2000:])
-        return json.loads(html.unescape(report[1]))
+        return report_in(chromium(self.folder, "--window-size=420,600", "--dump-dom",
+                                  f"file://{self.folder}/used.html"))
 
     def test_as_a_user(self):
         page = self.write_page(TORUS)
@@ -132,7 +111,7 @@ class ViewInBrowser(ProgramCase):
 
     def test_without_webgl(self):
         self.write_page(TORUS)
-        dom = self.chromium("--disable-3d-apis", "--dump-dom", f"file://{self.folder}/page.html")
+        dom = chromium(self.folder, "--disable-3d-apis", "--dump-dom", f"file://{self.folder}/page.html")
         self.assertRegex(dom, r'<p id="problem"[^>]*>This page needs WebGL')
 
 

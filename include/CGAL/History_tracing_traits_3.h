@@ -20,9 +20,9 @@ N_h, traces of a spanning subgraph of bounded degree, and the history of all con
 here to study the theorem, not to save time: it takes several times the memory of the others, and is
 slower.
 
-O(n log* n) expected time under the assumptions of the paper: T is of bounded degree and consists of
-Delaunay edges, and triangulations of the points inserted so far have linear expected size. How far
-measurements agree is on the page \ref delaunay_from_surface_3_theory. T is that of
+\f$O(n \log^* n)\f$ expected time under the assumptions of the paper: T is of bounded degree and
+consists of Delaunay edges, and triangulations of the points inserted so far have linear expected
+size. How far measurements agree is on the page \ref delaunay_from_surface_3_theory. T is that of
 `Bounded_degree_subgraph`, for meshes and soups; a surface that it refuses, and a graph without
 faces, get a `Spanning_forest`, whose degree has no bound, and the visitor is told. Not with
 `Fast_location`.

@@ -19,7 +19,7 @@ is the control: exactly the insertions of `Delaunay_triangulation_3::insert(firs
 order and from those starting cells. The surface is not looked at. With `Fast_location` this
 is true of the lowest level; with `Parallel_tag` stock insertion is another matter.
 
-O(n log n), plus what the insertions take.
+\f$O(n \log n)\f$, plus what the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

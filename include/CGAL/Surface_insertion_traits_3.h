@@ -20,8 +20,8 @@ is the default, what measured fastest: rounds and starting points from nets of t
 into a compact triangulation that is written into the user's at the end. Where that cannot serve,
 CGAL's own insertion does. Nothing is traced.
 
-O(n) for n points on a surface of fixed genus, O(n log n + m) for any graph with m edges, plus what
-the insertions take.
+\f$O(n)\f$ for n points on a surface of fixed genus, \f$O(n \log n + m)\f$ for any graph with m
+edges, plus what the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

@@ -21,7 +21,7 @@ end of each round but the last. Round 1 follows a Hilbert order. T is that of
 `Bounded_degree_subgraph`, for meshes and soups; a surface that it refuses, and a graph without
 faces, get a `Spanning_forest`, whose degree has no bound, and the visitor is told.
 
-The bound of O(n log* n) expected time is that of the paper's Q; it is not claimed for the walk.
+The bound of \f$O(n \log^* n)\f$ expected time is that of the paper's Q, and not claimed for walks.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

@@ -83,7 +83,7 @@ The degree of every vertex is at most max(3, 6g + 2b) on a component of genus g 
 loops.
 
 The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
-Complexity: O(n α(n)) time.
+Complexity: \f$O(n \alpha(n))\f$ time.
 */
 template <class HalfedgeGraph, class EdgeOutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
@@ -164,7 +164,7 @@ The parameters, preconditions and exceptions are those of
 `bounded_degree_spanning_subgraph()`. The degree is at most max(3, 3h + 2b), and 4 on the projective
 plane.
 
-Complexity: nearly linear time, O(n α(n)).
+Complexity: nearly linear time, \f$O(n \alpha(n))\f$.
 */
 template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
           class EdgeIsBoundaryMap>

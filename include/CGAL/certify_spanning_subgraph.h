@@ -22,7 +22,7 @@ degrees keep within the bounds that follow from the surface's own Euler characte
 \param topology what `Delaunay_from_surface_3::surface_topology()` says of `graph`
 \param vertex_index_map a bijection onto `0`, …, `num_vertices(graph) - 1`
 
-Complexity: O(m log m) for m edges.
+Complexity: \f$O(m \log m)\f$ for m edges.
 */
 template <class Graph, class EdgeRange, class VertexIndexMap>
 Delaunay_from_surface_3::Spanning_subgraph_certificate
@@ -50,7 +50,7 @@ surface, and serves for any set of edges.
 as for `bounded_degree_spanning_subgraph()`
 
 The preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
-Complexity: O(n log n).
+Complexity: \f$O(n \log n)\f$.
 */
 template <class HalfedgeGraph, class EdgeRange,
           class NamedParameters = parameters::Default_named_parameters>

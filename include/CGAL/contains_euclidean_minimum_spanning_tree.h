@@ -65,7 +65,7 @@ It compares the lengths of the edges of two trees, exactly: those of the surface
 spanning forest and those of `euclidean_minimum_spanning_tree_3()`. Vertices at the same point count
 as one.
 
-<b>Complexity</b>: O(m log m) for m edges of the surface and the triangulation.
+<b>Complexity</b>: \f$O(m \log m)\f$ for m edges of the surface and the triangulation.
 
 \tparam Graph a model of `VertexListGraph` and `EdgeListGraph` with points, such as a mesh
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; `Gt` as in

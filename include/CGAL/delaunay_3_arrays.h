@@ -95,12 +95,12 @@ returns the Delaunay triangulation of points as arrays of numbers: its cells are
 the points lie in a plane or their coordinates are of too different size; the visitor is then told
 that the target is replaced.
 
-<b>Complexity</b>: O(n log n) expected for the order of n points, plus what the insertions take.
+<b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
 <b>Memory</b>, at the peak and beyond `points`: about 270 bytes per point where a point has 6.8
 cells, as points in space have; those of the arrays included.
 
-\tparam Index `std::int32_t`: up to 2^30 cells, or 150 million points; `std::int64_t`: any
+\tparam Index `std::int32_t`: up to \f$2^{30}\f$ cells, or 150 million points; `std::int64_t`: any
 \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`: many threads insert, as with
 `insert_points_3()`; the numbers of the cells then differ from run to run. It needs TBB.
 \tparam PointRange a range of points of any kernel, of `std::array<double, 3>`, pointers to three

@@ -76,7 +76,7 @@ any dimension; the tree of collinear points is their chain, and a single point o
 Lengths are compared exactly. Among edges of the same length those between lexicographically smaller
 points come first, so the tree does not depend on the order in which the points were inserted.
 
-<b>Complexity</b>: O(m log m) for m edges of the triangulation.
+<b>Complexity</b>: \f$O(m \log m)\f$ for m edges of the triangulation.
 
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`. `Gt` is a %CGAL kernel with exact
 predicates, or derived from one: its `Compare_distance_3` compares the distances of two pairs of

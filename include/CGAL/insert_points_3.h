@@ -51,7 +51,7 @@ vertices their info, if no `point_map` is given. Of points that are equal the on
 index gives the vertex its point and info, in every mode. That differs from `tr.insert(first,
 last)`, where the last in its own order gives the info.
 
-<b>Complexity</b>: O(n log n) expected for the order of n points, plus what the insertions take.
+<b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
 of the triangulation. Any of them serves any triangulation: many threads can fill one that is made

@@ -45,7 +45,7 @@ is the mesh-free core of `insert_surface_vertices_3()`. The result, and what hol
 an exception, are the same; the visitor is not told that the surface is irregular, since there is
 none.
 
-<b>Complexity</b>: that of the parts of the traits, plus O(n) for n points.
+<b>Complexity</b>: that of the parts of the traits, plus \f$O(n)\f$ for n points.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
 of the triangulation. Any of them serves any triangulation: many threads can fill one that is made

@@ -27,7 +27,7 @@ faces. Where they are triangles that form a surface, oriented at random or not, 
 `Bounded_degree_subgraph` serves as for a mesh; elsewhere a spanning forest takes its place. The
 result, and what holds after a stop or an exception, are those of `insert_surface_vertices_3()`.
 
-<b>Complexity</b>: that of the parts of the traits, plus O(n + m) for n points and m sides of faces.
+<b>Complexity</b>: that of the traits' parts, plus \f$O(n + m)\f$ for n points and m sides of faces.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
 of the triangulation. Any of them serves any triangulation: many threads can fill one that is made

@@ -68,8 +68,8 @@ invalid. If it is not empty, after a stop, or an exception thrown by the visitor
 iterator, it is the triangulation of its old points and those inserted so far; after an exception
 thrown by its own insertion it may only be cleared or destroyed.
 
-<b>Complexity</b>: that of the parts of the traits, plus O(n + m + k) for n vertices, m edges and
-faces, and a largest index k.
+<b>Complexity</b>: that of the parts of the traits, plus \f$O(n + m + k)\f$ for n vertices, m edges
+and faces, and a largest index k.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
 of the triangulation. Any of them serves any triangulation: many threads can fill one that is made

@@ -2,24 +2,59 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""The manual on its own links CGAL's and can be linked; and it builds as one of CGAL's manuals, by CGAL's macros."""
+"""The manual on its own links CGAL's and can be linked, and its formulas are drawn; and it builds as one of CGAL's
+manuals, by CGAL's macros."""
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+from headless_chromium import LISTEN, chromium, report_in
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 MANUAL = ROOT / "doc/Delaunay_from_surface_3"
 CONCEPTS = sorted(path.stem for path in (MANUAL / "Concepts").glob("*.h"))
 CGAL_TAGS = HERE / "manual/cgal.tag"
+MATHJAX = Path(os.environ["MATHJAX"])
+HAS_MATHJAX = (MATHJAX / "MathJax.js").exists()
+
+# Nothing but files, and what is in the page: the page is told of all else that it asks for.
+ONLY_FILES = """<meta http-equiv="Content-Security-Policy"
+  content="default-src file: data: 'unsafe-inline' 'unsafe-eval'">
+"""
+# What a reader sees when all formulas are drawn.
+LOOK = """<script>
+window.MathJax = {AuthorInit: () => MathJax.Hub.Register.StartupHook("End", () => {
+  const count = (selector) => document.querySelectorAll(selector).length;
+  const report = document.createElement("pre");
+  report.id = "report";
+  report.textContent = JSON.stringify({problems, formulas: count("span.formula"),
+    drawn: count("span.formula > .MathJax_SVG > svg path, span.formula > .MathJax_SVG > svg use"),
+    with_a_drawing: count("span.formula:has(> .MathJax_SVG > svg)"), errors: count("merror, .MathJax_Error"),
+    for_screen_readers: count("span.formula math"), text: document.querySelector("div.contents").innerText,
+    overflow: document.documentElement.scrollWidth - innerWidth});
+  document.body.append(report);
+})};
+</script>
+"""
+
+PAGES_WITH_FORMULAS = ("index.html", "bounded_degree_subgraphs.html", "delaunay_from_surface_3_statements.html",
+                       "delaunay_from_surface_3_theory.html",
+                       "classCGAL_1_1Delaunay__from__surface__3_1_1Random__log__star__rounds.html")
 
 # Doxygen needs bibtex for \cite; that all keys exist is the matter of test_bibliography.
 NO_BIBTEX = re.compile(r"bibtex|\.bbl|\\cite command|^citelist")
+
+
+def finish_pages(html, mathjax):
+    return subprocess.run([sys.executable, "-B", MANUAL / "finish_pages.py", html, mathjax], capture_output=True,
+                          text=True, check=True).stdout
 
 
 def doxygen(doxyfile):
@@ -38,7 +73,8 @@ class Standalone(unittest.TestCase):
                         f"-DDELAUNAY_FROM_SURFACE_3_DOC_TAGFILES={CGAL_TAGS}=https://cgal.example/manual",
                         "-P", ROOT / "cmake/configure_manual.cmake"], check=True)
         cls.warnings = doxygen(Path(folder.name) / "Doxyfile")
-        subprocess.run([sys.executable, "-B", MANUAL / "title_concepts.py", cls.html], check=True)
+        cls.unfinished = {name: (cls.html / name).read_text(encoding="utf-8") for name in PAGES_WITH_FORMULAS}
+        cls.said = finish_pages(cls.html, MATHJAX)
 
     def page(self, name):
         return (self.html / name).read_text(encoding="utf-8")
@@ -76,6 +112,42 @@ class Standalone(unittest.TestCase):
                      "insert__points__along__graph__3"):
             self.assertTrue(call.replace("__", "_") in text, call)
         self.assertIn('"Reference", "modules.html"', self.page("navtreedata.js"))
+
+    @unittest.skipUnless(HAS_MATHJAX and "CHROMIUM" in os.environ, "Chromium or MathJax was not found")
+    def test_formulas_in_a_browser(self):
+        self.assertEqual(self.said, "")
+        for name in PAGES_WITH_FORMULAS:
+            page = self.page(name).replace("<head>\n", "<head>\n" + ONLY_FILES + LISTEN + LOOK, 1)
+            (self.html / "looked_at.html").write_text(page, encoding="utf-8")
+            report = report_in(chromium(self.html, "--window-size=420,900", "--virtual-time-budget=60000", "--dump-dom",
+                                        f"file://{self.html}/looked_at.html"))
+            self.assertEqual(report["problems"], [], name)
+            self.assertGreater(report["formulas"], 3, name)
+            self.assertEqual((report["with_a_drawing"], report["for_screen_readers"], report["errors"]),
+                             (report["formulas"], report["formulas"], 0), name)
+            self.assertGreater(report["drawn"], report["formulas"], name)
+            self.assertNotRegex(report["text"], r"\\f\$|\\\(|\\log|Math Processing Error", name)
+            self.assertLessEqual(report["overflow"], 0, name)
+
+    @unittest.skipUnless(HAS_MATHJAX, "MathJax was not found")
+    def test_size_of_mathjax(self):
+        self.assertLess(sum(path.stat().st_size for path in self.html.glob("mathjax/**/*")), 5e6)
+
+    def test_formulas_without_mathjax(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in self.unfinished.items():
+                self.assertIn('src="mathjax/MathJax.js"', text)
+                (Path(folder) / name).write_text(text, encoding="utf-8")
+            self.assertRegex(finish_pages(folder, f"{folder}/nowhere"), r"^skipped: formulas .*libjs-mathjax")
+            for name, text in self.unfinished.items():
+                finished = (Path(folder) / name).read_text(encoding="utf-8")
+                self.assertNotIn("athjax", finished.replace("MathJax", "mathjax").split("<body>")[0])
+                self.assertEqual(finished.count("\\("), text.count("\\("))
+
+    def test_nothing_is_fetched(self):
+        for path in self.html.glob("*.html"):
+            text = path.read_text(encoding="utf-8")
+            self.assertNotRegex(text, r"""<(?:script|img|link|iframe)[^>]*(?:src|href)=["'](?:https?:)?//""", path.name)
 
 
 class In_a_tree_of_CGAL(unittest.TestCase):

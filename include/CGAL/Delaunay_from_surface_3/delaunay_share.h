@@ -165,7 +165,7 @@ triangles.
 
 Where the triangulation has no edges or facets, in dimensions below 1 and 2, none are Delaunay.
 
-O(m log m) for m edges, and the sum of the numbers of cells around one end of each edge.
+\f$O(m \log m)\f$ for m edges, and the sum of the numbers of cells around one end of each edge.
 
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`
 \tparam FaceRange a range of ranges of integers

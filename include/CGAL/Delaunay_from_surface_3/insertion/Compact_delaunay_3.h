@@ -54,9 +54,9 @@ Memory: 32 bytes per cell and per point, and the size of an `Id` per point, whil
 export gives the cells back as it goes.
 
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`
-\tparam Id an unsigned integer type for the numbers of vertices and cells: there can be 2^(b-2)
-cells for b bits. A constructor or an insertion that needs more throws a `std::length_error`;
-`Wider_target` can take the work over from the beginning.
+\tparam Id an unsigned integer type for the numbers of vertices and cells: there can be
+\f$2^{b-2}\f$ cells for b bits. A constructor or an insertion that needs more throws a
+`std::length_error`; `Wider_target` can take the work over from the beginning.
 \tparam Executor runs the threads that insert; by default there is one. See `Parallel_target`.
 
 \cgalModels{InsertionTarget_3}
@@ -282,7 +282,7 @@ private:
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
 
-is `Compact_delaunay_with_ids_3` with ids of 32 bits: up to 2^30 cells, some 150 million points.
+is `Compact_delaunay_with_ids_3` with ids of 32 bits: \f$2^{30}\f$ cells, some 150 million points.
 
 \cgalModels{InsertionTarget_3}
 */

@@ -22,14 +22,14 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Plans
 
 is the plan of the paper (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1): a uniformly random
-order, and rounds that end at N_h = ⌈n / log⁽ʰ⁾ n⌉ (log to base 2, iterated h times) for h = 1, …,
-log* n, and at n. Here log* n is the largest h with log⁽ʰ⁾ n ≥ 1. Where two round ends coincide, or
-one is not less than n, the empty round is dropped.
+order, and rounds that end at \f$N_h = \lceil n / \log^{(h)} n \rceil\f$ (log to base 2, iterated h
+times) for all h with \f$\log^{(h)} n \ge 1\f$, of which the largest is \f$\log^* n\f$, and at n.
+Where two round ends coincide, or one is not less than n, the empty round is dropped.
 
 It is the plan for `Conflict_history_hints_3`, whose bounds need every order to be random, that of
 the first round too. `Log_star_rounds` is the same for points that are located by walking.
 
-O(n).
+\f$O(n)\f$.
 
 \cgalModels{InsertionPlan}
 */

@@ -52,16 +52,16 @@ more than three times as many edges as the average come first: it is better to i
 a fan before the fan. The members of a cluster of more than `large_cluster` come in the order of
 `spatial_sort()`, and start at the point before if that is nearer than the net vertex.
 
-Where there are no edges or more than 2^32, or they join points that are not near each other, as a
-look at a thousand of them on two levels tells, `Geometric_rounds` orders the points, and no
-starting places are named.
+Where there are no edges or more than \f$2^{32}\f$, or they join points that are not near each
+other, as a look at a thousand of them on two levels tells, `Geometric_rounds` orders the points,
+and no starting places are named.
 
 A level that keeps more than 90 % of its vertices (isolated vertices, graphs with few edges) ends
 the hierarchy; what is left then, and the last few dozen vertices, are ordered by
 `Geometric_rounds`.
 
-O(n) for surfaces of fixed genus; O((n + m) log n + n log n) for n vertices and m edges otherwise.
-Distances are asked for along the edges of net vertices only, and up to rounding.
+\f$O(n)\f$ for surfaces of fixed genus; \f$O((n + m) \log n + n \log n)\f$ for n vertices and m
+edges otherwise. Distances are asked for along the edges of net vertices only, and up to rounding.
 
 \cgalModels{InsertionPlan}
 */

@@ -24,7 +24,7 @@ namespace Delaunay_from_surface_3 {
 writes the edges of `bounded_degree_spanning_subgraph()`: degree at most 3 on spheres and discs, and
 a bound that depends on the genus and the boundary elsewhere.
 
-O(n) for n vertices.
+\f$O(n)\f$ for n vertices.
 
 \cgalModels{SurfaceSubgraph}
 */
@@ -70,7 +70,7 @@ public:
 
 writes the edges of `bounded_degree_spanning_tree()`: as `Bounded_degree_subgraph`, without cycles.
 
-O(n α(n)) for n vertices.
+\f$O(n \alpha(n))\f$ for n vertices.
 
 \cgalModels{SurfaceSubgraph}
 */

@@ -18,7 +18,7 @@ namespace Delaunay_from_surface_3 {
 writes all edges: the surface serves as its own spanning subgraph. The degree is that of the
 surface.
 
-O(m) for m edges.
+\f$O(m)\f$ for m edges.
 
 \cgalModels{SurfaceSubgraph}
 */

@@ -39,8 +39,8 @@ struct My_traits : CGAL::Tracing_traits_3
 };
 \endcode
 
-O(n + m log m) for n vertices and m edges. Lengths are compared exactly, and edges of the same
-length taken in the order of their indices.
+\f$O(n + m \log m)\f$ for n vertices and m edges. Lengths are compared exactly, and edges of the
+same length taken in the order of their indices.
 
 \tparam Point a point of a %CGAL kernel with exact predicates
 

@@ -25,7 +25,7 @@ namespace Delaunay_from_surface_3 {
 writes the edges of a spanning forest, one tree per connected component: every edge that joins two
 components of those before it. It works for every graph and bounds no degree.
 
-O(n + m α(n)) for n vertices and m edges. Memory: two integers per vertex.
+\f$O(n + m \alpha(n))\f$ for n vertices and m edges. Memory: two integers per vertex.
 
 \cgalModels{SurfaceSubgraph}
 */

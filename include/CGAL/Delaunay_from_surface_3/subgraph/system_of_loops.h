@@ -32,7 +32,7 @@ twice.
 The other parameters, preconditions and exceptions are those of
 `bounded_degree_spanning_subgraph()`.
 \pre `g` is closed.
-Complexity: linear time plus the length of the loops, O(gn); about 120 bytes of memory per vertex.
+Complexity: linear time plus the length of the loops, \f$O(g n)\f$; some 120 bytes per vertex.
 */
 template <class HalfedgeGraph, class LoopOutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

@@ -43,9 +43,9 @@ paper records only the cell that contains the point; from that cell alone cells 
 It takes several times the memory of the triangulation and is slower than a walk on all surfaces
 measured: it is here for the theory.
 
-A trace takes O(n) expected time, and a search O(log(i/k)) expected for point i after a trace in the
-triangulation of k points (Theorem 3 and Lemma 4), under the assumptions of the paper. Memory
-besides the history: 24 bytes per point, and 8 for each cell of a record.
+A trace takes \f$O(n)\f$ expected time, and a search \f$O(\log(i/k))\f$ expected for point i after a
+trace in the triangulation of k points (Theorem 3 and Lemma 4), under the assumptions of the paper.
+Memory besides the history: 24 bytes per point, and 8 for each cell of a record.
 
 \tparam Target `Triangulation_target_3`, not of a triangulation with `Fast_location`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T

@@ -39,12 +39,13 @@ The first event is the root. Its star consists of all cells that there are when 
 handed over or becomes 3-dimensional; no history is kept before.
 
 Let points be inserted in random order into a triangulation of linear expected size. The cell that
-contains a point p is replaced by the j-th insertion with probability 4/j, since it is finite and
-has four vertices. So a descent enters 4 ln(i/k) nodes expected, if it leads from the triangulation
-of k points to that of i, and 4 ln i from the root. To enter a node takes O(size of the star) tests.
-So it is nodes that are few, not tests: where one vertex is in a share of all cells a descent
-through its star, and through those of its neighbours, takes tests without bound. It is the
-practical variant, whose records are single nodes; the paper's is `Conflict_history_3`.
+contains a point p is replaced by the j-th insertion with probability \f$4/j\f$, since it is finite
+and has four vertices. So a descent enters \f$4 \ln(i/k)\f$ nodes expected, if it leads from the
+triangulation of k points to that of i, and \f$4 \ln i\f$ from the root. To enter a node takes tests
+in proportion to the size of the star. So it is nodes that are few, not tests: where one vertex is
+in a share of all cells a descent through its star, and through those of its neighbours, takes tests
+without bound. It is the practical variant, whose records are single nodes; the paper's is
+`Conflict_history_3`.
 
 Memory: 48 bytes per cell that ever was, where handles have 8 bytes, and about 24 bytes per cell of
 today. That is several times what the triangulation itself takes. Nothing is freed before the end,

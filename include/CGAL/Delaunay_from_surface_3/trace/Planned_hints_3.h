@@ -23,7 +23,7 @@ namespace Delaunay_from_surface_3 {
 starts every insertion from a cell of the point that the plan names in
 `Insertion_order::starting_places`; if the plan names none, from a cell of the vertex inserted last.
 
-O(1) per point. No trace, no subgraph, no memory of its own.
+\f$O(1)\f$ per point. No trace, no subgraph, no memory of its own.
 
 \tparam Target a model of `InsertionTarget_3`
 \tparam Subgraph is not used

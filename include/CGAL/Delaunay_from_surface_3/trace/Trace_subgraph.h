@@ -21,9 +21,9 @@ is the trace (\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2a), whatever is recorded: 
 first from inserted vertices outwards, and locates every point not yet inserted from the cell of the
 neighbour that led to it. A hint policy of one's own may use it as `Traced_hints_3` does.
 
-Time: O(n) for the traversal, plus the cells that the locations enter. Memory: a byte per point, and
-during a trace at most an index and a cell handle per point. There is no recursion: T may be a path
-of millions of vertices.
+Time: \f$O(n)\f$ for the traversal, plus the cells that the locations enter. Memory: a byte per
+point, and during a trace at most an index and a cell handle per point. There is no recursion: T may
+be a path of millions of vertices.
 
 \tparam Target a model of `InsertionTarget_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T

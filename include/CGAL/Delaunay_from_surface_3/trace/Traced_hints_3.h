@@ -35,9 +35,9 @@ its last record, or, if it has none, from the vertex inserted last.
 After a trace the record of a point is a finite vertex of the cell that contains it. A vertex never
 dies while points are only inserted; the cell does.
 
-A trace takes O(n) expected time if T has bounded degree and consists of Delaunay edges, and the
-triangulation has linear expected size (Theorem 3); O(n) of it is the traversal. Memory: a vertex
-handle and a byte per point, and during a trace at most an index and a cell handle per point.
+A trace takes \f$O(n)\f$ expected time if T has bounded degree and consists of Delaunay edges, and
+the triangulation has linear expected size (Theorem 3); \f$O(n)\f$ of it is the traversal. Memory: a
+vertex handle and a byte per point, and during a trace at most an index and a cell handle per point.
 
 \tparam Target a model of `InsertionTarget_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
