@@ -181,10 +181,12 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
       points,
       [&](const auto& read, const auto& plan, auto& visitor) {
         using namespace Delaunay_from_surface_3::internal;
-        const Soup_graph soup = soup_graph(faces, read.size());
+        const typename Executor_of_tag<ConcurrencyTag>::type executor{};
+        const Soup_graph soup = soup_graph(faces, read.size(), executor);
         if (soup.irregularity)
           visitor.surface_is_irregular(*soup.irregularity);
-        return plan(read, Array_triangulation::Geom_traits(), soup.graph, Identity_index_map());
+        return make_order(executor, plan, read, Array_triangulation::Geom_traits(), soup.graph,
+                          Identity_index_map());
       },
       np);
 }

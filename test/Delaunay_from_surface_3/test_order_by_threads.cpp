@@ -18,8 +18,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <numeric>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace {
@@ -63,7 +65,7 @@ void check(const Indexed_surface& surface)
     const auto soup = graph_of(surface, executor);
     BOOST_TEST((soup.graph.lists().first == alone.graph.lists().first));
     BOOST_TEST((soup.graph.lists().items == alone.graph.lists().items));
-    BOOST_TEST(soup.irregularity.has_value() == alone.irregularity.has_value());
+    BOOST_TEST(soup.irregularity.value_or("") == alone.irregularity.value_or(""));
     const auto same = order_of(surface, executor);
     BOOST_TEST((same.order == order.order));
     BOOST_TEST((same.round_ends == order.round_ends));
@@ -81,4 +83,26 @@ BOOST_AUTO_TEST_CASE(the_same_graph_and_the_same_order)
   check(surface);
   shuffle(surface);
   check(surface);
+}
+
+// Sides that are there once, twice and more often, in the parts of all threads.
+BOOST_AUTO_TEST_CASE(the_same_irregular_soup)
+{
+  Indexed_surface surface = surfaces::genus_surface(3, 60000, 0.1);
+  for (std::size_t f = 0; f < surface.faces.size(); f += 7)
+    surface.faces.push_back(surface.faces[f]);
+  check(surface);
+}
+
+BOOST_AUTO_TEST_CASE(the_first_bad_face_is_named)
+{
+  Indexed_surface surface = surfaces::genus_surface(3, 60000, 0.1);
+  for (const std::size_t f : {100000, 60000, 20000})
+    surface.faces[f][1] = surface.points.size();
+  for (const std::size_t number : {1, 2, 5}) {
+    const tests::Thread_executor executor(number);
+    BOOST_CHECK_EXCEPTION(
+        graph_of(surface, executor), CGAL::Surface_input_error,
+        [](const std::exception& e) { return std::string(e.what()).find("face 20000: ") == 0; });
+  }
 }

@@ -19,6 +19,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_plan.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_into_target.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/make_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Rounding_to_nearest.h>
@@ -76,32 +77,6 @@ constexpr bool looks_for_doubles()
     return false;
   else
     return Target::serves_geom_traits();
-}
-
-// What runs threads for a target: its executor, if it names one.
-template <class Target, class = void>
-struct Executor_of
-{
-  using type = Alone;
-};
-template <class Target>
-struct Executor_of<Target, std::void_t<typename Target::Threads>>
-{
-  using type = typename Target::Threads;
-};
-
-// By several threads if the plan can.
-template <class Executor, class Plan, class... Arguments>
-Insertion_order make_order(const Executor& executor, const Plan& make_plan,
-                           const Arguments&... arguments)
-{
-  if constexpr (!std::is_same<Executor, Alone>::value &&
-                std::is_invocable<const Plan&, const Arguments&..., const Executor&>::value) {
-    return make_plan(arguments..., executor);
-  } else {
-    (void)executor;
-    return make_plan(arguments...);
-  }
 }
 
 // The order. If exact numbers are doubles it is made of doubles: that is faster, and it is the

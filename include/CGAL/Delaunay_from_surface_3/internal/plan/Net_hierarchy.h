@@ -48,26 +48,43 @@ struct Numbered_edge
   }
 };
 
-// The neighbours of each of n vertices that have smaller numbers.
-template <class Index, class Executor = Alone>
-Lists<Index> lower_neighbors(const Large_vector<Numbered_edge<Index>>& edges, std::size_t n,
-                             const Executor& executor = Executor())
+// Edges as items: the list of the upper end gets the lower one.
+template <class Index>
+class Edges_as_items
 {
-  return in_lists<Index>(
-      n, edges.size(), [&](std::size_t k) { return std::size_t(edges[k].upper); },
-      [&](std::size_t k) { return edges[k].lower; }, executor);
+public:
+  Edges_as_items(const Large_vector<Numbered_edge<Index>>& edges)
+    : m_edges(&edges)
+  {
+  }
+
+  std::size_t size() const { return m_edges->size(); }
+  std::size_t list(std::size_t k) const { return (*m_edges)[k].upper; }
+  Index item(std::size_t k) const { return (*m_edges)[k].lower; }
+
+private:
+  const Large_vector<Numbered_edge<Index>>* m_edges;
+};
+
+// The neighbours of each of n vertices that have smaller numbers; of edges in blocks.
+template <class Index, class Executor = Alone>
+Lists<Index> lower_neighbors(const std::vector<Large_vector<Numbered_edge<Index>>>& edges,
+                             std::size_t n, const Executor& executor = Executor())
+{
+  return in_lists<Index>(n, std::vector<Edges_as_items<Index>>(edges.begin(), edges.end()),
+                         executor);
 }
 
 // The same for the n vertices of a graph. Its number of edges must be an Index.
 template <class Index, class Graph, class VertexIndexMap>
 Lists<Index> lower_neighbors(const Graph& graph, VertexIndexMap index_map, std::size_t n)
 {
-  Large_vector<Numbered_edge<Index>> numbered;
-  numbered.reserve(std::size_t(num_edges(graph)));
+  std::vector<Large_vector<Numbered_edge<Index>>> numbered(1);
+  numbered[0].reserve(std::size_t(num_edges(graph)));
   const auto range = edges(graph);
   for (auto e = range.first; e != range.second; ++e)
-    numbered.emplace_back(Index(get(index_map, source(*e, graph))),
-                          Index(get(index_map, target(*e, graph))));
+    numbered[0].emplace_back(Index(get(index_map, source(*e, graph))),
+                             Index(get(index_map, target(*e, graph))));
   return lower_neighbors(numbered, n);
 }
 
@@ -90,17 +107,22 @@ template <class Index, class Executor>
 Lists<Index> members(const Net<Index>& net, const Executor& executor)
 {
   Lists<Index> lists = in_lists<Index>(
-      net.centers.size(), net.cluster_of.size(),
-      [&](std::size_t v) { return std::size_t(net.cluster_of[v]); },
-      [](std::size_t v) { return Index(v); }, executor);
-  for (std::size_t c = 0; c < lists.size(); ++c) {
-    Index* const first = lists.items.data() + lists.first[c];
-    Index* k = first;
-    while (*k != net.centers[c])
-      ++k;
-    std::copy_backward(first, k, k + 1);
-    *first = net.centers[c];
-  }
+      net.centers.size(),
+      Listed_items(
+          net.cluster_of.size(), [&](std::size_t v) { return std::size_t(net.cluster_of[v]); },
+          [](std::size_t v) { return Index(v); }),
+      executor);
+  for_each_block(executor, lists.size(), number_of_blocks(executor, lists.size(), 4096),
+                 [&](std::size_t begin, std::size_t end, std::size_t) {
+                   for (std::size_t c = begin; c < end; ++c) {
+                     Index* const first = lists.items.data() + lists.first[c];
+                     Index* k = first;
+                     while (*k != net.centers[c])
+                       ++k;
+                     std::copy_backward(first, k, k + 1);
+                     *first = net.centers[c];
+                   }
+                 });
   return lists;
 }
 
@@ -137,15 +159,12 @@ Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cl
 {
   const std::size_t blocks = number_of_blocks(executor, clusters.size(), 4096);
   std::vector<Large_vector<Numbered_edge<Index>>> edges(blocks);
-  edges[0].reserve(4 * clusters.size()); // on a surface
   for_each_block(executor, clusters.size(), blocks,
                  [&](std::size_t first, std::size_t last, std::size_t b) {
-                   edges[b].reserve(4 * (last - first));
+                   edges[b].reserve(4 * (last - first)); // on a surface
                    append_contracted(lower, cluster_of, clusters, first, last, edges[b]);
                  });
-  for (std::size_t b = 1; b < blocks; ++b)
-    edges[0].insert(edges[0].end(), edges[b].begin(), edges[b].end());
-  return lower_neighbors(edges[0], clusters.size(), executor);
+  return lower_neighbors(edges, clusters.size(), executor);
 }
 
 // The levels, finest first. clusters[l] lists the clusters of the vertices of level l; they are the

@@ -49,10 +49,12 @@ public:
   void read(Rotation_system<Index>& surface) const
   {
     const std::vector<std::array<Index, 3>> triangles = read_triangles<Index>();
-    const Lists<Index> corners = in_lists<Index>(
-        m_number_of_vertices, 3 * triangles.size(),
-        [&](std::size_t k) { return std::size_t(triangles[k / 3][k % 3]); },
-        [](std::size_t k) { return Index(k); });
+    const Lists<Index> corners =
+        in_lists<Index>(m_number_of_vertices,
+                        Listed_items(
+                            3 * triangles.size(),
+                            [&](std::size_t k) { return std::size_t(triangles[k / 3][k % 3]); },
+                            [](std::size_t k) { return Index(k); }));
     surface.on_boundary.assign(m_number_of_vertices, false);
     surface.first.assign(1, 0);
     surface.first.reserve(m_number_of_vertices + 1);

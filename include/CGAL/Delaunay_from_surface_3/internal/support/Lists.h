@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -29,76 +31,119 @@ struct Lists
   const Index* end(std::size_t i) const { return items.data() + first[i + 1]; }
 };
 
-// Numbers of items become places where lists begin: at[i] those of list i - 1 before, at[i + 1] the
-// begin of list i afterwards.
-template <class Index>
-void add_up(Large_vector<Index>& at)
+// So many items are worth a thread.
+constexpr std::size_t many_items = std::size_t(1) << 14;
+
+// Items item(k) that go into lists list(k), k = 0, …, size() - 1, as functions.
+template <class ListOf, class ItemOf>
+class Listed_items
 {
-  for (std::size_t i = 2; i < at.size(); ++i)
-    at[i] += at[i - 1];
+public:
+  Listed_items(std::size_t size, const ListOf& list_of, const ItemOf& item_of)
+    : m_size(size)
+    , m_list_of(list_of)
+    , m_item_of(item_of)
+  {
+  }
+
+  std::size_t size() const { return m_size; }
+  std::size_t list(std::size_t k) const { return m_list_of(k); }
+  auto item(std::size_t k) const { return m_item_of(k); }
+
+private:
+  std::size_t m_size;
+  ListOf m_list_of;
+  ItemOf m_item_of;
+};
+
+// A part of other items: those from `first` on, so many.
+template <class Items>
+class Part_of_items
+{
+public:
+  Part_of_items(const Items& items, std::size_t first, std::size_t last)
+    : m_items(&items)
+    , m_first(first)
+    , m_size(last - first)
+  {
+  }
+
+  std::size_t size() const { return m_size; }
+  std::size_t list(std::size_t k) const { return m_items->list(m_first + k); }
+  auto item(std::size_t k) const { return m_items->item(m_first + k); }
+
+private:
+  const Items* m_items;
+  std::size_t m_first, m_size;
+};
+
+// The numbers of items of n lists, by block of items, become the places of the first of them:
+// those of a list come one after the other, and in it those of a block. Returns how many items
+// there are.
+template <class Index, class Executor>
+std::size_t numbers_to_places(std::size_t n, const std::vector<Index*>& blocks,
+                              const Executor& executor)
+{
+  const std::size_t ranges = number_of_blocks(executor, n, 4096);
+  std::vector<std::size_t> begin(ranges + 1, 0);
+  for_each_block(executor, n, ranges, [&](std::size_t first, std::size_t last, std::size_t r) {
+    std::size_t sum = 0;
+    for (const Index* const numbers : blocks)
+      sum = std::accumulate(numbers + first, numbers + last, sum);
+    begin[r + 1] = sum;
+  });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  for_each_block(executor, n, ranges, [&](std::size_t first, std::size_t last, std::size_t r) {
+    Index next = Index(begin[r]);
+    for (std::size_t i = first; i < last; ++i)
+      for (Index* const numbers : blocks)
+        next += std::exchange(numbers[i], next);
+  });
+  return begin[ranges];
 }
 
-// in_lists() by several threads. Each has lists of its own, and looks at all items; what belongs to
-// the lists of others goes where nobody reads it, without a branch.
-template <class Index, class ListOf, class ItemOf, class Executor>
-Lists<Index> in_lists_by_many(std::size_t n, std::size_t m, const ListOf& list_of,
-                              const ItemOf& item_of, const Executor& executor)
-{
-  Lists<Index> lists;
-  lists.first.assign(n + 2, 0);
-  lists.items.resize(m);
-  Index* const at = lists.first.data();
-  Index* const items = lists.items.data();
-  const std::size_t blocks = executor.number_of_workers();
-  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t) {
-    Index others = 0;
-    for (std::size_t k = 0; k < m; ++k) {
-      const std::size_t i = list_of(k);
-      Index& number = i - first < last - first ? at[i + 2] : others;
-      ++number;
-    }
-  });
-  add_up(lists.first);
-  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t) {
-    Index nobody, nowhere = 0;
-    for (std::size_t k = 0; k < m; ++k) {
-      const std::size_t ahead = list_of((std::min)(k + prefetch_distance, m - 1));
-      prefetch(items + (ahead - first < last - first ? at[ahead + 1] : nowhere));
-      const std::size_t i = list_of(k);
-      const bool is_own = i - first < last - first;
-      Index& place = is_own ? at[i + 1] : nowhere;
-      (is_own ? items[place] : nobody) = item_of(k);
-      place = Index(place + is_own);
-    }
-  });
-  lists.first.pop_back();
-  return lists;
-}
-
-// Puts item_of(k) into the list list_of(k), k = 0, …, m-1, of n lists: a counting sort.
-template <class Index, class ListOf, class ItemOf, class Executor = Alone>
-Lists<Index> in_lists(std::size_t n, std::size_t m, const ListOf& list_of, const ItemOf& item_of,
+// Puts the items of all blocks into n lists: a counting sort, which keeps their order. Every block
+// is the work of one thread, which has n numbers of its own.
+template <class Index, class Items, class Executor = Alone>
+Lists<Index> in_lists(std::size_t n, const std::vector<Items>& blocks,
                       const Executor& executor = Executor())
 {
-  constexpr std::size_t many = std::size_t(1) << 15;
-  if constexpr (!std::is_same<Executor, Alone>::value)
-    if (executor.number_of_workers() > 1 && m >= many)
-      return in_lists_by_many<Index>(n, m, list_of, item_of, executor);
-  (void)executor, (void)many;
   Lists<Index> lists;
-  lists.first.assign(n + 2, 0);
-  for (std::size_t k = 0; k < m; ++k)
-    ++lists.first[list_of(k) + 2];
-  add_up(lists.first);
-  lists.items.resize(m);
-  // first[i + 1] runs from the begin to the end of the list i
-  for (std::size_t k = 0; k < m; ++k) {
-    prefetch(lists.items.data() +
-             lists.first[list_of((std::min)(k + prefetch_distance, m - 1)) + 1]);
-    lists.items[lists.first[list_of(k) + 1]++] = item_of(k);
-  }
-  lists.first.pop_back();
+  lists.first.assign(n + 1, 0);
+  std::vector<Large_vector<Index>> numbers(blocks.size() - 1);
+  std::vector<Index*> places(blocks.size());
+  places.back() = lists.first.data() + 1; // where its lists end in the end
+  for_each_block(executor, blocks.size(), blocks.size(),
+                 [&](std::size_t, std::size_t, std::size_t b) {
+                   if (b < numbers.size()) {
+                     numbers[b].assign(n, 0);
+                     places[b] = numbers[b].data();
+                   }
+                   for (std::size_t k = 0; k < blocks[b].size(); ++k)
+                     ++places[b][blocks[b].list(k)];
+                 });
+  lists.items.resize(numbers_to_places(n, places, executor));
+  for_each_block(executor, blocks.size(), blocks.size(),
+                 [&](std::size_t, std::size_t, std::size_t b) {
+                   const Items& block = blocks[b];
+                   Index *const items = lists.items.data(), *const place = places[b];
+                   for (std::size_t k = 0, m = block.size(); k < m; ++k) {
+                     prefetch(items + place[block.list((std::min)(k + prefetch_distance, m - 1))]);
+                     items[place[block.list(k)]++] = block.item(k);
+                   }
+                 });
   return lists;
+}
+
+// The same for items in one piece, which is cut into blocks where there are many.
+template <class Index, class Items, class Executor = Alone>
+Lists<Index> in_lists(std::size_t n, const Items& items, const Executor& executor = Executor())
+{
+  const std::size_t m = items.size(), number = number_of_blocks(executor, m, many_items);
+  std::vector<Part_of_items<Items>> blocks;
+  for (std::size_t b = 0; b < number; ++b)
+    blocks.emplace_back(items, m * b / number, m * (b + 1) / number);
+  return in_lists<Index>(n, blocks, executor);
 }
 
 } // namespace internal

@@ -8,9 +8,9 @@
 #include <CGAL/Delaunay_from_surface_3/internal/support/Rounding_to_nearest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <exception>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -38,25 +38,24 @@ std::size_t number_of_blocks(const Executor& executor, std::size_t n, std::size_
   return (std::max)(std::size_t(1), (std::min)(executor.number_of_workers(), n / least));
 }
 
-// Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. What a body
-// throws is thrown when all are done.
+// Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. When all are
+// done, throws what the first of those that threw has thrown.
 template <class Executor, class Body>
 void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks, const Body& body)
 {
-  std::atomic<bool> has_error{false};
-  std::exception_ptr error;
+  std::vector<std::exception_ptr> errors(blocks);
   executor(blocks, [&](std::size_t b) {
     try {
       const Rounding_to_nearest rounding;
       const std::size_t size = n / blocks + 1;
       body((std::min)(n, b * size), (std::min)(n, (b + 1) * size), b);
     } catch (...) {
-      if (!has_error.exchange(true))
-        error = std::current_exception();
+      errors[b] = std::current_exception();
     }
   });
-  if (error)
-    std::rethrow_exception(error);
+  for (const std::exception_ptr& error : errors)
+    if (error)
+      std::rethrow_exception(error);
 }
 
 } // namespace internal
