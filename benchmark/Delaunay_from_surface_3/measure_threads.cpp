@@ -231,7 +231,7 @@ Json measure_parts(const Indexed_surface& surface, const Options& options)
   for (std::size_t r = 0; r < options.repetitions; ++r)
     for (const std::size_t number : options.threads)
       with_threads(number, [&] {
-        for (const auto& [part, s] : threads::seconds_of_parts(surface))
+        for (const auto& [part, s] : threads::seconds_of_parts(surface, number))
           seconds["threads_" + std::to_string(number)][part].push_back(s);
       });
   Json result;

@@ -20,6 +20,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/insert_surface_points_3.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -81,27 +82,17 @@ inline Part_clock& part_clock()
   return clock;
 }
 
-class Timed_executor : public CGAL::Delaunay_from_surface_3::internal::Tbb_executor
+template <class Executor>
+class Timed_executor : public Executor
 {
-  using Base = CGAL::Delaunay_from_surface_3::internal::Tbb_executor;
-
 public:
   template <class Body>
   void operator()(std::size_t number, const Body& body) const
   {
     part_clock().begin_call_of_export();
-    Base::operator()(number, body);
+    Executor::operator()(number, body);
     part_clock().end_call_of_export();
   }
-};
-
-template <class Triangulation>
-struct Timed_target
-  : CGAL::Delaunay_from_surface_3::Compact_delaunay_with_ids_3<Triangulation, std::uint32_t,
-                                                               Timed_executor>
-{
-  using CGAL::Delaunay_from_surface_3::Compact_delaunay_with_ids_3<
-      Triangulation, std::uint32_t, Timed_executor>::Compact_delaunay_with_ids_3;
 };
 
 struct Timed_plan : CGAL::Delaunay_from_surface_3::Surface_net_rounds
@@ -119,10 +110,23 @@ struct Timed_plan : CGAL::Delaunay_from_surface_3::Surface_net_rounds
   }
 };
 
-using Timed_traits =
-    CGAL::Surface_insertion_policies_3<CGAL::Delaunay_from_surface_3::Full_graph, Timed_plan,
-                                       CGAL::Delaunay_from_surface_3::Planned_hints_3,
-                                       Timed_target>;
+template <class Executor>
+struct Timed
+{
+  template <class Triangulation>
+  struct Target
+    : CGAL::Delaunay_from_surface_3::Compact_delaunay_with_ids_3<Triangulation, std::uint32_t,
+                                                                 Timed_executor<Executor>>
+  {
+    using CGAL::Delaunay_from_surface_3::Compact_delaunay_with_ids_3<
+        Triangulation, std::uint32_t, Timed_executor<Executor>>::Compact_delaunay_with_ids_3;
+    using Parallel_target = Target;
+  };
+
+  using Traits =
+      CGAL::Surface_insertion_policies_3<CGAL::Delaunay_from_surface_3::Full_graph, Timed_plan,
+                                         CGAL::Delaunay_from_surface_3::Planned_hints_3, Target>;
+};
 
 struct Timing_visitor : CGAL::Default_surface_insertion_visitor_3
 {
@@ -134,19 +138,28 @@ struct Timing_visitor : CGAL::Default_surface_insertion_visitor_3
   }
 };
 
-// Of a call on as many threads as TBB has. "read": points and faces; "permute": points in order, and
-// scaled; "links": those between the cells of different threads; "rest": what is left once all is
-// inserted.
-inline std::map<std::string, double> seconds_of_parts(const surfaces::Indexed_surface& surface)
+template <class ConcurrencyTag, class Executor>
+std::map<std::string, double> seconds_of_parts(const surfaces::Indexed_surface& surface)
 {
   part_clock() = Part_clock();
   CGAL::Delaunay_triangulation_3<CGAL::Epick> tr;
   part_clock().begin("read");
-  CGAL::insert_surface_points_3<CGAL::Sequential_tag>(tr, surface.points, surface.faces,
-                                                      Timed_traits(),
-                                                      CGAL::parameters::visitor(Timing_visitor()));
+  CGAL::insert_surface_points_3<ConcurrencyTag>(tr, surface.points, surface.faces,
+                                                typename Timed<Executor>::Traits(),
+                                                CGAL::parameters::visitor(Timing_visitor()));
   part_clock().end();
   return part_clock().seconds();
+}
+
+// Of a call on so many threads, which TBB has; on one of the sequential code. "read": points and
+// faces; "permute": points in order, and scaled; "links": those between the cells of different
+// threads; "rest": what is left once all is inserted.
+inline std::map<std::string, double> seconds_of_parts(const surfaces::Indexed_surface& surface,
+                                                      std::size_t number_of_threads)
+{
+  using namespace CGAL::Delaunay_from_surface_3::internal;
+  return number_of_threads == 1 ? seconds_of_parts<CGAL::Sequential_tag, Alone>(surface)
+                                : seconds_of_parts<CGAL::Parallel_tag, Tbb_executor>(surface);
 }
 
 } // namespace threads

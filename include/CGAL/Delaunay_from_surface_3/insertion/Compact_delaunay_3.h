@@ -67,7 +67,7 @@ class Compact_delaunay_with_ids_3
   using Geom_traits = typename Triangulation::Geom_traits;
   using Predicates = internal::Perturbed_predicates_on_doubles<Geom_traits>;
   using Complex = internal::Compact_complex<Id>;
-  static constexpr bool is_parallel = !std::is_same<Executor, internal::Alone>::value;
+  static constexpr bool is_parallel = !std::is_base_of<internal::Alone, Executor>::value;
   using Kernel =
       std::conditional_t<is_parallel, internal::Parallel_triangulation<Id, Predicates, Executor>,
                          internal::Compact_triangulation<Id, Predicates>>;

@@ -106,8 +106,12 @@ public:
   void set_links_out(const Large_vector<Cell_handle>& cells, std::size_t part,
                      std::size_t parts) const
   {
-    const std::size_t n = m_links_out.size();
-    for (std::size_t k = n * part / parts; k < n * (part + 1) / parts; ++k) {
+    const std::size_t n = m_links_out.size(), last = n * (part + 1) / parts;
+    for (std::size_t k = n * part / parts; k < last; ++k) {
+      const Link_out& ahead = m_links_out[(std::min)(k + prefetch_distance, last - 1)];
+      prefetch(&cells[ahead.there >> 2]);
+      const Link_out& near = m_links_out[(std::min)(k + near_prefetch_distance, last - 1)];
+      prefetch(&*cells[near.there >> 2]);
       const Link_out& out = m_links_out[k];
       const Cell_handle here = cells[out.here >> 2], there = cells[out.there >> 2];
       here->set_neighbor(int(out.here & 3), there);
