@@ -36,7 +36,8 @@ for a single thread. `Parallel_tag` needs TBB.
 exact predicates.
 \tparam PointRange as that of `insert_points_3()`: points, pairs of points and infos, or items that
 `point_map` turns into points
-\tparam FaceRange a range of ranges of integers
+\tparam FaceRange a range of ranges of integers; with `Parallel_tag` several threads read it at once
+if its iterators have random access
 \tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
