@@ -249,10 +249,21 @@ class Output(ProgramCase):
         marks = (self.folder / "marked.vtk").read_text().split("SCALARS inside double 1\nLOOKUP_TABLE default\n")[1]
         marks = marks.split("SCALARS")[0].split()
         self.assertEqual((set(marks), marks.count("1") in (5, 6)), ({"0", "1"}, True))
-        self.write("open.off", "OFF", "4 1 0", *corners[:4], "3 0 1 2")
-        self.write("points.xyz", *corners)
-        for name in ("open.off", "points.xyz"):
-            self.refuses(rf"{name}: it has no inside: it is not a closed mesh of triangles", name, "--inside", "-o", "a.vtu")
+
+    def test_no_inside(self):
+        """What is not closed is counted."""
+        sides = ["3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3"]
+        other = ["3 3 5 4", "3 3 4 6", "3 4 5 6", "3 5 3 6"]
+        for faces, why in (([], "no faces"), (sides[1:], "open edges: 3"), (sides[2:], "open edges: 4"),
+                           (["3 0 1 2", *sides[1:]], "edges with two faces in the same direction: 3"),
+                           ([*sides, "3 0 1 4"], "open edges: 2, edges with more than two faces: 1"),
+                           (["4 0 2 4 1", *sides[1:]], "open edges: 3, faces that are no triangles: 1"),
+                           (["3 0 0 1", *sides], "edges with more than two faces: 1, faces that are no triangles: 1"),
+                           ([*sides, *other], "sheets that touch in a vertex")):
+            self.write("a.off", "OFF", f"7 {len(faces)} 0", "0 0 0", "1 0 0", "0 1 0", "0 0 1", "1 0 1", "0 1 1", "0 0 2",
+                       *faces)
+            self.refuses(rf"a.off: it has no inside, as it is not a closed mesh of triangles: {why}$", "a.off", "--inside",
+                         "-o", "a.vtu")
 
     def test_json(self):
         text = self.works(TORUS, "--json", "--stats", "--compare", "--repetitions", 1, "--traits", "tracing")

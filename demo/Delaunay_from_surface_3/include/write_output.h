@@ -8,6 +8,7 @@
 #include "Options.h"
 #include "Report.h"
 #include "Surface.h"
+#include "why_no_inside.h"
 
 #include <Delaunay_from_surface_3_files/Output_file.h>
 
@@ -115,7 +116,8 @@ inline void check_that_inside_is_meaningful(const Options& options, const Surfac
 {
   if ((options.inside || options.mark_inside) && !has_inside(surface))
     throw std::runtime_error(options.input +
-                             ": it has no inside: it is not a closed mesh of triangles");
+                             ": it has no inside, as it is not a closed mesh of triangles: " +
+                             why_no_inside(surface.faces));
 }
 
 // For each tetrahedron, whether its centre is inside the surface.
