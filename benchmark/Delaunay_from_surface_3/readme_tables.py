@@ -42,7 +42,7 @@ def times_block(peers, threads):
     gains = [geometric_mean([seconds(row, "plain") / seconds(row, method) for row in threads["results"]])
              for method in ("threads_1", "threads_2")]
     text = [f'Points: {", ".join(f"""{rows[surface]["points"]:,}""" for surface in SURFACES)}. Geogram, HXT and TetGen '
-            "make tetrahedra of their own, which takes less than to fill a triangulation of CGAL's.",
+            "make tetrahedra of their own, which takes less time than filling a triangulation of CGAL's.",
             f'Time of plain CGAL / time of this package, geometric mean of {len(threads["results"])} surfaces of '
             f'{round(threads["results"][0]["points"], -3):,} points: {gains[0]:.2f} with one thread, {gains[1]:.2f} with two.',
             f'{machine_of(peers).replace("%", "")}; {peers["machine"]["date"]}.']
