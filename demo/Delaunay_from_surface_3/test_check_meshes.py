@@ -32,14 +32,17 @@ class Check_meshes(ProgramCase):
 
     def test_good_and_bad_meshes(self):
         self.write("meshes/words.off", "once upon a time")
+        self.write("meshes/scan.xyz", "0 0 0", "1 0 0", "0 1 0", "0 0 1", "2 2 2")
+        self.write("meshes/scan.pts", "4", "0 0 0", "1 0 0", "0 1 0", "0 0 1")
         result, report = self.check("--least-vertices", 900, "--traits", "plain")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertRegex(result.stdout, r"\Amore/points.OFF: equal, 3 vertices, [^\n]*\ntorus.off: equal, 960 vertices, "
+        self.assertRegex(result.stdout, r"\Amore/points.OFF: equal, 3 vertices, [^\n]*\nscan.pts: equal, 4 vertices, [^\n]*\n"
+                         r"scan.xyz: equal, 5 vertices, [^\n]*\ntorus.off: equal, 960 vertices, "
                          r"plain [0-9.]+ s, package [0-9.]+ s, ratio [0-9.]+\nwords.off: error: error: [^\n]*\n"
-                         r"meshes: 3, equal: 2, different: 0, error: 1, crash: 0, too long: 0\n"
+                         r"meshes: 5, equal: 4, different: 0, error: 1, crash: 0, too long: 0\n"
                          r"ratio, [^\n]* of 1 meshes: geometric mean [^\n]*\n\Z")
-        ratio = report["meshes"][1]["ratio"]
-        self.assertEqual([m["state"] for m in report["meshes"]], ["equal", "equal", "error"])
+        ratio = report["meshes"][3]["ratio"]
+        self.assertEqual([m["state"] for m in report["meshes"]], ["equal"] * 4 + ["error"])
         self.assertAlmostEqual(report["summary"]["ratios"]["geometric_mean"], ratio)
         self.assertEqual(report["summary"]["ratios"]["share_below_1"], int(ratio < 1))
 
