@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(surfaces_are_closed_manifolds)
       six_volumes += CGAL::determinant(surface.points[t[0]] - origin, surface.points[t[1]] - origin,
                                        surface.points[t[2]] - origin);
     }
-    BOOST_TEST(six_volumes < 0); // counterclockwise from inside
+    BOOST_TEST(six_volumes > 0); // counterclockwise from outside
     std::size_t largest = 0, wrong = 0;
     for (const auto& around : next) {
       std::size_t steps = 0, v = around.begin()->first;

@@ -89,7 +89,7 @@ private:
           std::size_t last = k;
           while (is_inside(last + 1))
             ++last;
-          next[std::size_t(edge(q[last % 4], q[(last + 1) % 4]))] = edge(q[(k + 3) % 4], q[k]);
+          next[std::size_t(edge(q[(k + 3) % 4], q[k]))] = edge(q[last % 4], q[(last + 1) % 4]);
         }
     }
     std::vector<Loop> loops;
