@@ -8,6 +8,7 @@
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
+#include <Delaunay_from_surface_3_surfaces/delaunay_marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/jitter.h>
 #include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/topology.h>
@@ -28,6 +29,7 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <functional>
 #include <future>
 #include <iostream>
 #include <map>
@@ -67,7 +69,8 @@ po::options_description describe(Options& o)
   add("help,h", "say this and stop");
   add("surfaces", po::value(&o.surfaces)->multitoken()->value_name("NAME..."),
       "delaunay-sphere, delaunay-genus-3, bunny, armadillo, bunny-alike, delaunay-round-genus-3; "
-      "default: all");
+      "default: all; for --subgraph-sizes also marching-cubes, delaunay-marching-cubes, noise, "
+      "delaunay-noise, room");
   add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."),
       "numbers of points to count at; default: the powers of 2 from 1024 to 1048576");
   add("time-sizes", po::value(&o.time_sizes)->multitoken()->value_name("N..."),
@@ -91,16 +94,45 @@ po::options_description describe(Options& o)
   return options;
 }
 
+// Volumes of about so many points, and what they are.
+struct Named_volume
+{
+  std::string name, description;
+  std::function<surfaces::Volume(std::size_t n)> make;
+};
+
+const std::vector<Named_volume>& volumes()
+{
+  static const std::vector<Named_volume> all = {
+      {"marching-cubes", "marching cubes on a smooth sum of waves",
+       [](std::size_t n) {
+         const auto side = std::size_t(std::lround(std::sqrt(double(n) / 4.2)));
+         return surfaces::random_waves(side, 6, 1);
+       }},
+      {"noise", "marching cubes on nothing but noise", [](std::size_t n) {
+         const auto side = std::size_t(std::lround(std::cbrt(double(n) / 1.4)));
+         return surfaces::noise(side, 1);
+       }}};
+  return all;
+}
+
+const char* const delaunay_prefix = "delaunay-"; // to the name of a volume
+
 std::vector<Theory_surface> with_marching_cubes(std::vector<Theory_surface> surfaces)
 {
-  surfaces.push_back({"marching-cubes", "marching cubes on a smooth sum of waves", false,
-                      std::size_t(1) << 30, [](std::size_t n) {
-                        const auto side = std::size_t(std::lround(std::sqrt(double(n) / 4.2)));
-                        return surfaces::marching_cubes(surfaces::random_waves(side, 6, 1));
-                      }});
+  const std::size_t any = std::size_t(1) << 30;
+  for (const Named_volume& volume : volumes()) {
+    surfaces.push_back({volume.name, volume.description, false, any, [&volume](std::size_t n) {
+                          return surfaces::marching_cubes(volume.make(n));
+                        }});
+    surfaces.push_back({delaunay_prefix + volume.name,
+                        volume.description + ", with Delaunay triangles", false, any,
+                        [&volume](std::size_t n) {
+                          return surfaces::delaunay_marching_cubes(volume.make(n)).surface;
+                        }});
+  }
   surfaces.push_back({"room", "six walls that bulge inwards, and a point in the middle, in no face",
-                      false, std::size_t(1) << 30,
-                      [](std::size_t n) { return surfaces::room(n, 1); }});
+                      false, any, [](std::size_t n) { return surfaces::room(n, 1); }});
   return surfaces;
 }
 
@@ -201,6 +233,26 @@ void break_hypothesis(const Theory_surface& surface, const Options& options, Jso
     measure("random edges", share, original, with_random_edges(tree, share, options.seed));
 }
 
+// How the surface with Delaunay triangles was made of a volume, and the CPU times of that and of
+// plain insertion.
+Json iso_surface_as_json(const surfaces::Volume& volume)
+{
+  surfaces::Delaunay_iso_surface made;
+  const comparison::Time time =
+      comparison::time_of([&] { made = surfaces::delaunay_marching_cubes(volume); });
+  const auto& points = made.surface.points;
+  const comparison::Time plain_time =
+      comparison::time_of([&] { comparison::Triangulation(points.begin(), points.end()); });
+  return {{"loops", made.loops},
+          {"other_loops", made.other_loops},
+          {"failed_loops", made.failed_loops},
+          {"failed_triangles", made.failed_triangles},
+          {"joined_squares", made.joined_squares},
+          {"flat_diagonals", made.flat_diagonals},
+          {"seconds", rounded(time.cpu, 1e3)},
+          {"plain_seconds", rounded(plain_time.cpu, 1e3)}};
+}
+
 // Subgraphs for T side by side: the bounded degree subgraph, the minimum spanning forest of F, any
 // spanning forest, and the Euclidean minimum spanning tree, which need not be in F.
 Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned int seed)
@@ -232,6 +284,9 @@ Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned
         {"locations", locations_as_json(rounds)},
         {"traces", traces_as_json(rounds)}};
   }
+  for (const Named_volume& volume : volumes())
+    if (surface.name == delaunay_prefix + volume.name)
+      result["iso_surface"] = iso_surface_as_json(volume.make(size));
   return result;
 }
 

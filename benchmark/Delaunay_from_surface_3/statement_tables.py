@@ -11,7 +11,7 @@
 import argparse
 
 import manual_tables
-from manual_tables import commands_of, table
+from manual_tables import cell, commands_of, table
 from theory_tables import cells_of_traces, mean_crossings, percent
 
 ORDER = ["subgraph of bounded degree", "minimum spanning forest of F", "a spanning forest of F",
@@ -34,6 +34,28 @@ def traced(reports):
                              f"{cells_of_traces(r):.2f}"])
     return table(["surface", "points", "T", "degree", "T in D(S)", "EMST in T", "crossings per trace and point",
                   "cells entered per traced point"], rows, 3)
+
+
+def iso_surfaces(reports):
+    """Ordinary marching cubes beside those with Delaunay triangles."""
+    results = {(r["surface"], r["size"]): r for report in reports for r in report["subgraphs"]}
+    rows = []
+    for (name, size), r in sorted(results.items()):
+        if "iso_surface" not in r:
+            continue
+        made = r["iso_surface"]
+        chosen = f'{made["loops"]}: {made["other_loops"]} otherwise, {made["failed_loops"]} not Delaunay'
+        ordinary = results[name.removeprefix("delaunay-"), size]
+        for result, loops, time in ((ordinary, "as the table says", None),
+                                    (r, chosen, made["seconds"] / made["plain_seconds"])):
+            found = result["subgraphs"]["all of F"]["assumptions"]
+            rows.append([result["surface"], str(result["points"]), loops, cell(time, "{:.1f}"),
+                         percent(found["surface_triangles_delaunay"]), percent(found["surface_edges_delaunay"]),
+                         percent(found["emst_edges_in_surface"]), str(found["subgraph_degree"])]
+                        + [f'{mean_crossings(result["subgraphs"][T]):.2f}' for T in ORDER[:3]])
+    return table(["surface", "points", "loops", "time, by that of D(S)", "triangles Delaunay", "edges Delaunay", "EMST in F", "degree",
+                  "crossings per trace and point: subgraph of bounded degree", "minimum spanning forest",
+                  "a spanning forest"], rows, 3)
 
 
 def located(reports):
@@ -60,6 +82,7 @@ def main():
     arguments = parser.parse_args()
     reports = [manual_tables.read(name) for name in sorted(arguments.results)]
     manual_tables.serve(arguments, {"traced": traced(reports), "located": located(reports),
+                                    "iso_surfaces": iso_surfaces(reports),
                                     "command_of_subgraphs": commands_of(*reports)})
 
 

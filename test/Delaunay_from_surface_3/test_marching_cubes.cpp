@@ -18,12 +18,13 @@
 #define HAS_TABLE_OF_CGAL
 #endif
 
+#include "Closed_surface_check.h"
+
 #include <algorithm>
 #include <array>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -151,6 +152,36 @@ BOOST_AUTO_TEST_CASE(loops)
   BOOST_TEST((lengths == std::array<int, 13>{0, 0, 0, 144, 66, 72, 52, 24, 0, 0, 0, 0, 0}));
 }
 
+// However corners are joined in ambiguous squares, each crossed edge is in one loop, and in the
+// other squares nothing changes.
+BOOST_AUTO_TEST_CASE(joined_squares)
+{
+  const Marching_cubes_table table;
+  std::size_t longest = 0, different = 0;
+  for (int inside = 0; inside < 256; ++inside)
+    for (int joined = 0; joined < 64; ++joined) {
+      int ambiguous = 0, edges = 0;
+      for (int s = 0; s < 6; ++s)
+        ambiguous |= int(Marching_cubes_table::is_ambiguous(inside, s)) << s;
+      const auto loops = Marching_cubes_table::loops(inside, joined);
+      for (const auto& loop : loops) {
+        longest = (std::max)(longest, loop.size());
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          edges |= 1 << loop[k];
+          BOOST_TEST(Marching_cubes_table::share_square(loop[k], loop[(k + 1) % loop.size()]));
+        }
+      }
+      for (int e = 0; e < 12; ++e) {
+        const Corners c = Marching_cubes_table::corners(e);
+        BOOST_TEST((edges >> e & 1) == ((inside >> c[0] & 1) != (inside >> c[1] & 1)));
+      }
+      BOOST_TEST((loops == table.loops(inside)) == ((joined & ambiguous) == 0));
+      different += (joined & ambiguous) != 0;
+    }
+  BOOST_TEST(longest == 12u);
+  BOOST_TEST(different > 0u);
+}
+
 // Four edges of loops; and in each voxel at most four diagonals, since no loop has more than seven
 // points.
 BOOST_AUTO_TEST_CASE(loop_edges_and_diagonals)
@@ -213,33 +244,11 @@ BOOST_AUTO_TEST_CASE(surfaces_are_closed_manifolds)
         surfaces::noise(12, 3)}) {
     const surfaces::Indexed_surface surface = surfaces::marching_cubes(volume);
     BOOST_TEST(surface.points.size() > 500u);
-    std::vector<std::map<std::size_t, std::size_t>> next(
-        surface.points.size()); // around each point
-    double six_volumes = 0;
-    for (const auto& t : surface.faces) {
-      for (std::size_t k = 0; k < 3; ++k)
-        BOOST_TEST(next[t[k]].emplace(t[(k + 1) % 3], t[(k + 2) % 3]).second);
-      const auto origin = CGAL::ORIGIN;
-      six_volumes += CGAL::determinant(surface.points[t[0]] - origin, surface.points[t[1]] - origin,
-                                       surface.points[t[2]] - origin);
-    }
-    BOOST_TEST(six_volumes > 0); // counterclockwise from outside
-    std::size_t largest = 0, wrong = 0;
-    for (const auto& around : next) {
-      std::size_t steps = 0, v = around.begin()->first;
-      do {
-        const auto found = around.find(v);
-        if (found == around.end())
-          break;
-        v = found->second;
-        ++steps;
-      } while (v != around.begin()->first && steps <= around.size());
-      wrong += steps != around.size() || v != around.begin()->first;
-      largest = (std::max)(largest, around.size());
-    }
-    BOOST_TEST(wrong == 0u);
-    BOOST_TEST(largest <= 15u);
-    BOOST_TEST_MESSAGE(surface.points.size() << " points, largest degree " << largest);
+    const Closed_surface_check check(surface);
+    BOOST_TEST(check.is_closed_manifold);
+    BOOST_TEST(check.volume > 0); // counterclockwise from outside
+    BOOST_TEST(check.largest_degree <= 15u);
+    BOOST_TEST_MESSAGE(surface.points.size() << " points, largest degree " << check.largest_degree);
   }
 }
 

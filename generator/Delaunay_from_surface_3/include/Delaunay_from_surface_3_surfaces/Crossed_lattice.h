@@ -22,7 +22,7 @@ class Crossed_lattice
 public:
   static constexpr std::size_t none = std::size_t(-1);
 
-  /// O(n^3) for n x n x n lattice points. The lattice lies in the unit cube.
+  /// O(n^3) for n x n x n lattice points, whose coordinates are the integers from 0.
   explicit Crossed_lattice(const Volume& volume)
     : m_size(volume.size())
     , m_step({1, m_size, m_size * m_size})
@@ -44,7 +44,6 @@ public:
   }
 
   std::size_t size() const { return m_size; }
-  double spacing() const { return 1. / double(m_size - 1); }
   const std::vector<Indexed_surface::Point_3>& points() const { return m_points; }
 
   /// Of lattice point or cube p.
@@ -96,9 +95,7 @@ public:
 private:
   Indexed_surface::Point_3 position(std::size_t p) const
   {
-    const double h = spacing();
-    return {double(coordinate(p, 0)) * h, double(coordinate(p, 1)) * h,
-            double(coordinate(p, 2)) * h};
+    return {double(coordinate(p, 0)), double(coordinate(p, 1)), double(coordinate(p, 2))};
   }
 
   std::size_t m_size;
