@@ -125,10 +125,14 @@ public:
   void use_cells(std::size_t end) { m_cells_end = end; }
 
   // The first cells: that of four vertices, positively oriented, and the infinite ones around it.
-  // Makes room for the cells that points on a surface have.
+  // Makes room for the cells that points on a surface have, some 7 for each. Lattices and smooth
+  // surfaces without noise have up to 13 for a time; pages that nobody writes take no memory, so
+  // there is room for these, too, while that is less than a gigabyte.
   void start(const std::array<Id, 4>& v)
   {
-    m_cells.reserve((std::min)(7 * m_number_of_vertices + 64, max_cells), 0);
+    constexpr std::size_t gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
+    const std::size_t few = 7 * m_number_of_vertices + 64, many = 14 * m_number_of_vertices + 64;
+    m_cells.reserve((std::min)(many < gigabyte ? many : few, max_cells), 0);
     std::array<Id, 5> cells;
     for (Id& c : cells)
       c = new_cell();
