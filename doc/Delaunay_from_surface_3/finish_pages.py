@@ -6,6 +6,7 @@
 """What Doxygen leaves to be done on the manual's pages: finish_pages.py FOLDER_OF_HTML FOLDER_OF_MATHJAX
 
 - Concepts are called concepts, which Doxygen calls classes.
+- Names in tables may be broken after an underscore, so that tables are not wider than they must be.
 - MathJax 2, which draws the formulas, is copied beside the pages: of it what they need, so that nothing is fetched when
   they are read. Where it is not found the pages do not ask for it, and show formulas as TeX has them.
 """
@@ -24,6 +25,8 @@ PARTS_OF_MATHJAX = ["MathJax.js", "extensions/AssistiveMML.js", "extensions/Math
                     "extensions/toMathML.js", "jax/element/mml", "jax/input/TeX", "jax/output/SVG/autoload",
                     "jax/output/SVG/config.js", "jax/output/SVG/fonts/TeX", "jax/output/SVG/jax.js"]
 LOADING = re.compile(r'<script type="text/x-mathjax-config">.*?</script>\s*<script[^>]*MathJax\.js"></script>\s*', re.S)
+TABLE = re.compile(r'<table class="markdownTable">.*?</table>', re.S)
+CODE = re.compile(r"<code>.*?</code>")
 # With what must not be torn from it at the end of a line. Doxygen has put a blank between "(" and a formula.
 FORMULA = re.compile(r"(\( )?(\\\(.*?\\\))([,.;:)]*)")
 
@@ -36,6 +39,10 @@ def copy_mathjax(source, target):
             shutil.copytree(source / part, target / part)
         else:
             shutil.copyfile(source / part, target / part)
+
+
+def breakable(match):
+    return CODE.sub(lambda code: re.sub(r">[^<]+", lambda text: text[0].replace("_", "_<wbr/>"), code[0]), match[0])
 
 
 def whole_formula(match):
@@ -52,6 +59,7 @@ def main():
     for path in html.glob("*.html"):
         old = path.read_text(encoding="utf-8")
         new = LISTED.sub(r">concept \1", TITLE.sub(r"Concept \1", old))
+        new = TABLE.sub(breakable, new)
         new = FORMULA.sub(whole_formula, new) if has_mathjax else LOADING.sub("", new)
         if new != old:
             path.write_text(new, encoding="utf-8")

@@ -17,7 +17,7 @@ namespace CGAL {
 
 is the control: exactly the insertions of `Delaunay_triangulation_3::insert(first, last)`, in that
 order and from those starting cells. The surface is not looked at. With `Fast_location` this
-is true of the lowest level; with `Parallel_tag` stock insertion is another matter.
+is true of the lowest level; with `Parallel_tag` plain insertion is another matter.
 
 \f$O(n \log n)\f$, plus what the insertions take.
 

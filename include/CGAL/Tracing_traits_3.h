@@ -15,7 +15,7 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in the place of Q:
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in place of Q:
 random order, rounds that end at N_h, and a trace of a spanning subgraph T of bounded degree at the
 end of each round but the last. Round 1 follows a Hilbert order. T is that of
 `Bounded_degree_subgraph`, for meshes and soups; a surface that it refuses, and a graph without

@@ -104,7 +104,7 @@ class Standalone(unittest.TestCase):
         self.assertIn("Class Reference", self.page("classCGAL_1_1Delaunay__from__surface__3_1_1Full__graph.html"))
 
     def test_groups_in_the_order_of_use(self):
-        text = self.page("group__PkgDelaunayFromSurface3Ref.html")
+        text = self.page("group__PkgDelaunayFromSurface3Ref.html").replace("<wbr/>", "")
         places = [text.index(f'"group__PkgDelaunayFromSurface3{name}.html"')
                   for name in ("Mesh", "Soup", "Points", "Graph", "Traits", "Concepts")]
         self.assertEqual(places, sorted(places))

@@ -14,8 +14,9 @@ that observes conflict zones may remember the history of the cells instead.
 
 A model is a class template with two parameters: `Target`, a model of `InsertionTarget_3`, and
 `Subgraph`, a model of `boost::AdjacencyGraph` whose vertices are the numbers of the points, of type
-`std::size_t`, and in which every edge of T can be followed in both directions. Points are numbered
-in the order of their insertion, as in the target.
+`std::size_t`. It stands for T, the subgraph of the surface that a `SurfaceSubgraph` has chosen, and
+every edge of T can be followed in both directions. Points are numbered in the order of their
+insertion, as in the target.
 
 \cgalRefines{UpdateObserver_3}
 

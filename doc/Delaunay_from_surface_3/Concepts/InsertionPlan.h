@@ -6,7 +6,7 @@ An `InsertionPlan` is a function object that decides the order in which points a
 where the rounds of the insertion end. A trace follows every round but the last
 (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1).
 
-The triangulation is right for any order. A model has never heard of a cell.
+The triangulation is right for any order. A model knows nothing of cells.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Log_star_rounds}
@@ -44,7 +44,7 @@ public:
 
   \param points the n points; all coordinates are finite, points may coincide
   \param gt the geometric traits object of the triangulation
-  \param graph the surface graph F, not T
+  \param graph the graph of the surface, not the subgraph that is traced
   \param index_map maps the vertices of `graph` onto 0, …, n-1, one to one: the vertex with index i
   stands for `points[i]`
 

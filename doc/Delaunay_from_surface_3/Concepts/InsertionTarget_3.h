@@ -4,10 +4,10 @@
 
 An `InsertionTarget_3` is what n points are inserted into. They are numbered 0, …, n-1 in the order
 of their insertion, whatever their numbers in the surface were (\cgalCite{choi-dtsm-02}, Fig.\ 1,
-line 2c). It also locates points by walking, which stands for the location structure Q of lines 2a
-and 2b.
+line 2c). It also locates points by walking, which stands in for the location structure Q of lines
+2a and 2b.
 
-A target has never heard of a surface. A model is a class template with one parameter:
+A target knows nothing of surfaces. A model is a class template with one parameter:
 `Triangulation`, a `CGAL::Delaunay_triangulation_3`.
 
 The complete insertion calls, in this order: the constructor; `obstacle()`; `insert_round()` for one

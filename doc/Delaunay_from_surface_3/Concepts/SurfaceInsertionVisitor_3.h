@@ -16,6 +16,7 @@ For points p, q, …, in two rounds, the calls come in this order:
 | `phase_begins(PLAN)`, `phase_begins(SUBGRAPH)` | |
 | `subgraph_is_replaced(reason)` | only if the subgraph refuses the surface |
 | `target_is_replaced(reason)` | only if it applies |
+| `insertion_begins(1)` | with the number of threads |
 | `round_begins(0, n_0)` | |
 | `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on for each point of the round |
 | `phase_begins(TRACE)`, `trace_ends(k)` | |
@@ -24,7 +25,7 @@ For points p, q, …, in two rounds, the calls come in this order:
 | `insertion_ends(target, hints)`, `phase_begins(FINISH)` | left out after a stop |
 | `phase_begins(DONE)` | |
 
-If the order is too dear, `order_is_replaced(reason)` comes after one of the `go_further()`, and all
+If the order is too costly, `order_is_replaced(reason)` comes after one of the `go_further()`, and all
 from `phase_begins(PLAN)` on comes again.
 
 \cgalHasModelsBegin

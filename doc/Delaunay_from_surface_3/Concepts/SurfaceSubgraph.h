@@ -10,7 +10,7 @@ The triangulation is right for any choice, an empty one included. The cost is no
 trace (Theorem 3 of the paper) asks for a subgraph that spans F, has bounded degree, and consists of
 Delaunay edges.
 
-A model has never heard of triangulations: it sees a graph, and what its constructor was given.
+A model knows nothing of triangulations: it sees a graph, and what its constructor was given.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Bounded_degree_subgraph}

@@ -27,7 +27,7 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion where the last trace found the point (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines
-2a and 2b), with a walk in the place of the paper's location structure Q. A trace traverses T depth
+2a and 2b), with a walk in place of the paper's location structure Q. A trace traverses T depth
 first from inserted vertices outwards and locates every point not yet inserted from the cell of the
 neighbour in T that led to it. In a component without an inserted vertex the first point starts from
 its last record, or, if it has none, from the vertex inserted last.
