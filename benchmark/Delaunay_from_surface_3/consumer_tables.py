@@ -3,13 +3,13 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Puts what measure_consumers and measure_python.py wrote as tables on the manual's page on gains by use; needs nothing
-but Python.
+"""Puts what measure_consumers, measure_thinning and measure_python.py wrote as tables on the manual's page on gains by
+use; needs nothing but Python.
 
-  consumer_tables.py results/{consumers,python}.json --tables
-  consumer_tables.py results/{consumers,python}.json --manual Consumers.txt [--check]
+  consumer_tables.py results/{consumers,thinning,python}.json --tables
+  consumer_tables.py results/{consumers,thinning,python}.json --manual Consumers.txt [--check]
 
-Blocks: consumers and python, each with its machine and command.
+Blocks: consumers, thinning and python, each with its machine and command.
 """
 
 import manual_tables
@@ -23,18 +23,32 @@ def gains(report, other, title):
                  [[cell(v) for v in row] for row in rows])
 
 
+def thinning_table(report):
+    number = "{:,}".format
+    rows = [[r["consumer"], number(r["points"]).replace(",", " "), number(r["plain_vertices"]).replace(",", " "),
+             number(r["ours_vertices"]).replace(",", " "), f'{r["median_plain_cpu"]:.3f}',
+             f'{r["median_ours_cpu"]:.3f}', f'{r["median_ratio"]:.2f}'] for r in report["results"]]
+    return table(["what is left out", "points", "vertices, plain CGAL", "this package", "plain CGAL, CPU s",
+                  "this package, CPU s", "gain"], [[cell(v) for v in row] for row in rows])
+
+
 def all_blocks(reports):
     """{name: text} of all that the manual shows."""
-    consumers = next(report for report in reports if "machine" in report)
-    python = next(report for report in reports if "scipy" in report)
+    by_program = {report["command"].split()[0]: report for report in reports}
+    consumers, thinning, python = (by_program[name] for name in
+                                   ("measure_consumers", "measure_thinning", "measure_python.py"))
     return {"consumers": gains(consumers, "plain", "plain CGAL"),
             "consumers_machine": f'{machine_of(consumers)}. Load average before the run: '
                                  f'{consumers["machine"]["load_before"]:.1f}.',
             "consumers_command": commands_of(consumers),
+            "thinning": thinning_table(thinning),
+            "thinning_machine": f'{machine_of(thinning)}. Load average before the run: '
+                                f'{thinning["machine"]["load_before"]:.1f}.',
+            "thinning_command": commands_of(thinning),
             "python": gains(python, "scipy", "SciPy"),
             "python_versions": f'Python {python["python"]}, NumPy {python["numpy"]}, SciPy {python["scipy"]}.',
             "python_command": commands_of(python)}
 
 
 if __name__ == "__main__":
-    manual_tables.fill_from_results(__doc__, all_blocks, "measure_consumers and measure_python.py")
+    manual_tables.fill_from_results(__doc__, all_blocks, "measure_consumers, measure_thinning and measure_python.py")

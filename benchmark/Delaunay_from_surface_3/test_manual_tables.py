@@ -52,7 +52,7 @@ class Manual_tables(unittest.TestCase):
                    "orders_200k.json", "demo_meshes.json", "python.json")
 
     def test_consumers(self):
-        self.check(["Consumers.txt"], "consumer_tables.py", "consumers.json", "python.json")
+        self.check(["Consumers.txt"], "consumer_tables.py", "consumers.json", "thinning.json", "python.json")
 
     def test_theory(self):
         self.check(["Theory.txt"], "plot_location_costs.py", "location_costs.json")

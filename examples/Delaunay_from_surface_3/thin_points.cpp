@@ -2,143 +2,84 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points are left out if they are too near a vertex of the cell that they fall into, as
-// reconstruction from images thins its points. What is left out depends on the order of the
-// insertions, which go one by one. All it takes is an insertion target of one's own, which asks
-// before it inserts.
+// Thins points while they are inserted: a point that is nearer to a vertex than a given distance is
+// left out. No two vertices are then nearer to each other, and every point is near one of them.
 
-#include <CGAL/insert_points_along_graph_3.h>
+#include <CGAL/insert_points_3.h>
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_insertion_policies_3.h>
-#include <CGAL/Timer.h>
-#include <CGAL/point_generators_3.h>
-#include <CGAL/spatial_sort.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/bounding_box.h>
 
-#include <boost/graph/adjacency_list.hpp>
-
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
-#include <utility>
+#include <string>
 #include <vector>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = K::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<K>;
-namespace DFS = CGAL::Delaunay_from_surface_3;
 
-const double least_distance = 0.03;
-
-bool is_accepted(const Point& p, const Point& nearest)
+// Is asked about each point, with the vertex that is nearest to it at that time.
+struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
 {
-  return CGAL::squared_distance(p, nearest) >= least_distance * least_distance;
-}
+  const std::vector<Point>& points;
+  const double least_squared_distance;
 
-// Inserts into a compact triangulation what is accepted.
-template <class Tr>
-class Thinning_target_3 : public DFS::Compact_delaunay_3<Tr>
-{
-  using Base = DFS::Compact_delaunay_3<Tr>;
-
-public:
-  using Wider_target = void; // 150 million points are enough here
-  using typename Base::Location;
-  using typename Base::Vertex;
-
-  Thinning_target_3(Tr& tr, const std::vector<Point>& points)
-    : Base(tr, points)
-    , m_points(points)
-    , m_point_of_vertex(points.size() + 1)
+  Thinning_visitor(const std::vector<Point>& p, double d)
+    : points(p)
+    , least_squared_distance(d * d)
   {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (this->vertex(i) != Vertex()) // the first four are inserted at once
-        m_point_of_vertex[this->vertex(i)] = i;
   }
 
-  template <class Observer>
-  void insert(std::size_t i, const Location& location, Observer& observer)
+  bool accept(std::size_t i, std::size_t /* number of the point there */,
+              const Point& nearest) const
   {
-    const Vertex nearest = this->nearest_vertex(i, location);
-    if (location.vertex == Vertex() &&
-        !is_accepted(m_points[i], m_points[m_point_of_vertex[nearest]]))
-      return;
-    Base::insert(i, location, observer);
-    if (location.vertex == Vertex())
-      m_point_of_vertex[this->vertex(i)] = i;
+    return CGAL::squared_distance(points[i], nearest) >= least_squared_distance;
   }
-
-  template <class Hints, class Visitor>
-  bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor)
-  {
-    return DFS::insert_one_by_one(*this, first, last, hints, visitor);
-  }
-
-  // None for a point that was left out.
-  std::vector<typename Tr::Vertex_handle> take_vertices()
-  {
-    auto handles = Base::take_vertices();
-    for (std::size_t i = 0; i < handles.size(); ++i)
-      if (this->vertex(i) == Vertex())
-        handles[i] = typename Tr::Vertex_handle();
-    return handles;
-  }
-
-private:
-  const std::vector<Point>& m_points;
-  std::vector<std::size_t> m_point_of_vertex;
 };
 
-using Thinning_traits = CGAL::Surface_insertion_policies_3<DFS::Full_graph, DFS::Geometric_rounds,
-                                                           DFS::Previous_hint_3, Thinning_target_3>;
-
-// The same by plain CGAL, in its order.
-void insert_thinned(Triangulation& tr, std::vector<Point> points)
+// Is that what has become of the points?
+bool is_thinned(const Triangulation& tr, const std::vector<Point>& points, double squared_distance)
 {
-  CGAL::spatial_sort(points.begin(), points.end());
-  Triangulation::Cell_handle hint;
-  for (const Point& p : points) {
-    Triangulation::Locate_type type;
-    int li, lj;
-    const auto c = tr.locate(p, type, li, lj, hint);
-    if (tr.dimension() == 3 && !is_accepted(p, tr.nearest_vertex_in_cell(p, c)->point()))
-      hint = c;
-    else
-      hint = tr.insert(p, type, c, li, lj)->cell();
-  }
+  for (const auto& e : tr.finite_edges()) // the nearest vertices are joined by an edge
+    if (tr.segment(e).squared_length() < squared_distance)
+      return false;
+  return std::all_of(points.begin(), points.end(), [&](const Point& p) {
+    const auto v = tr.nearest_vertex(p);
+    return p == v->point() || CGAL::squared_distance(p, v->point()) < squared_distance;
+  });
 }
 
 int main(int argc, char* argv[])
 {
-  CGAL::Random random(7);
-  CGAL::Random_points_on_sphere_3<Point> on_sphere(1., random);
+  const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("torus.off");
   std::vector<Point> points;
-  for (int i = 0, n = argc > 1 ? std::atoi(argv[1]) : 20000; i < n; ++i)
-    points.push_back(*on_sphere++);
+  std::vector<std::vector<std::size_t>> unused_faces;
+  if (!CGAL::IO::read_polygon_soup(file_name, points, unused_faces) || points.empty()) {
+    std::cerr << "Cannot read " << file_name << '\n';
+    return EXIT_FAILURE;
+  }
+  const auto box = CGAL::bounding_box(points.begin(), points.end());
+  const double distance = argc > 2
+                              ? std::atof(argv[2])
+                              : std::sqrt(CGAL::squared_distance((box.min)(), (box.max)())) / 30;
 
-  CGAL::Timer ours, plain;
-  ours.start();
+  const Thinning_visitor visitor(points, distance);
   Triangulation tr;
-  std::vector<Point> accepted;
-  CGAL::insert_points_along_graph_3(
-      tr, points, boost::adjacency_list<boost::vecS, boost::vecS>(points.size()), Thinning_traits(),
-      CGAL::parameters::vertex_to_vertex_output_iterator(
-          [&](std::size_t i, Triangulation::Vertex_handle) { accepted.push_back(points[i]); }));
-  ours.stop();
-  plain.start();
-  Triangulation plain_tr;
-  insert_thinned(plain_tr, points);
-  plain.stop();
-
-  std::cout << tr.number_of_vertices() << " of " << points.size() << " points in " << ours.time()
-            << " s; plain CGAL, in its order: " << plain_tr.number_of_vertices() << " in "
-            << plain.time() << " s\n";
-  const bool is_delaunay = tr == Triangulation(accepted.begin(), accepted.end());
-  return is_delaunay && accepted.size() == tr.number_of_vertices() ? EXIT_SUCCESS : EXIT_FAILURE;
+  try {
+    CGAL::insert_points_3(tr, points, CGAL::parameters::visitor(visitor));
+  } catch (const CGAL::Surface_input_error& error) {
+    std::cerr << file_name << ": " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  std::cout << tr.number_of_vertices() << " of " << points.size()
+            << " points, none nearer to another than " << distance << '\n';
+  return is_thinned(tr, points, visitor.least_squared_distance) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -74,9 +74,12 @@ Delaunay_3_arrays<Index> arrays_of_points(const PointRange& points, const MakeOr
       visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
                             get_parameter(np, internal_np::visitor)),
                         std::size_t(std::distance(std::begin(points), std::end(points))));
+  using Visitor = std::remove_reference_t<decltype(visitor)>;
+  static_assert(!accepts_points<Visitor, Array_point>(),
+                "delaunay_3_arrays() leaves no point out: its visitor has no accept()");
 
   const Rounding_to_nearest rounding;
-  Visitor_in_mode_of_caller<std::remove_reference_t<decltype(visitor)>> observer(visitor, rounding);
+  Visitor_in_mode_of_caller<Visitor> observer(visitor, rounding);
   return arrays_by_plan<Traits, typename Executor_of_tag<ConcurrencyTag>::type, Index>(
       [&] { return read_points<Array_point>(points, point_map); },
       Traits().insertion_plan_object(seed),

@@ -70,8 +70,8 @@ below; any other does not compile
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it; it is copied unless it is
-      passed by `std::ref()`}
+    \cgalParamDescription{is told what is going on, and can stop it; if it has a function `accept()`
+      it leaves points out. It is copied unless it is passed by `std::ref()`}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
       that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by
       returning `false`}

@@ -55,7 +55,8 @@ public:
 
   /*!
   returns the cell from which the location of point `i` starts (line 2b). It is called once for each
-  point, just before its location: for `i` = 0, 1, and so on.
+  point, just before its location: for `i` = 0, 1, and so on. Where a visitor leaves points out, points
+  before `i` may have no vertex.
 
   \return a cell that is alive now. `target.cell(v)` gives one for every vertex `v`, and for none.
   */

@@ -90,7 +90,7 @@ public:
   /// returns n, the number of points.
   std::size_t size() const;
 
-  /// returns the vertex of point `i`; none if the point is not inserted yet.
+  /// returns the vertex of point `i`; none if the point is not inserted yet, or left out.
   Vertex vertex(std::size_t i) const;
 
   /// returns a cell of `v`; any cell from which `locate()` can start if `v` is none.
@@ -130,6 +130,17 @@ public:
   */
   template <class Observer>
   void insert(std::size_t i, const Location& location, Observer& observer);
+
+  /*!
+  does the same as `insert()` if `accepts(j, q)` says so, else nothing: q is where the vertex nearest to point
+  `i` is, and j the first point at it, or `std::size_t(-1)`. `accepts` is not called where a vertex
+  stands at the point, or there is none. A target that has this function, which may be left out,
+  calls it in `insert_round()` for a visitor that leaves points out, as `insert_one_by_one()` does;
+  the others do not serve such a visitor.
+  */
+  template <class Observer, class Accepts>
+  void insert_if(std::size_t i, const Location& location, Observer& observer,
+                 const Accepts& accepts);
 
   /// returns how many threads may insert at the same time in `insert_round()`.
   std::size_t number_of_threads() const;

@@ -2,7 +2,8 @@
 \ingroup PkgDelaunayFromSurface3Concepts
 \cgalConcept
 
-A `SurfaceInsertionVisitor_3` is told what the insertion of a surface is doing, and can stop it.
+A `SurfaceInsertionVisitor_3` is told what the insertion of a surface is doing, and can stop it. It
+may have a function more, `accept()`, which leaves points out.
 
 Visitors are copied; one passed by `std::ref()` keeps its state. A visitor may throw: an empty
 triangulation is then unchanged, and a non-empty one is the triangulation of its old points and
@@ -24,6 +25,9 @@ For points p, q, …, in two rounds, the calls come in this order:
 | `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for q, and so on |
 | `insertion_ends(target, hints)`, `phase_begins(FINISH)` | left out after a stop |
 | `phase_begins(DONE)` | |
+
+A visitor with `accept()` is asked by it after `phase_begins(UPDATE)`; about the first points, until
+those accepted do not lie in one plane, already before `target_is_replaced(reason)`.
 
 If the order is too costly, `order_is_replaced(reason)` comes after one of the `go_further()`, and all
 from `phase_begins(PLAN)` on comes again.
@@ -110,4 +114,36 @@ public:
   \return `false` to stop the work here
   */
   bool go_further();
+
+  /*!
+  is called before the insertion of a point: whether it may be inserted. This function can be left
+  out, and the default visitor has none; everything is then inserted, and nothing takes longer.
+
+  It is called once for each point, in the order of the insertions, but not for the very first into
+  an empty triangulation, nor where a vertex stands at the point already: that is then the point's
+  vertex. What is left out depends on the order: on traits, seed, and the order of the input. So the
+  insertions go one by one in a single thread, whatever the concurrency tag says, and
+  `insertion_begins()` tells 1. If the work begins anew (`order_is_replaced()`, or
+  `target_is_replaced()` for want of ids), so do the questions.
+
+  A point that is left out gets no vertex: it is not written to
+  `vertex_to_vertex_output_iterator`, has no info to give, and stands in nobody's way. The
+  triangulation is that of the points that are inserted.
+
+  The nearest vertex is that of the whole triangulation, exactly; of several at the same distance the
+  lexicographically smallest. So order and answers alone decide what is left out. It costs what it
+  takes to find out the cells in conflict with the point. If a point is inserted that is done
+  anyway; if it is left out it comes on top of its location.
+
+  `delaunay_3_arrays()` leaves no point out, nor does a target without `InsertionTarget_3::insert_if()`.
+
+  \param i the point: its index in the input; for a mesh, its place in `vertices(mesh)`
+  \param nearest the index of the first point inserted at the nearest vertex; `std::size_t(-1)` if
+  none was: the vertex was in the triangulation before
+  \param point where the nearest vertex is
+  \tparam Point the points of the triangulation
+
+  \return `false` to leave the point out
+  */
+  bool accept(std::size_t i, std::size_t nearest, const Point& point);
 };

@@ -30,7 +30,7 @@ enum class Surface_insertion_phase {
 /*!
 \ingroup PkgDelaunayFromSurface3Progress
 
-watches nothing and never stops the work; to be derived from. A function of the same name in the
+watches nothing, never stops the work and leaves no point out; to be derived from. A function of the same name in the
 derived class takes the place of the one here, at compile time. All calls are inlined away.
 
 \cgalModels{SurfaceInsertionVisitor_3}

@@ -5,12 +5,14 @@
 // Calls that must not compile: each gives one error, the message behind it. test_refused_code.py
 // compiles this file and looks for them.
 
+#include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +25,15 @@ using Tds =
 using Without_info = CGAL::Delaunay_triangulation_3<K>;
 using With_info = CGAL::Delaunay_triangulation_3<K, Tds>;
 namespace parameters = CGAL::parameters;
+
+struct Wrong_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  bool accept(std::size_t, const Point&) { return false; }
+};
+struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  bool accept(std::size_t, std::size_t, const Point&) { return false; }
+};
 
 void call(Without_info& without_info, With_info& with_info, const std::vector<Point>& points,
           const std::vector<std::pair<Point, int>>& numbered,
@@ -39,4 +50,8 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
                         CGAL::Delaunay_from_surface_3::vertex_info_range(infos));
   // expected: a visitor is a model of SurfaceInsertionVisitor_3
   CGAL::insert_points_3(without_info, points, parameters::visitor(1));
+  // expected: the accept() of a visitor takes the numbers of two points and a point
+  CGAL::insert_points_3(without_info, points, parameters::visitor(Wrong_visitor()));
+  // expected: delaunay_3_arrays() leaves no point out
+  CGAL::delaunay_3_arrays(points, parameters::visitor(Thinning_visitor()));
 }

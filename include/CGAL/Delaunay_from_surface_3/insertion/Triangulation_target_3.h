@@ -14,6 +14,8 @@
 #include <CGAL/Triangulation_hierarchy_3.h>
 #include <CGAL/assertions.h>
 
+#include <boost/unordered_map.hpp>
+
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
@@ -129,6 +131,22 @@ public:
     observer.after_update(i, m_vertices[i]);
   }
 
+  /// does the same if `accepts(j, q)` says so, where q is the point of the vertex nearest to point
+  /// `i`, and j the first of the points at it, or `std::size_t(-1)` if none of them is. Nothing is asked
+  /// if a vertex stands at the point, or there is none. Linear in the stars passed on the way to
+  /// the nearest vertex.
+  template <class Observer, class Accepts>
+  void insert_if(std::size_t i, const Location& location, Observer& observer,
+                 const Accepts& accepts)
+  {
+    if (m_tr.number_of_vertices() > 0 && location.type != Triangulation::VERTEX) {
+      const Vertex v = nearest_vertex_of_all(i, location);
+      if (!accepts(first_point_at(v, i), v->point()))
+        return;
+    }
+    insert(i, location, observer);
+  }
+
   /// returns 1.
   std::size_t number_of_threads() const { return 1; }
 
@@ -152,6 +170,39 @@ public:
   std::vector<Vertex> take_vertices() { return std::move(m_vertices); }
 
 private:
+  // Of several at the same distance, that with the lexicographically smallest point. A vertex that is
+  // not the nearest in this order has a neighbour that is nearer, in every dimension.
+  Vertex nearest_vertex_of_all(std::size_t i, const Location& location)
+  {
+    Vertex nearest = nearest_vertex(i, location);
+    for (Vertex last; last != nearest;) {
+      last = nearest;
+      m_adjacent.clear();
+      m_tr.finite_adjacent_vertices(last, std::back_inserter(m_adjacent));
+      for (const Vertex v : m_adjacent)
+        if (is_nearer(i, v, nearest))
+          nearest = v;
+    }
+    return nearest;
+  }
+
+  bool is_nearer(std::size_t i, Vertex v, Vertex w) const
+  {
+    const auto& gt = m_tr.geom_traits();
+    const Comparison_result c = gt.compare_distance_3_object()(m_points[i], v->point(), w->point());
+    return c != EQUAL ? c == SMALLER : gt.compare_xyz_3_object()(v->point(), w->point()) == SMALLER;
+  }
+
+  // Of the points before point `i`, the first at `v`.
+  std::size_t first_point_at(Vertex v, std::size_t i)
+  {
+    for (; m_number_of_known_points < i; ++m_number_of_known_points)
+      if (m_vertices[m_number_of_known_points] != Vertex())
+        m_first_points.emplace(m_vertices[m_number_of_known_points], m_number_of_known_points);
+    const auto found = m_first_points.find(v);
+    return found == m_first_points.end() ? std::size_t(-1) : found->second;
+  }
+
   template <class Observer>
   Vertex insert_at(std::size_t i, const Location& location, Observer& observer)
   {
@@ -180,6 +231,9 @@ private:
   std::vector<Vertex> m_vertices;
   std::vector<Cell> m_conflict_zone;
   std::vector<typename Triangulation::Facet> m_boundary;
+  std::vector<Vertex> m_adjacent;
+  boost::unordered_map<Vertex, std::size_t> m_first_points; // only if something is asked
+  std::size_t m_number_of_known_points = 0;
 };
 
 } // namespace Delaunay_from_surface_3

@@ -56,9 +56,10 @@ public:
     if (i == 0 || m_places.empty())
       return m_target.cell(m_previous);
     std::size_t place = m_places[i];
-    while (m_target.vertex(place) == Vertex() && place != 0) // many threads: not inserted yet
-      place = m_places[place];
-    return m_target.cell(m_target.vertex(place));
+    Vertex v = m_target.vertex(place);
+    while (v == Vertex() && place != 0) // left out; or, with many threads, not inserted yet
+      v = m_target.vertex(place = m_places[place]);
+    return m_target.cell(v == Vertex() ? m_previous : v);
   }
 
   /// remembers `v`.

@@ -17,6 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Walk_to_conflict.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/nearest_vertex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/vectors.h>
 
@@ -57,13 +58,26 @@ public:
   }
 
   // Puts p where a cell is in conflict with it. `before(first, last)` is given the cells in
-  // conflict.
+  // conflict. Returns `true`.
   template <class Before>
-  void insert(Id p, Id cell, const Before& before)
+  bool insert(Id p, Id cell, const Before& before)
   {
     dig(p, cell);
-    before(m_zone.cells.data(), m_zone.cells.data() + m_zone.number_of_cells);
-    m_fill_star(m_complex, m_zone, p);
+    fill(p, before);
+    return true;
+  }
+
+  // The same if accepts(v) for the vertex v nearest to p; else nothing changes.
+  template <class Before, class Accepts>
+  bool insert_if(Id p, Id cell, const Before& before, const Accepts& accepts)
+  {
+    dig(p, cell);
+    if (!accepts(nearest_vertex_of_zone(m_complex, m_exact, m_zone, p))) {
+      m_zone.revive(m_complex);
+      return false;
+    }
+    fill(p, before);
+    return true;
   }
 
   const Insertion_counts& counts() const { return m_zone.counts; }
@@ -93,6 +107,13 @@ private:
     }
 #endif
     Dig_conflict_zone<Explore_neighbors>()(m_complex, predicates, m_zone, p, cell);
+  }
+
+  template <class Before>
+  void fill(Id p, const Before& before)
+  {
+    before(m_zone.cells.data(), m_zone.cells.data() + m_zone.number_of_cells);
+    m_fill_star(m_complex, m_zone, p);
   }
 
   const Exact& m_exact;

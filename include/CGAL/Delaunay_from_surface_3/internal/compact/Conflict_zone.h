@@ -67,6 +67,15 @@ struct Conflict_zone
     number_of_cells = number_of_facets;
   }
 
+  // The cells were dug out by Explore_alone, and live again.
+  void revive(Compact_complex<Id>& complex)
+  {
+    for (std::size_t k = 0; k < number_of_cells; ++k)
+      complex.cell(cells[k]).v[0] = Compact_complex<Id>::first_vertex(complex.cell(cells[k]));
+    counts.cells_destroyed -= number_of_cells;
+    counts.cells_created -= number_of_facets;
+  }
+
 private:
   Id take_cell(Compact_complex<Id>& complex)
   {

@@ -63,6 +63,12 @@ public:
   {
     m_rounding.in_mode_of_caller([&] { m_visitor.insertion_ends(target, hints); });
   }
+  template <class Point>
+  bool accept(std::size_t i, std::size_t nearest, const Point& point)
+  {
+    return m_rounding.in_mode_of_caller(
+        [&] { return static_cast<bool>(m_visitor.accept(i, nearest, point)); });
+  }
   bool go_further()
   {
     return m_rounding.in_mode_of_caller([&] { return m_visitor.go_further(); });

@@ -9,9 +9,11 @@
 // the loop of Fig. 1 (insert_in_rounds.h).
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_in_rounds.h>
@@ -51,7 +53,7 @@ struct Inserted_points
 
 template <class Target, class Traits, class Triangulation, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
-insert_into_target(Triangulation& tr, const Planned_points<typename Triangulation::Point>& planned,
+insert_into_target(Triangulation& tr, Planned_points<typename Triangulation::Point>& planned,
                    Visitor& visitor);
 
 // The target that begins anew where `Target` has too few ids; void if there is none.
@@ -68,8 +70,7 @@ struct Wider_target_of<Target, std::void_t<typename Target::Wider_target>>
 
 template <class Target, class Traits, class Triangulation, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
-insert_into_wider_target(Triangulation& tr,
-                         const Planned_points<typename Triangulation::Point>& planned,
+insert_into_wider_target(Triangulation& tr, Planned_points<typename Triangulation::Point>& planned,
                          const Too_few_ids& shortage, Visitor& visitor)
 {
   using Wider_target = typename Wider_target_of<Target>::type;
@@ -99,11 +100,28 @@ struct Creates_in_order<Target,
 {
 };
 
+// Can the target leave points out?
+template <class Target, class Point, class = void>
+struct Inserts_if : std::false_type
+{
+};
+template <class Target, class Point>
+struct Inserts_if<Target, Point,
+                  std::void_t<decltype(std::declval<Target&>().insert_if(
+                      std::size_t(), std::declval<const typename Target::Location&>(),
+                      std::declval<Null_update_observer&>(),
+                      std::declval<bool (&)(std::size_t, const Point&)>()))>> : std::true_type
+{
+};
+
 template <class Traits, class Triangulation, class Target, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_planned(Target& target, const Planned_points<typename Triangulation::Point>& planned,
                Visitor& visitor)
 {
+  static_assert(
+      !Is_asked<Visitor>::value || Inserts_if<Target, typename Triangulation::Point>::value,
+      "the insertion target of the traits cannot leave points out: it has no insert_if()");
   if (planned.creates_in_input_order) {
     if constexpr (Creates_in_order<Target>::value)
       target.create_vertices_in_order(planned.places);
@@ -117,17 +135,31 @@ insert_planned(Target& target, const Planned_points<typename Triangulation::Poin
   return {target.take_vertices(), outcome};
 }
 
+// What stands against a target that begins with four of the points, before it is there.
+template <class Triangulation, class Visitor>
+std::string obstacle_of_answers(const Triangulation& tr,
+                                Planned_points<typename Triangulation::Point>& planned,
+                                Visitor& visitor)
+{
+  if constexpr (Is_asked<Visitor>::value)
+    if (planned.obstacle.empty() && tr.number_of_vertices() == 0 &&
+        !visitor.ask_first(tr.geom_traits(), planned.points))
+      return "the points that are accepted first lie in one plane";
+  (void)tr, (void)visitor;
+  return planned.obstacle;
+}
+
 // Inserts into `Target` if it can serve, else through CGAL's own insertion.
 template <class Target, class Traits, class Triangulation, class Visitor>
 Inserted_points<typename Triangulation::Vertex_handle>
-insert_into_target(Triangulation& tr, const Planned_points<typename Triangulation::Point>& planned,
+insert_into_target(Triangulation& tr, Planned_points<typename Triangulation::Point>& planned,
                    Visitor& visitor)
 {
   if constexpr (Target::serves_everything) {
     Target target(tr, planned.points);
     return insert_planned<Traits, Triangulation>(target, planned, visitor);
   } else {
-    std::string obstacle = planned.obstacle;
+    std::string obstacle = obstacle_of_answers(tr, planned, visitor);
     if constexpr (!Target::serves_geom_traits()) { // it need not compile
       obstacle = "the predicates of the geometric traits are not the exact ones of a kernel";
     } else if (obstacle.empty()) {

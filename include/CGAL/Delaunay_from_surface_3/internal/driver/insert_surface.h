@@ -13,6 +13,7 @@
 //   insert_in_rounds      is the loop (insert_in_rounds.h)
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Asking_visitor.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Visitor_in_mode_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/make_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
@@ -131,6 +133,17 @@ plan_insertion(const Triangulation& tr, const Input& input, const Traits& traits
   return planned;
 }
 
+// The visitor, or what asks it which points are inserted.
+template <class Point, class Visitor>
+decltype(auto) asked(Visitor_in_mode_of_caller<Visitor>& visitor,
+                     const std::vector<std::size_t>& order)
+{
+  if constexpr (accepts_points<Visitor, Point>())
+    return Asking_visitor<Visitor>(visitor, order);
+  else
+    return (visitor);
+}
+
 // Inserts by the plan; if that exceeds its budget, anew by the one that it names for this case.
 // Returns the vertices by point.
 template <class Traits, class Triangulation, class Plan, class Input, class Visitor>
@@ -145,7 +158,8 @@ insert_by_plan(Triangulation& tr, const Input& input, const Traits& traits, cons
   {
     auto planned = plan_insertion<Target, Hints>(tr, input, traits, make_plan, visitor);
     planned.creates_in_input_order = creates_in_input_order;
-    inserted = insert_into_target<Target, Traits>(tr, planned, visitor);
+    auto&& asking = asked<typename Triangulation::Point>(visitor, planned.plan.order);
+    inserted = insert_into_target<Target, Traits>(tr, planned, asking);
     inserted.vertices =
         permuted(inserted.vertices, planned.places, typename Executor_of<Target>::type());
   }
@@ -216,10 +230,15 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
   if (input.irregularity)
     visitor.surface_is_irregular(*input.irregularity);
   const auto before = static_cast<std::ptrdiff_t>(tr.number_of_vertices());
-  insert_and_give(tr, input, traits, options, visitor, [&](const auto& vertices) {
+  const auto give = [&](const auto& vertices) {
     give_infos(vertices, infos);
     write_vertices(vertices, input.name_of, out);
-  });
+  };
+  using Visitor = std::remove_reference_t<decltype(visitor)>;
+  if constexpr (accepts_points<Visitor, typename Triangulation::Point>()) // in their order
+    insert_and_give(tr, input, of_one_thread(traits), options, visitor, give);
+  else
+    insert_and_give(tr, input, traits, options, visitor, give);
   return static_cast<std::ptrdiff_t>(tr.number_of_vertices()) - before;
 }
 

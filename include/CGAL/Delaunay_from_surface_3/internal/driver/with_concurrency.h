@@ -54,6 +54,7 @@ public:
   {
   }
 
+  const Traits& of_one_thread() const { return m_traits; }
   decltype(auto) surface_subgraph_object() const { return m_traits.surface_subgraph_object(); }
   decltype(auto) insertion_plan_object(unsigned int seed) const
   {
@@ -102,6 +103,18 @@ decltype(auto) with_concurrency(const Triangulation&, const Traits& traits)
     return Parallel_policies<Traits>(traits);
   else
     return (traits);
+}
+
+// Those for one thread, whatever was asked for.
+template <class Traits>
+const Traits& of_one_thread(const Traits& traits)
+{
+  return traits;
+}
+template <class Traits>
+const Traits& of_one_thread(const Parallel_policies<Traits>& traits)
+{
+  return traits.of_one_thread();
 }
 
 } // namespace internal
