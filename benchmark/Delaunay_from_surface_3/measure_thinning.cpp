@@ -162,9 +162,10 @@ std::size_t insert_in_spatial_order(const std::vector<Point>& points, const IsLe
 }
 
 // In random order, with levels to locate by; is_left_out(i, q) of all vertices of the cell that
-// contains the point. What lies outside the convex hull is inserted.
+// contains the point, where what lies outside the convex hull is inserted; or of the nearest vertex.
 template <class IsLeftOut>
-std::size_t insert_in_random_order(const std::vector<Point>& points, const IsLeftOut& is_left_out)
+std::size_t insert_in_random_order(const std::vector<Point>& points, const IsLeftOut& is_left_out,
+                                   bool asks_of_nearest)
 {
   std::vector<std::size_t> order = all_indices(points.size());
   std::shuffle(order.begin(), order.end(), std::mt19937(2024));
@@ -173,8 +174,9 @@ std::size_t insert_in_random_order(const std::vector<Point>& points, const IsLef
     const Point& p = points[i];
     if (tr.number_of_vertices() >= 4) {
       const auto c = tr.locate(p);
-      bool stays_out = !tr.is_infinite(c);
-      for (int k = 0; stays_out && k < 4; ++k)
+      bool stays_out =
+          asks_of_nearest ? is_left_out(i, tr.nearest_vertex(p, c)->point()) : !tr.is_infinite(c);
+      for (int k = 0; !asks_of_nearest && stays_out && k < 4; ++k)
         stays_out = is_left_out(i, c->vertex(k)->point());
       if (stays_out)
         continue;
@@ -205,24 +207,36 @@ std::size_t insert_by_visitor(const std::vector<Point>& points, const IsLeftOut&
   return tr.number_of_vertices();
 }
 
-// plain() and ours() return how many vertices there are. The orders differ, and so do these.
+// run() returns how many vertices there are. The orders differ, and so do these.
+struct Runs
+{
+  std::vector<double> cpu;
+  std::size_t vertices = 0;
+
+  template <class Run>
+  void add(const Run& run)
+  {
+    cpu.push_back(comparison::time_of([&] { vertices = run(); }).cpu);
+  }
+};
+
 template <class Plain, class Ours>
 Json measured(const std::string& what, std::size_t n, std::size_t repetitions, const Plain& plain,
               const Ours& ours)
 {
-  std::vector<double> plain_cpu, ours_cpu, ratios;
-  std::size_t plain_vertices = 0, ours_vertices = 0;
+  Runs by_cgal, by_package;
+  std::vector<double> ratios;
   for (std::size_t r = 0; r < repetitions; ++r) {
-    plain_cpu.push_back(comparison::time_of([&] { plain_vertices = plain(); }).cpu);
-    ours_cpu.push_back(comparison::time_of([&] { ours_vertices = ours(); }).cpu);
-    ratios.push_back(plain_cpu.back() / ours_cpu.back());
+    by_cgal.add(plain);
+    by_package.add(ours);
+    ratios.push_back(by_cgal.cpu.back() / by_package.cpu.back());
   }
   const Json line = {{"consumer", what},
                      {"points", n},
-                     {"plain_vertices", plain_vertices},
-                     {"ours_vertices", ours_vertices},
-                     {"median_plain_cpu", rounded(comparison::median(plain_cpu))},
-                     {"median_ours_cpu", rounded(comparison::median(ours_cpu))},
+                     {"plain_vertices", by_cgal.vertices},
+                     {"ours_vertices", by_package.vertices},
+                     {"median_plain_cpu", rounded(comparison::median(by_cgal.cpu))},
+                     {"median_ours_cpu", rounded(comparison::median(by_package.cpu))},
                      {"median_ratio", rounded(comparison::median(ratios), 1e3)}};
   std::cerr << line.dump() << "\n";
   return line;
@@ -270,9 +284,11 @@ Json measure_all(std::size_t n, std::size_t repetitions)
   const auto as_colmap = [&](std::size_t i, const Point& q) {
     return scene.look_the_same(i, q, {20, .05});
   };
-  compare(
-      "by 20 pixels, loop of COLMAP", [&] { return insert_in_random_order(points, as_colmap); },
-      [&] { return insert_by_visitor<With_levels>(points, as_colmap); });
+  for (const bool asks_of_nearest : {false, true})
+    compare(
+        std::string("by 20 pixels, loop of COLMAP") + (asks_of_nearest ? ", nearest vertex" : ""),
+        [&] { return insert_in_random_order(points, as_colmap, asks_of_nearest); },
+        [&] { return insert_by_visitor<With_levels>(points, as_colmap); });
   return lines;
 }
 

@@ -54,7 +54,7 @@ struct Camera
   // Do the two look different here?
   bool tells_apart(const Point& p, const Point& q) const
   {
-    const double pixels = 2, depth_ratio = .01;
+    const double pixels = 4, depth_ratio = .05;
     const Projection a = (*this)(p), b = (*this)(q);
     return std::abs(a.depth - b.depth) >= depth_ratio * a.depth ||
            std::hypot(a.x - b.x, a.y - b.y) > pixels;
@@ -70,7 +70,7 @@ std::vector<Camera> cameras_around(const Point& center, double radius)
     const Vector out(.8 * std::cos(angle), .8 * std::sin(angle), height);
     const Vector right(-std::sin(angle), std::cos(angle), 0);
     cameras.push_back(
-        {center + 3 * radius * out, right, CGAL::cross_product(out, right), -out, 400});
+        {center + 3 * radius * out, right, CGAL::cross_product(out, right), -out, 100});
   }
   return cameras;
 }

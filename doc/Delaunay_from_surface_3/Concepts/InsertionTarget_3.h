@@ -132,8 +132,8 @@ public:
   void insert(std::size_t i, const Location& location, Observer& observer);
 
   /*!
-  does the same as `insert()` if `accepts(j, q)` says so, else nothing: q is where the vertex nearest to point
-  `i` is, and j the first point at it, or `std::size_t(-1)`. `accepts` is not called where a vertex
+  does the same as `insert()` if `accepts(j, q)` says so, else nothing but to tell `observer` of the vertex
+  nearest to point `i`: q is where that is, and j the first point at it, or `std::size_t(-1)`. `accepts` is not called where a vertex
   stands at the point, or there is none. A target that has this function, which may be left out,
   calls it in `insert_round()` for a visitor that leaves points out, as `insert_one_by_one()` does;
   the others do not serve such a visitor.

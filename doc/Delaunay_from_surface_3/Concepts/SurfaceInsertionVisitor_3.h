@@ -117,7 +117,8 @@ public:
 
   /*!
   is called before the insertion of a point: whether it may be inserted. This function can be left
-  out, and the default visitor has none; everything is then inserted, and nothing takes longer.
+  out, and the default visitor has none; everything is then inserted, and nobody looks for nearest
+  vertices.
 
   It is called once for each point, in the order of the insertions, but not for the very first into
   an empty triangulation, nor where a vertex stands at the point already: that is then the point's
@@ -131,9 +132,10 @@ public:
   triangulation is that of the points that are inserted.
 
   The nearest vertex is that of the whole triangulation, exactly; of several at the same distance the
-  lexicographically smallest. So order and answers alone decide what is left out. It costs what it
-  takes to find out the cells in conflict with the point. If a point is inserted that is done
-  anyway; if it is left out it comes on top of its location.
+  lexicographically smallest. So order and answers alone decide what is left out. In the compact triangulation
+  that costs what it takes to find the cells in conflict with the point, which is done for every
+  insertion anyway; a point that is left out costs it on top of its location. %CGAL's own insertion
+  passes the stars on the way to the nearest vertex.
 
   `delaunay_3_arrays()` leaves no point out, nor does a target without `InsertionTarget_3::insert_if()`.
 

@@ -34,11 +34,12 @@ public:
   void before_update(std::size_t i, CellIterator first, CellIterator last);
 
   /*!
-  is called after point `i` was inserted.
+  is called after point `i` was inserted, or left out.
 
   \tparam Vertex the type `Vertex` of the target
   \param i the number of the point
-  \param v its vertex: a new one, or the one that was there already if the point is a duplicate
+  \param v its vertex: a new one, or the one that was there already if the point is a duplicate; of a
+  point that was left out, the vertex nearest to it
   */
   template <class Vertex>
   void after_update(std::size_t i, Vertex v);

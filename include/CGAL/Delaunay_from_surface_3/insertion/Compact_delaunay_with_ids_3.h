@@ -142,17 +142,15 @@ public:
   /// finds a cell in conflict with point `i` by a walk from `start`, or the vertex at its place.
   Location locate(std::size_t i, Cell start)
   {
-    if (m_vertices[i] != Vertex())
-      return {start, m_vertices[i]};
-    return m_kernel.locate(Complex::vertex_of_point(i), start);
+    return m_vertices[i] != Vertex() ? Location{start, m_vertices[i]}
+                                     : m_kernel.locate(Complex::vertex_of_point(i), start);
   }
 
   /// does the same, and is not counted.
   Location locate(std::size_t i, Cell start) const
   {
-    if (m_vertices[i] != Vertex())
-      return {start, m_vertices[i]};
-    return m_kernel.locate(Complex::vertex_of_point(i), start);
+    return m_vertices[i] != Vertex() ? Location{start, m_vertices[i]}
+                                     : m_kernel.locate(Complex::vertex_of_point(i), start);
   }
 
   /// returns a vertex of the located cell that is nearest to point `i` up to rounding; finite.
@@ -179,7 +177,7 @@ public:
   }
 
   /// does the same if `accepts(j, q)` says so of the vertex nearest to point `i`: that of point j,
-  /// which is q. Nothing is asked if a vertex is at point `i`.
+  /// which is q; else tells `observer` of that one. Nothing is asked if a vertex is at point `i`.
   template <class Observer, class Accepts>
   void insert_if(std::size_t i, const Location& location, Observer& observer,
                  const Accepts& accepts)
@@ -268,8 +266,9 @@ private:
       if constexpr (Observer::observes_conflict_zone)
         observer.before_update(i, first, last);
     };
-    if (location.vertex != Vertex() || insert_at(p, location.cell, before))
-      observer.after_update(i, m_vertices[i] = p);
+    const Id v = location.vertex != Vertex() ? p : insert_at(p, location.cell, before);
+    m_vertices[i] = v == p ? p : Vertex();
+    observer.after_update(i, v);
   }
 
   std::optional<std::string> obstacle_of_input() const

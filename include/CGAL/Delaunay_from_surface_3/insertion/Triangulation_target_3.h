@@ -132,17 +132,19 @@ public:
   }
 
   /// does the same if `accepts(j, q)` says so, where q is the point of the vertex nearest to point
-  /// `i`, and j the first of the points at it, or `std::size_t(-1)` if none of them is. Nothing is asked
-  /// if a vertex stands at the point, or there is none. Linear in the stars passed on the way to
-  /// the nearest vertex.
+  /// `i`, and j the first of the points at it, or `std::size_t(-1)` if none of them is; else tells
+  /// `observer` of that vertex. Nothing is asked if a vertex stands at the point, or there is none.
+  /// Linear in the stars passed on the way to the nearest vertex.
   template <class Observer, class Accepts>
   void insert_if(std::size_t i, const Location& location, Observer& observer,
                  const Accepts& accepts)
   {
     if (m_tr.number_of_vertices() > 0 && location.type != Triangulation::VERTEX) {
       const Vertex v = nearest_vertex_of_all(i, location);
-      if (!accepts(first_point_at(v, i), v->point()))
+      if (!accepts(first_point_at(v, i), v->point())) {
+        observer.after_update(i, v);
         return;
+      }
     }
     insert(i, location, observer);
   }

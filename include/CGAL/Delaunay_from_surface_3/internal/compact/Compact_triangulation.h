@@ -58,26 +58,27 @@ public:
   }
 
   // Puts p where a cell is in conflict with it. `before(first, last)` is given the cells in
-  // conflict. Returns `true`.
+  // conflict. Returns p.
   template <class Before>
-  bool insert(Id p, Id cell, const Before& before)
+  Id insert(Id p, Id cell, const Before& before)
   {
     dig(p, cell);
     fill(p, before);
-    return true;
+    return p;
   }
 
-  // The same if accepts(v) for the vertex v nearest to p; else nothing changes.
+  // The same if accepts(v) for the vertex v nearest to p; else nothing changes, and v is returned.
   template <class Before, class Accepts>
-  bool insert_if(Id p, Id cell, const Before& before, const Accepts& accepts)
+  Id insert_if(Id p, Id cell, const Before& before, const Accepts& accepts)
   {
     dig(p, cell);
-    if (!accepts(nearest_vertex_of_zone(m_complex, m_exact, m_zone, p))) {
+    const Id nearest = nearest_vertex_of_zone(m_complex, m_exact, m_zone, p);
+    if (!accepts(nearest)) {
       m_zone.revive(m_complex);
-      return false;
+      return nearest;
     }
     fill(p, before);
-    return true;
+    return p;
   }
 
   const Insertion_counts& counts() const { return m_zone.counts; }
