@@ -42,7 +42,7 @@ public:
   }
   void operator()(const std::string& attributes, std::uint64_t size)
   {
-    m_out << "        <DataArray " << attributes << " format=\"appended\" offset=\"" << m_offset
+    m_out << "        <DataArray " << attributes << R"( format="appended" offset=")" << m_offset
           << "\"/>\n";
     m_offset += sizeof(std::uint64_t) + size;
   }
@@ -73,24 +73,27 @@ inline void write_vtu(std::ostream& out, const Simplices_3& s)
     ends[i] = std::int64_t((i + 1) * s.corners());
   const std::vector<std::uint8_t> types(s.size(), vtk_types[s.dimension]);
 
-  out << "<?xml version=\"1.0\"?>\n"
-      << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
-      << internal::byte_order()
-      << "\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n    <Piece NumberOfPoints=\""
-      << s.points.size() << "\" NumberOfCells=\"" << s.size() << "\">\n      <Points>\n";
+  out << R"(<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="1.0" byte_order=")"
+      << internal::byte_order() << R"(" header_type="UInt64">
+  <UnstructuredGrid>
+    <Piece NumberOfPoints=")"
+      << s.points.size() << R"(" NumberOfCells=")" << s.size() << R"(">
+      <Points>
+)";
   internal::Announce_array announce(out);
-  announce("type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", 8 * coordinates.size());
+  announce(R"(type="Float64" Name="Points" NumberOfComponents="3")", 8 * coordinates.size());
   out << "      </Points>\n      <Cells>\n";
-  announce("type=\"Int64\" Name=\"connectivity\"", 8 * s.simplices.size());
-  announce("type=\"Int64\" Name=\"offsets\"", 8 * ends.size());
-  announce("type=\"UInt8\" Name=\"types\"", types.size());
+  announce(R"(type="Int64" Name="connectivity")", 8 * s.simplices.size());
+  announce(R"(type="Int64" Name="offsets")", 8 * ends.size());
+  announce(R"(type="UInt8" Name="types")", types.size());
   out << "      </Cells>\n      <PointData>\n";
-  announce("type=\"Int64\" Name=\"input_index\"", 8 * s.input_indices.size());
+  announce(R"(type="Int64" Name="input_index")", 8 * s.input_indices.size());
   out << "      </PointData>\n      <CellData>\n";
   for (const Simplices_3::Data& data : s.data)
-    announce("type=\"Float64\" Name=\"" + data.name + "\"", 8 * data.values.size());
+    announce(R"(type="Float64" Name=")" + data.name + "\"", 8 * data.values.size());
   out << "      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n"
-      << "  <AppendedData encoding=\"raw\">_";
+      << R"(  <AppendedData encoding="raw">_)";
   internal::write_block(out, coordinates);
   internal::write_block(out, s.simplices);
   internal::write_block(out, ends);

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
+#include <memory>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -53,11 +53,10 @@ private:
   {
 #if defined(__GLIBC__) && defined(__linux__) && defined(MADV_HUGEPAGE)
     void* const piece = std::malloc(bytes);
-    const auto first = reinterpret_cast<std::uintptr_t>(piece);
-    const std::uintptr_t begin = (first + large_page - 1) / large_page * large_page;
-    const std::uintptr_t end = (first + bytes) / large_page * large_page;
-    if (piece != nullptr && begin < end)
-      madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    void* begin = piece;
+    std::size_t room = bytes;
+    if (piece != nullptr && std::align(large_page, large_page, begin, room) != nullptr)
+      madvise(begin, room / large_page * large_page, MADV_HUGEPAGE);
     std::free(piece);
 #else
     (void)bytes;
