@@ -217,7 +217,8 @@ BOOST_AUTO_TEST_CASE(hubs_do_not_keep_what_is_nearer_to_others)
   using DFS::internal::Numbered_edge;
   for (const std::uint32_t n :
        {8000u, 80000u}) { // vertices 1, 2, … along a line, every 4th beside 0
-    DFS::internal::Large_vector<Numbered_edge<std::uint32_t>> edges;
+    std::vector<DFS::internal::Large_vector<Numbered_edge<std::uint32_t>>> blocks(1);
+    auto& edges = blocks[0];
     for (std::uint32_t v = 2; v < n; ++v)
       edges.emplace_back(v - 1, v);
     for (std::uint32_t v = 4; v < n; v += 4)
@@ -225,7 +226,7 @@ BOOST_AUTO_TEST_CASE(hubs_do_not_keep_what_is_nearer_to_others)
     const auto distance = [](std::size_t v, std::size_t u) {
       return std::abs(double(v) - double(u));
     };
-    const auto net = DFS::internal::net_of(DFS::internal::lower_neighbors(edges, n), 1, distance);
+    const auto net = DFS::internal::net_of(DFS::internal::lower_neighbors(blocks, n), 1, distance);
     const auto stay = std::count(net.cluster_of.begin(), net.cluster_of.end(), net.cluster_of[0]);
     BOOST_TEST(stay > 1);
     BOOST_TEST(stay < n / 16);
