@@ -5,7 +5,7 @@
 // What each kind of user gains, from the points to the end of what they do with the triangulation:
 // plain CGAL and this package in turn. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/gains.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
@@ -31,14 +31,9 @@
 #include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
-#include <boost/program_options.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
-#include <iostream>
 #include <iterator>
 #include <random>
 #include <stdexcept>
@@ -48,9 +43,7 @@
 
 namespace {
 
-namespace po = boost::program_options;
 using comparison::Json;
-using comparison::rounded;
 using surfaces::Indexed_surface;
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -76,8 +69,8 @@ using Mesh = CGAL::Surface_mesh<Point>;
 class Table
 {
 public:
-  explicit Table(std::size_t repetitions)
-    : m_repetitions(repetitions)
+  explicit Table(comparison::Gains& gains)
+    : m_gains(gains)
   {
   }
 
@@ -85,28 +78,15 @@ public:
   template <class Plain, class Ours>
   void line(const std::string& consumer, std::size_t n, const Plain& plain, const Ours& ours)
   {
-    std::vector<double> plain_cpu, ours_cpu, ratios;
-    for (std::size_t r = 0; r < m_repetitions; ++r) {
-      decltype(plain()) expected, found;
-      plain_cpu.push_back(comparison::time_of([&] { expected = plain(); }).cpu);
-      ours_cpu.push_back(comparison::time_of([&] { found = ours(); }).cpu);
-      ratios.push_back(plain_cpu.back() / ours_cpu.back());
-      if (expected != found)
-        throw std::runtime_error(consumer + ": not equal to plain CGAL");
-    }
-    m_lines.push_back({{"consumer", consumer},
-                       {"points", n},
-                       {"median_plain_cpu", rounded(comparison::median(plain_cpu))},
-                       {"median_ours_cpu", rounded(comparison::median(ours_cpu))},
-                       {"median_ratio", rounded(comparison::median(ratios), 1e3)}});
-    std::cerr << m_lines.back().dump() << "\n";
+    m_gains.line(consumer, n, plain, ours,
+                 [&](const Json&, const auto& expected, const auto& found) {
+                   if (expected != found)
+                     throw std::runtime_error(consumer + ": not equal to plain CGAL");
+                 });
   }
 
-  const Json& lines() const { return m_lines; }
-
 private:
-  std::size_t m_repetitions;
-  Json m_lines = Json::array();
+  comparison::Gains& m_gains;
 };
 
 template <class Tr>
@@ -270,31 +250,9 @@ std::vector<Point> points_in_cube(std::size_t n)
   return points;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
-try {
-  std::size_t n = 200000, repetitions = 5;
-  std::string output = "consumers.json";
-  po::options_description options("Measures what each kind of user gains.\n\nOptions");
-  auto add = options.add_options();
-  add("help,h", "say this and stop");
-  add("points,n", po::value(&n)->value_name("N"), "number of points");
-  add("repetitions,r", po::value(&repetitions)->value_name("N"), "of each, in turn");
-  add("output,o", po::value(&output)->value_name("FILE"), "where the JSON goes");
-  po::variables_map values;
-  po::store(po::parse_command_line(argc, argv, options), values);
-  po::notify(values);
-  if (values.count("help")) {
-    std::cout << options;
-    return EXIT_SUCCESS;
-  }
-
-  Json report = comparison::begin_report("measure_consumers", argc, argv,
-                                         DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
-  report["repetitions"] = repetitions;
-
-  Table table(repetitions);
+void measure(std::size_t n, comparison::Gains& gains)
+{
+  Table table(gains);
   const Indexed_surface surface = surfaces::genus_surface(3, n, 0.05, 2024);
   measure_points<Triangulation>(table, "points in a cube", points_in_cube(n));
   measure_points<Triangulation>(table, "points on a height field", surfaces::terrain(n).points);
@@ -308,9 +266,12 @@ try {
       table, "surface: points alone, numbers of type float", surface.points);
   const double alpha = 40. / double(n); // the square of a few edges' length
   measure_on_top(table, surface.points, alpha);
-  report["results"] = table.lines();
-  comparison::write_report(output, report);
-} catch (const std::exception& e) {
-  std::cerr << "measure_consumers: " << e.what() << "\n";
-  return EXIT_FAILURE;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return comparison::write_gains("measure_consumers", "Measures what each kind of user gains.",
+                                 argc, argv, measure);
 }

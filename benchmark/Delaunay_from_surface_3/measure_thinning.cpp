@@ -9,7 +9,7 @@
 // (src/colmap/mvs/delaunay_meshing.cc) do to triangulate points that images show, rebuilt from what
 // can be read there: order, start of the walk, rule and thresholds. Cameras and points are made.
 
-#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/gains.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
@@ -20,13 +20,9 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <iterator>
 #include <numeric>
@@ -35,10 +31,6 @@
 #include <vector>
 
 namespace {
-
-namespace po = boost::program_options;
-using comparison::Json;
-using comparison::rounded;
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = K::Point_3;
@@ -207,41 +199,6 @@ std::size_t insert_by_visitor(const std::vector<Point>& points, const IsLeftOut&
   return tr.number_of_vertices();
 }
 
-// run() returns how many vertices there are. The orders differ, and so do these.
-struct Runs
-{
-  std::vector<double> cpu;
-  std::size_t vertices = 0;
-
-  template <class Run>
-  void add(const Run& run)
-  {
-    cpu.push_back(comparison::time_of([&] { vertices = run(); }).cpu);
-  }
-};
-
-template <class Plain, class Ours>
-Json measured(const std::string& what, std::size_t n, std::size_t repetitions, const Plain& plain,
-              const Ours& ours)
-{
-  Runs by_cgal, by_package;
-  std::vector<double> ratios;
-  for (std::size_t r = 0; r < repetitions; ++r) {
-    by_cgal.add(plain);
-    by_package.add(ours);
-    ratios.push_back(by_cgal.cpu.back() / by_package.cpu.back());
-  }
-  const Json line = {{"consumer", what},
-                     {"points", n},
-                     {"plain_vertices", by_cgal.vertices},
-                     {"ours_vertices", by_package.vertices},
-                     {"median_plain_cpu", rounded(comparison::median(by_cgal.cpu))},
-                     {"median_ours_cpu", rounded(comparison::median(by_package.cpu))},
-                     {"median_ratio", rounded(comparison::median(ratios), 1e3)}};
-  std::cerr << line.dump() << "\n";
-  return line;
-}
-
 // How far a point is from its nearest neighbour, in the median.
 double spacing_of(const std::vector<Point>& points)
 {
@@ -259,15 +216,18 @@ double spacing_of(const std::vector<Point>& points)
   return comparison::median(distances);
 }
 
-Json measure_all(std::size_t n, std::size_t repetitions)
+void measure(std::size_t n, comparison::Gains& gains)
 {
   const std::vector<Point> points = surfaces::genus_surface(3, n, 0.05, 2024).points;
   const double spacing = spacing_of(points);
   const Scene scene = scene_of(points, spacing);
 
-  Json lines = Json::array();
   const auto compare = [&](const std::string& what, const auto& plain, const auto& ours) {
-    lines.push_back(measured(what, points.size(), repetitions, plain, ours));
+    gains.line(what, points.size(), plain, ours,
+               [](comparison::Json& line, std::size_t by_cgal, std::size_t by_package) {
+                 line["plain_vertices"] = by_cgal;
+                 line["ours_vertices"] = by_package;
+               });
   };
   const auto is_near = [&](std::size_t i, const Point& q) {
     return CGAL::squared_distance(points[i], q) < 4 * spacing * spacing;
@@ -289,34 +249,12 @@ Json measure_all(std::size_t n, std::size_t repetitions)
         std::string("by 20 pixels, loop of COLMAP") + (asks_of_nearest ? ", nearest vertex" : ""),
         [&] { return insert_in_random_order(points, as_colmap, asks_of_nearest); },
         [&] { return insert_by_visitor<With_levels>(points, as_colmap); });
-  return lines;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
-try {
-  std::size_t n = 200000, repetitions = 5;
-  std::string output = "thinning.json";
-  po::options_description options("Measures thinning while points are inserted.\n\nOptions");
-  auto add = options.add_options();
-  add("help,h", "say this and stop");
-  add("points,n", po::value(&n)->value_name("N"), "number of points");
-  add("repetitions,r", po::value(&repetitions)->value_name("N"), "of each, in turn");
-  add("output,o", po::value(&output)->value_name("FILE"), "where the JSON goes");
-  po::variables_map values;
-  po::store(po::parse_command_line(argc, argv, options), values);
-  po::notify(values);
-  if (values.count("help")) {
-    std::cout << options;
-    return EXIT_SUCCESS;
-  }
-  Json report = comparison::begin_report("measure_thinning", argc, argv,
-                                         DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
-  report["repetitions"] = repetitions;
-  report["results"] = measure_all(n, repetitions);
-  comparison::write_report(output, report);
-} catch (const std::exception& e) {
-  std::cerr << "measure_thinning: " << e.what() << "\n";
-  return EXIT_FAILURE;
+{
+  return comparison::write_gains("measure_thinning", "Measures thinning while points are inserted.",
+                                 argc, argv, measure);
 }

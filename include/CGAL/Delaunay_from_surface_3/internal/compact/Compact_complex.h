@@ -130,9 +130,9 @@ public:
   // there is room for these, too, while that is less than a gigabyte.
   void start(const std::array<Id, 4>& v)
   {
-    constexpr std::size_t gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
+    constexpr std::size_t cells_of_gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
     const std::size_t few = 7 * m_number_of_vertices + 64, many = 14 * m_number_of_vertices + 64;
-    m_cells.reserve((std::min)(many < gigabyte ? many : few, max_cells), 0);
+    m_cells.reserve((std::min)(many < cells_of_gigabyte ? many : few, max_cells), 0);
     std::array<Id, 5> cells;
     for (Id& c : cells)
       c = new_cell();

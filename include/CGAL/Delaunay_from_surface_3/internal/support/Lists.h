@@ -56,7 +56,7 @@ private:
   ItemOf m_item_of;
 };
 
-// A part of other items: those from `first` on, so many.
+// A part of other items: first, …, last - 1. Keeps a reference.
 template <class Items>
 class Part_of_items
 {
