@@ -3,15 +3,16 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Puts what location_costs --subgraph-sizes measured on the manual's page of the paper's statements.
+"""Puts what location_costs --subgraph-sizes and compare_with_plain measured on the manual's page of the paper's
+statements.
 
-  statement_tables.py results/subgraphs_traced*.json --manual Statements.txt
+  statement_tables.py results/subgraphs_traced*.json results/paper_256k.json --manual Statements.txt
 """
 
 import argparse
 
 import manual_tables
-from manual_tables import cell, commands_of, table
+from manual_tables import cell, commands_of, machine_of, table
 from theory_tables import cells_of_traces, mean_crossings, percent
 
 ORDER = ["subgraph of bounded degree", "minimum spanning forest of F", "a spanning forest of F",
@@ -75,15 +76,44 @@ def located(reports):
                  rows, 3)
 
 
+ORDERS = {"tracing": ["random, in rounds (the paper)", "trace"],
+          "tracing-hilbert": ["the same rounds, each along a Hilbert curve", "trace"],
+          "geometric-traced": ["rounds that grow by 8, each along a Hilbert curve (BRIO)", "trace"],
+          "geometric-neighbor": ["rounds that grow by 8, each along a Hilbert curve (BRIO)", "nearest neighbour on F"],
+          "plain-order": ["BRIO, as %CGAL has it", "point inserted before"],
+          "nets": ["nets of the surface", "point named by the nets"]}
+
+
+def location_and_update(report):
+    """What share of the time of CGAL's insertion location is, in the orders of the paper and later."""
+    rows = []
+    for r in report["results"]:
+        methods = {method["method"]: method for method in r["methods"]}
+        for k, (name, title) in enumerate(ORDERS.items()):
+            phases = methods[name]["phases"]
+            trace, location, update = (phases["seconds"][phase] * phases["scale_to_cpu"]
+                                       for phase in ("trace", "location", "update"))
+            rows.append(([r["surface"], str(r["points"])] if k == 0 else ["", ""]) + title
+                        + [f"{trace:.2f}", f"{location:.2f}", f"{update:.2f}",
+                           f"{100 * (trace + location) / (trace + location + update):.0f} %"])
+    return table(["surface", "points", "order", "start", "traces, CPU s", "location", "update",
+                  "share of traces and location"], rows, 4)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("results", nargs="+", help="what location_costs wrote")
+    parser.add_argument("results", nargs="+", help="what location_costs and compare_with_plain wrote")
     manual_tables.add_options(parser)
     arguments = parser.parse_args()
-    reports = [manual_tables.read(name) for name in sorted(arguments.results)]
+    read = [manual_tables.read(name) for name in sorted(arguments.results)]
+    reports = [report for report in read if "subgraphs" in report]
+    phases = next(report for report in read if "subgraphs" not in report)
     manual_tables.serve(arguments, {"traced": traced(reports), "located": located(reports),
                                     "iso_surfaces": iso_surfaces(reports),
-                                    "command_of_subgraphs": commands_of(*reports)})
+                                    "command_of_subgraphs": commands_of(*reports),
+                                    "location_and_update": location_and_update(phases),
+                                    "machine_of_phases": machine_of(phases) + ".",
+                                    "command_of_phases": commands_of(phases)})
 
 
 if __name__ == "__main__":
