@@ -7,6 +7,7 @@
 // when T is not Delaunay.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/delaunay_marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/jitter.h>
@@ -407,10 +408,7 @@ int main(int argc, char** argv)
   try {
     Options options;
     const po::options_description description = describe(options);
-    po::variables_map given;
-    // An empty positional description: a stray word is an error.
-    po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), given);
-    po::notify(given);
+    comparison::read_command_line(argc, argv, description);
     if (options.sizes.empty())
       for (std::size_t size = 1024; size <= 1048576; size *= 2)
         options.sizes.push_back(size);
@@ -421,10 +419,7 @@ int main(int argc, char** argv)
       options.command += std::string(" ") + argv[i];
     if (options.threads == 0)
       throw std::invalid_argument("--threads must be at least 1");
-    if (given.count("help"))
-      std::cout << description;
-    else
-      run(options);
+    run(options);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {
     std::cerr << "location_costs: " << error.what() << '\n';

@@ -9,6 +9,7 @@
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
@@ -257,13 +258,7 @@ Options read_options(int argc, char** argv)
       "count only, with nets in blocks of so many vertices (1: by index)");
   add("scan", po::value(&o.scan)->value_name("FILE"), "a mesh that is refined to these sizes, too");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
-  po::variables_map values;
-  po::store(po::parse_command_line(argc, argv, options), values);
-  po::notify(values);
-  if (values.count("help")) {
-    std::cout << options;
-    std::exit(EXIT_SUCCESS);
-  }
+  comparison::read_command_line(argc, argv, options);
   return o;
 }
 

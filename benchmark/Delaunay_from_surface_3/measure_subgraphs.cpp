@@ -7,6 +7,7 @@
 // otherwise take. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_subgraphs/heap_peak.h>
 #include <Delaunay_from_surface_3_subgraphs/measure_bounds.h>
 #include <Delaunay_from_surface_3_subgraphs/other_trees.h>
@@ -230,13 +231,7 @@ Options read_options(int argc, char** argv)
   add("triangulations,t", po::value(&o.triangulations)->value_name("N"),
       "of each kind of surface, for degrees beside their bounds");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
-  po::variables_map values;
-  po::store(po::parse_command_line(argc, argv, options), values);
-  po::notify(values);
-  if (values.count("help")) {
-    std::cout << options;
-    std::exit(EXIT_SUCCESS);
-  }
+  comparison::read_command_line(argc, argv, options);
   return o;
 }
 

@@ -11,6 +11,7 @@
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/memory.h>
 #include <Delaunay_from_surface_3_comparison/peers.h>
+#include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_threads/simulate_workers.h>
@@ -306,13 +307,7 @@ Options read_options(int argc, char** argv)
   add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn; 0: no times");
   add("data-dir", po::value(&o.data_dir)->value_name("DIR"), "the meshes of libcgal-demo");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
-  po::variables_map values;
-  po::store(po::parse_command_line(argc, argv, options), values);
-  po::notify(values);
-  if (values.count("help")) {
-    std::cout << options;
-    std::exit(EXIT_SUCCESS);
-  }
+  comparison::read_command_line(argc, argv, options);
   return o;
 }
 

@@ -10,6 +10,7 @@
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/read_command_line.h>
 
 #include <boost/program_options.hpp>
 
@@ -74,13 +75,7 @@ int write_gains(const std::string& program, const std::string& purpose, int argc
     add("points,n", po::value(&n)->value_name("N"), "number of points");
     add("repetitions,r", po::value(&repetitions)->value_name("N"), "of each, in turn");
     add("output,o", po::value(&output)->value_name("FILE"), "where the JSON goes");
-    po::variables_map values;
-    po::store(po::parse_command_line(argc, argv, options), values);
-    po::notify(values);
-    if (values.count("help")) {
-      std::cout << options;
-      return EXIT_SUCCESS;
-    }
+    read_command_line(argc, argv, options);
     Json report = begin_report(program, argc, argv, DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
     report["repetitions"] = repetitions;
     Gains gains(repetitions);

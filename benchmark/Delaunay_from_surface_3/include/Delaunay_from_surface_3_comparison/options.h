@@ -10,6 +10,7 @@
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/methods.h>
 #include <Delaunay_from_surface_3_comparison/peers.h>
+#include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 
 #include <boost/program_options.hpp>
@@ -100,19 +101,13 @@ inline std::optional<Options> parse_command_line(int argc, char** argv)
   namespace po = boost::program_options;
   Options options;
   const po::options_description description = describe(options);
-  po::variables_map given;
-  // An empty positional description: a stray word is an error.
-  po::store(po::command_line_parser(argc, argv).options(description).positional({}).run(), given);
-  po::notify(given);
+  const po::variables_map given = read_command_line(argc, argv, description);
   options.command = command_line("compare_with_plain", argc, argv);
   if (options.repetitions == 0)
     throw std::invalid_argument("--repetitions must be at least 1");
-  if (given.count("help") != 0)
-    std::cout << description;
-  else if (given.count("list") != 0)
-    list();
-  else
+  if (given.count("list") == 0)
     return options;
+  list();
   return std::nullopt;
 }
 
