@@ -47,7 +47,8 @@ def stacked_bar(axes, y, parts, height):
     for color, value in parts:
         axes.barh(y, value, height, left, color=color)
         left += value
-    beside(axes, left, y, f"{left:.1f}", 4)
+    # On a ground of its own, so that no line goes through it.
+    beside(axes, left, y, f"{left:.1f}", 4, bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5})
 
 
 def beside(axes, x, y, text, pixels, **keywords):
@@ -209,7 +210,7 @@ def draw_cells(surfaces, file_name):
         lines_along(axes, "y")
         size_ticks(axes, sorted({n for curve in found.values() for n, _ in curve}))
         ticks(axes.yaxis, y_ticks, log=True)
-        axes.set(title=surface, xlabel="points (logarithmic)")
+        axes.set(title=surface, xlabel="points (logarithmic)", ylim=(y_ticks[0] / 1.2, y_ticks[-1]))
     sheet.legend([line(label_of(m)[0], label_of(m)[1], k) for m, k in zip(methods, MARKERS)], 52, 12, 2)
     sheet.write(file_name)
 
