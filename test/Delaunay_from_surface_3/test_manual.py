@@ -144,6 +144,14 @@ class Standalone(unittest.TestCase):
                 self.assertNotIn("athjax", finished.replace("MathJax", "mathjax").split("<body>")[0])
                 self.assertEqual(finished.count("\\("), text.count("\\("))
 
+    def test_every_page_is_linked(self):
+        """From the tree beside the pages, or from another page."""
+        texts = {path.name: path.read_text(encoding="utf-8") for path in self.html.iterdir()
+                 if path.suffix in (".html", ".js")}
+        for name in texts:
+            if name.endswith(".html"):
+                self.assertTrue(any(name in text for other, text in texts.items() if other != name), name)
+
     def test_nothing_is_fetched(self):
         for path in self.html.glob("*.html"):
             text = path.read_text(encoding="utf-8")
@@ -167,6 +175,13 @@ class In_a_tree_of_CGAL(unittest.TestCase):
             self.assertIn("../CGAL/group__bgl__namedparameters.html",
                           (Path(folder) / "index.html").read_text(encoding="utf-8"))
             self.assertFalse((Path(folder) / "delaunay_from_surface_3_bibliography.html").exists())
+
+    def test_what_cgal_reads_in_the_description(self):
+        """By its script that writes how to cite each package, line by line."""
+        text = (MANUAL / "PackageDescription.txt").read_text(encoding="utf-8")
+        for macro in (r"cgalPkgDescriptionBegin\{[^}]+,\s?[^}]+\}", r"cgalPkgAuthors\{[^}]+\}",
+                      r"cgalPkgBib\{cgal:[^}]+\}"):
+            self.assertRegex(text, re.compile(rf"^\\{macro}$", re.MULTILINE))
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ An `UpdateObserver_3` is told by an `InsertionTarget_3` what each insertion chan
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Null_update_observer}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Conflict_history_3<Triangulation>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::History_dag_3<Triangulation>}
-\cgalHasModels{all models of `InsertionHints_3`}
+\cgalHasModelsBare{all models of `InsertionHints_3`}
 \cgalHasModelsEnd
 */
 class UpdateObserver_3
