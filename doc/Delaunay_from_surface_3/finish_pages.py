@@ -6,7 +6,9 @@
 """What Doxygen leaves to be done on the manual's pages: finish_pages.py FOLDER_OF_HTML FOLDER_OF_MATHJAX
 
 - Concepts are called concepts, which Doxygen calls classes.
-- Names in tables may be broken after an underscore, so that tables are not wider than they must be.
+- The pages of folders, which Doxygen writes, links from nowhere, and leaves empty, are removed.
+- Names in tables may be broken after an underscore, unless a digit follows, so that tables are not wider than they
+  must be.
 - MathJax 2, which draws the formulas, is copied beside the pages: of it what they need, so that nothing is fetched when
   they are read. Where it is not found the pages do not ask for it, and show formulas as TeX has them.
 """
@@ -42,7 +44,7 @@ def copy_mathjax(source, target):
 
 
 def breakable(match):
-    return CODE.sub(lambda code: re.sub(r">[^<]+", lambda text: text[0].replace("_", "_<wbr/>"), code[0]), match[0])
+    return CODE.sub(lambda code: re.sub(r">[^<]+", lambda text: re.sub(r"_(?!\d)", "_<wbr/>", text[0]), code[0]), match[0])
 
 
 def whole_formula(match):
@@ -56,6 +58,8 @@ def main():
         copy_mathjax(mathjax, html / "mathjax")
     else:
         print(f"skipped: formulas are left in TeX, as MathJax 2 (Debian: libjs-mathjax) was not found in {mathjax}")
+    for path in html.glob("dir_*.html"):
+        path.unlink()
     for path in html.glob("*.html"):
         old = path.read_text(encoding="utf-8")
         new = LISTED.sub(r">concept \1", TITLE.sub(r"Concept \1", old))
