@@ -16,9 +16,9 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Traits
 
 is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1): random order, rounds that end at
-N_h, traces of a spanning subgraph of bounded degree, and the history of all conflicts for Q. It is
-here to study the theorem, not to save time: it takes several times the memory of the others, and is
-slower.
+\f$N_h\f$, traces of a spanning subgraph T of bounded degree, and the history of all conflicts. It
+is here to study the theorem, not to save time: it takes several times the memory of the others, and
+is slower.
 
 \f$O(n \log^* n)\f$ expected time under the assumptions of the paper: T is of bounded degree and
 consists of Delaunay edges, and triangulations of the points inserted so far have linear expected

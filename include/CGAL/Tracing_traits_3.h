@@ -15,9 +15,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in place of Q:
-random order, rounds that end at N_h, and a trace of a spanning subgraph T of bounded degree at the
-end of each round but the last. Round 1 follows a Hilbert order. T is that of
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in place of its
+location structure Q: random order, rounds that end at \f$N_h\f$, a trace of a spanning subgraph T of
+bounded degree at the end of each round but the last. Round 1 follows a Hilbert curve. T is that of
 `Bounded_degree_subgraph`, for meshes and soups; a surface that it refuses, and a graph without
 faces, get a `Spanning_forest`, whose degree has no bound, and the visitor is told.
 

@@ -15,7 +15,7 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Plans
 
 is what an `InsertionPlan` returns: the order in which n points are inserted, and where its rounds
-end. It is the random order s_1, …, s_n of \cgalCite{choi-dtsm-02}, §2, together with the N_h.
+end: in \cgalCite{choi-dtsm-02}, §2, the random order \f$s_1, \ldots, s_n\f$ and the \f$N_h\f$.
 
 Round h, counted from 0, inserts the points `order[k]` with `round_ends[h-1] <= k < round_ends[h]`;
 the first begins at `k = 0`.
