@@ -6,11 +6,13 @@
 """What Doxygen leaves to be done on the manual's pages: finish_pages.py FOLDER_OF_HTML FOLDER_OF_MATHJAX
 
 - Concepts are called concepts, which Doxygen calls classes.
+- The word CGAL means the library, and is no link to the namespace.
 - The pages of folders, which Doxygen writes, links from nowhere, and leaves empty, are removed.
 - Names in tables may be broken after an underscore, unless a digit follows, so that tables are not wider than they
-  must be.
+  must be. Options of programs are not broken after their hyphens.
 - MathJax 2, which draws the formulas, is copied beside the pages: of it what they need, so that nothing is fetched when
-  they are read. Where it is not found the pages do not ask for it, and show formulas as TeX has them.
+  they are read. Pages without formulas do not ask for it. Where it is not found none does, and formulas are shown as
+  TeX has them.
 """
 
 import re
@@ -22,6 +24,8 @@ CONCEPTS = {path.stem for path in (Path(__file__).resolve().parent / "Concepts")
 TITLE = re.compile(rf"\b({'|'.join(CONCEPTS)}) Class Reference\b")
 LISTED = re.compile(rf'>class (&#160;</td>.*?<a class="el" href="[^"]*">(?:{"|".join(CONCEPTS)})</a>)')
 
+NAME_OF_LIBRARY = re.compile(r'<a class="el" href="namespaceCGAL\.html" title="[^"]*">CGAL</a>')
+
 # TeX is read, SVG is drawn with glyphs that are scripts too, and MathML is left for screen readers.
 PARTS_OF_MATHJAX = ["MathJax.js", "extensions/AssistiveMML.js", "extensions/MathEvents.js", "extensions/tex2jax.js",
                     "extensions/toMathML.js", "jax/element/mml", "jax/input/TeX", "jax/output/SVG/autoload",
@@ -29,6 +33,7 @@ PARTS_OF_MATHJAX = ["MathJax.js", "extensions/AssistiveMML.js", "extensions/Math
 LOADING = re.compile(r'<script type="text/x-mathjax-config">.*?</script>\s*<script[^>]*MathJax\.js"></script>\s*', re.S)
 TABLE = re.compile(r'<table class="markdownTable">.*?</table>', re.S)
 CODE = re.compile(r"<code>.*?</code>")
+OPTION = re.compile(r"(?<=[ >])-[-\w]+")
 # With what must not be torn from it at the end of a line. Doxygen has put a blank between "(" and a formula.
 FORMULA = re.compile(r"(\( )?(\\\(.*?\\\))([,.;:)]*)")
 
@@ -43,8 +48,14 @@ def copy_mathjax(source, target):
             shutil.copyfile(source / part, target / part)
 
 
-def breakable(match):
-    return CODE.sub(lambda code: re.sub(r">[^<]+", lambda text: re.sub(r"_(?!\d)", "_<wbr/>", text[0]), code[0]), match[0])
+def breakable(table):
+    def break_names(text):
+        return re.sub(r"_(?!\d)", "_<wbr/>", text[0])
+    return CODE.sub(lambda code: re.sub(r">[^<]+", break_names, code[0]), table[0])
+
+
+def whole_options(match):
+    return OPTION.sub(r'<span class="option">\g<0></span>', match[0])
 
 
 def whole_formula(match):
@@ -63,8 +74,10 @@ def main():
     for path in html.glob("*.html"):
         old = path.read_text(encoding="utf-8")
         new = LISTED.sub(r">concept \1", TITLE.sub(r"Concept \1", old))
-        new = TABLE.sub(breakable, new)
-        new = FORMULA.sub(whole_formula, new) if has_mathjax else LOADING.sub("", new)
+        new = NAME_OF_LIBRARY.sub("CGAL", new)
+        new = CODE.sub(whole_options, TABLE.sub(breakable, new))
+        needs_mathjax = has_mathjax and FORMULA.search(new)
+        new = FORMULA.sub(whole_formula, new) if needs_mathjax else LOADING.sub("", new)
         if new != old:
             path.write_text(new, encoding="utf-8")
 

@@ -130,6 +130,12 @@ class Standalone(unittest.TestCase):
             self.assertLessEqual(report["overflow"], 0, name)
 
     @unittest.skipUnless(HAS_MATHJAX, "MathJax was not found")
+    def test_mathjax_where_there_are_formulas(self):
+        for path in self.html.glob("*.html"):
+            text = path.read_text(encoding="utf-8")
+            self.assertEqual("mathjax/MathJax.js" in text, 'class="formula"' in text, path.name)
+
+    @unittest.skipUnless(HAS_MATHJAX, "MathJax was not found")
     def test_size_of_mathjax(self):
         self.assertLess(sum(path.stat().st_size for path in self.html.glob("mathjax/**/*")), 5e6)
 
@@ -143,6 +149,17 @@ class Standalone(unittest.TestCase):
                 finished = (Path(folder) / name).read_text(encoding="utf-8")
                 self.assertNotIn("athjax", finished.replace("MathJax", "mathjax").split("<body>")[0])
                 self.assertEqual(finished.count("\\("), text.count("\\("))
+
+    def test_cgal_is_the_library(self):
+        for path in self.html.glob("*.html"):
+            text = path.read_text(encoding="utf-8")
+            self.assertNotRegex(text, r'namespaceCGAL\.html" title="[^"]*">CGAL</a>', path.name)
+
+    def test_members_in_the_order_of_the_source(self):
+        text = self.page("classInsertionTarget__3.html")
+        places = [text.index(f'<h2 class="groupheader">{name}</h2>')
+                  for name in ("Types", "Creation", "Access", "Location", "Insertion")]
+        self.assertEqual(places, sorted(places))
 
     def test_every_page_is_linked(self):
         """From the tree beside the pages, or from another page."""
