@@ -3,13 +3,14 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Puts what location_costs --subgraph-sizes and compare_with_plain measured on the manual's page of the paper's
-statements.
+"""Puts what location_costs --subgraph-sizes, measure_uniform_samples and compare_with_plain measured on the manual's page
+of the paper's statements.
 
-  statement_tables.py results/subgraphs_traced*.json results/paper_256k.json --manual Statements.txt
+  statement_tables.py results/subgraphs_traced*.json results/{uniform_samples,paper_256k}.json --manual Statements.txt
 """
 
 import argparse
+import statistics
 
 import manual_tables
 from manual_tables import cell, commands_of, machine_of, table
@@ -76,6 +77,33 @@ def located(reports):
                  rows, 3)
 
 
+def uniform_samples(report):
+    rows = []
+    for r in report["samples"]:
+        for k, found in enumerate([r["all"], *r["subsets"]]):
+            ratio = found["largest_ratio_of_edges"]
+            rows.append([r["sample"] if k == 0 else "",
+                         "all points" if k == 0 else f'thinned, factor {found["factor"]:g}', str(found["points"]),
+                         str(found["surface_largest_degree"]), f'{ratio:.{1 if ratio < 100 else 0}f}',
+                         str(found["euler_characteristic"]), str(found["delaunay_largest_degree"]),
+                         f'{found["delaunay_mean_degree"]:.1f}'])
+    return table(["sample", "", "points", "largest degree on the surface", "longest edge / shortest", "Euler characteristic",
+                  "largest degree in D(S)", "mean"], rows, 2)
+
+
+WAYS = ("nets", "sorted_nets", "uniform", "random_rounds")
+
+
+def uniform_rounds(report):
+    rows = [[r["surface"], str(r["points"]), str(r["rounds"])] +
+            [f'{r[way]["cells_destroyed"]:.1f}' + (" *" if r[way]["order_was_replaced"] else "") for way in WAYS]
+            for r in report["levels"]]
+    means = [statistics.geometric_mean([r[way]["cells_destroyed"] for r in report["levels"]]) for way in WAYS]
+    rows.append(["geometric mean", "", ""] + [f"{mean:.1f}" for mean in means])
+    return table(["surface", "points", "rounds", "nets", "nets, along Hilbert curves", "uniform subsets",
+                  "random rounds"], rows)
+
+
 ORDERS = {"tracing": ["random, in rounds (the paper)", "trace"],
           "tracing-hilbert": ["the same rounds, each along a Hilbert curve", "trace"],
           "geometric-traced": ["rounds that grow by 8, each along a Hilbert curve (BRIO)", "trace"],
@@ -102,15 +130,20 @@ def location_and_update(report):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("results", nargs="+", help="what location_costs and compare_with_plain wrote")
+    parser.add_argument("results", nargs="+",
+                        help="what location_costs, measure_uniform_samples and compare_with_plain wrote")
     manual_tables.add_options(parser)
     arguments = parser.parse_args()
     read = [manual_tables.read(name) for name in sorted(arguments.results)]
     reports = [report for report in read if "subgraphs" in report]
-    phases = next(report for report in read if "subgraphs" not in report)
+    uniform = next(report for report in read if "samples" in report)
+    phases = next(report for report in read if "results" in report)
     manual_tables.serve(arguments, {"traced": traced(reports), "located": located(reports),
                                     "iso_surfaces": iso_surfaces(reports),
                                     "command_of_subgraphs": commands_of(*reports),
+                                    "uniform_samples": uniform_samples(uniform),
+                                    "uniform_rounds": uniform_rounds(uniform),
+                                    "command_of_uniform_samples": commands_of(uniform),
                                     "location_and_update": location_and_update(phases),
                                     "machine_of_phases": machine_of(phases) + ".",
                                     "command_of_phases": commands_of(phases)})

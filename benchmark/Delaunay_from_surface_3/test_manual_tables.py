@@ -61,7 +61,8 @@ class Manual_tables(unittest.TestCase):
         self.check(["Theory.txt"], "plot_location_costs.py", "location_costs.json")
 
     def test_statements(self):
-        self.check(["Statements.txt"], "statement_tables.py", "subgraphs_traced*.json", "paper_256k.json")
+        self.check(["Statements.txt"], "statement_tables.py", "subgraphs_traced*.json", "uniform_samples.json",
+                   "paper_256k.json")
 
     def test_subgraphs(self):
         self.check(["bounded_degree_subgraphs.txt"], "subgraph_tables.py", "subgraph_*.json")
