@@ -139,9 +139,9 @@ private:
   // Digs from a cell that was found in conflict under the word in the zone.
   bool dig(Predicates& predicates, Id p, Id cell)
   {
-    return with_explore([&](auto explore) {
-      return Dig_conflict_zone<decltype(explore)&>()(m_shared.complex(), predicates, m_zone, p,
-                                                     cell, explore);
+    return with_explore([&](auto&& explore) {
+      return Dig_conflict_zone<std::decay_t<decltype(explore)>&>()(m_shared.complex(), predicates,
+                                                                   m_zone, p, cell, explore);
     });
   }
 
