@@ -3,18 +3,18 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Puts what location_costs --subgraph-sizes counted as a table on the manual's page on where surfaces come from; needs nothing but Python.
+"""Puts what measure_sources wrote as tables on the manual's page on where surfaces come from; needs nothing but Python.
 
-  source_tables.py results/subgraphs_traced*.json --tables
-  source_tables.py results/subgraphs_traced*.json --manual Sources.txt [--check]
+  source_tables.py results/sources*.json --tables
+  source_tables.py results/sources*.json --manual Sources.txt [--check]
 
-Blocks: sources, with commands.
+Blocks: sources and source_times, with machine and command.
 """
 
 import math
 
 import manual_tables
-from manual_tables import commands_of, table
+from manual_tables import commands_of, machine_of, table
 
 
 def percent(share, whole):
@@ -28,29 +28,48 @@ def thousands(number):
     return f"{number:,}".replace(",", " ")
 
 
-NAMES = {"armadillo": ["scan", "armadillo.off, resized, jitter of 5 % of the edge length"],
-         "delaunay-genus-3": ["Mesh_3, surface alone", "implicit function, genus 3"],
-         "marching-cubes": ["marching cubes", "smooth sum of waves"],
-         "delaunay-marching-cubes": ["`delaunay_marching_cubes()`", "smooth sum of waves"],
-         "noise": ["marching cubes", "noise"],
-         "delaunay-noise": ["`delaunay_marching_cubes()`", "noise"]}
+def held_by(result):
+    """The vertices of the triangulation that is left at the end, and how many of them have weights."""
+    if "held" not in result:
+        return "–"
+    vertices, weighted = result["held"]["vertices"], result["held"]["weighted"]
+    return thousands(vertices) + (f", {thousands(weighted)} with weights" if weighted else "")
+
+
+def sources(results):
+    rows = []
+    for r in results:
+        names = [r["consumer"], r.get("made_from", "skipped")]
+        if "skipped" in r:
+            rows.append(names + ["–"] * 6)
+            continue
+        rows.append(names + [thousands(r["vertices"]), percent(r["triangles_delaunay"], r["other_triangles"] == 0),
+                             percent(r["edges_delaunay"], r["edges_delaunay"] == 1), str(r["largest_degree"]),
+                             "yes" if r["contains_emst"] else "no, " + percent(r["emst_edges_in_surface"], False),
+                             held_by(r)])
+    return table(["source", "made of", "points", "triangles Delaunay", "edges Delaunay", "largest degree", "EMST in F",
+                  "vertices of the triangulation held"], rows, 2)
+
+
+def times(results):
+    rows = [[r["consumer"], r["made_from"], f'{r["median_plain_cpu"]:.3f}', f'{r["median_ours_cpu"]:.3f}',
+             f'{r["median_ratio"]:.2f}', f'{r["plain_destroyed"]:.1f}',
+             f'{r["ours_destroyed"]:.1f}', f'{r["cells"] / r["vertices"]:.1f}']
+            for r in results if "skipped" not in r]
+    return table(["source", "made of", "plain CGAL, CPU s", "this package, CPU s", "gain",
+                  "cells destroyed, plain CGAL", "this package", "cells of D(S)"], rows, 2)
 
 
 def all_blocks(reports):
     """{name: text} of all that the manual shows."""
-    results = {(r["surface"], r["size"]): r["subgraphs"]["all of F"]["assumptions"] | {"points": r["points"]}
-               for report in reports for r in report["subgraphs"]}
-    rows = []
-    for name, titles in NAMES.items():
-        for found in (r for (surface, _), r in sorted(results.items()) if surface == name):
-            shares = [found[name] for name in ("surface_triangles_delaunay", "surface_edges_delaunay",
-                                               "emst_edges_in_surface")]
-            rows.append(titles + [thousands(found["points"])] + [percent(share, share == 1) for share in shares]
-                        + [str(found["subgraph_degree"])])
-    return {"sources": table(["source", "made of", "points", "triangles Delaunay", "edges Delaunay", "EMST in F",
-                              "largest degree"], rows, 2),
+    results = [result for report in reports for result in report["results"]]
+    loads = [report["machine"]["load_before"] for report in reports]
+    return {"sources": sources(results),
+            "source_times": times(results),
+            "sources_machine": f"{machine_of(reports[0])}. Load average before the runs: {min(loads):.1f} to "
+                               f"{max(loads):.1f}.",
             "sources_command": commands_of(*reports)}
 
 
 if __name__ == "__main__":
-    manual_tables.fill_from_results(__doc__, all_blocks, "location_costs --subgraph-sizes")
+    manual_tables.fill_from_results(__doc__, all_blocks, "measure_sources")

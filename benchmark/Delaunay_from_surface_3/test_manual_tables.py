@@ -55,7 +55,7 @@ class Manual_tables(unittest.TestCase):
         self.check(["Consumers.txt"], "consumer_tables.py", "consumers.json", "thinning.json", "python.json")
 
     def test_sources(self):
-        self.check(["Sources.txt"], "source_tables.py", "subgraphs_traced*.json")
+        self.check(["Sources.txt"], "source_tables.py", "sources*.json")
 
     def test_theory(self):
         self.check(["Theory.txt"], "plot_location_costs.py", "location_costs.json")

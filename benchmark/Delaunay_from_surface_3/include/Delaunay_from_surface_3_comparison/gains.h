@@ -53,6 +53,13 @@ public:
     m_lines.push_back(line);
   }
 
+  // A line that says why there are no figures.
+  void skip(const std::string& consumer, const std::string& why)
+  {
+    m_lines.push_back({{"consumer", consumer}, {"skipped", why}});
+    std::cerr << "skipped: " << consumer << ", as " << why << "\n";
+  }
+
   const Json& lines() const { return m_lines; }
 
 private:
@@ -60,10 +67,12 @@ private:
   Json m_lines = Json::array();
 };
 
-// The whole program: its options, measure(n, gains), its JSON. Returns the exit status.
+// The whole program: its options, with its own among them, measure(n, gains), its JSON. Returns the
+// exit status.
 template <class Measure>
 int write_gains(const std::string& program, const std::string& purpose, int argc, char** argv,
-                const Measure& measure)
+                const Measure& measure,
+                const boost::program_options::options_description& own_options = {})
 {
   namespace po = boost::program_options;
   try {
@@ -75,6 +84,7 @@ int write_gains(const std::string& program, const std::string& purpose, int argc
     add("points,n", po::value(&n)->value_name("N"), "number of points");
     add("repetitions,r", po::value(&repetitions)->value_name("N"), "of each, in turn");
     add("output,o", po::value(&output)->value_name("FILE"), "where the JSON goes");
+    options.add(own_options);
     read_command_line(argc, argv, options);
     Json report = begin_report(program, argc, argv, DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
     report["repetitions"] = repetitions;
