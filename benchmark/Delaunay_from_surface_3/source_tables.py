@@ -30,10 +30,8 @@ def thousands(number):
 
 def held_by(result):
     """The vertices of the triangulation that is left at the end, and how many of them have weights."""
-    if "held" not in result:
-        return "–"
-    vertices, weighted = result["held"]["vertices"], result["held"]["weighted"]
-    return thousands(vertices) + (f", {thousands(weighted)} with weights" if weighted else "")
+    held = result.get("held")
+    return [thousands(held["vertices"]), thousands(held["weighted"])] if held else ["–", "–"]
 
 
 def sources(results):
@@ -41,14 +39,14 @@ def sources(results):
     for r in results:
         names = [r["consumer"], r.get("made_from", "skipped")]
         if "skipped" in r:
-            rows.append(names + ["–"] * 6)
+            rows.append(names + ["–"] * 7)
             continue
         rows.append(names + [thousands(r["vertices"]), percent(r["triangles_delaunay"], r["other_triangles"] == 0),
                              percent(r["edges_delaunay"], r["edges_delaunay"] == 1), str(r["largest_degree"]),
                              "yes" if r["contains_emst"] else "no, " + percent(r["emst_edges_in_surface"], False),
-                             held_by(r)])
+                             *held_by(r)])
     return table(["source", "made of", "points", "triangles Delaunay", "edges Delaunay", "largest degree", "EMST in F",
-                  "vertices of the triangulation held"], rows, 2)
+                  "held", "weighted"], rows, 2)
 
 
 def times(results):
