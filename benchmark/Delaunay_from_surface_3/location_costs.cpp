@@ -414,9 +414,7 @@ int main(int argc, char** argv)
         options.sizes.push_back(size);
     if (options.time_sizes.empty())
       options.time_sizes = {16384, 131072, 1048576};
-    options.command = "location_costs";
-    for (int i = 1; i < argc; ++i)
-      options.command += std::string(" ") + argv[i];
+    options.command = comparison::command_line("location_costs", argc, argv);
     if (options.threads == 0)
       throw std::invalid_argument("--threads must be at least 1");
     run(options);

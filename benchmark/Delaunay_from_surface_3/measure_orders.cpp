@@ -7,6 +7,7 @@
 // surfaces that are degenerate, wrong or of quadratic size. Times in turn, and counts. Or only
 // counts, of nets drawn by other rules. Writes JSON.
 
+#include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
@@ -103,18 +104,6 @@ void for_other_surfaces(std::size_t n, const Measure& measure)
     measure({"two lines", "quadratic", computed, surfaces::two_lines(n)});
 }
 
-struct Watch : CGAL::Default_surface_insertion_visitor_3
-{
-  DFS::Insertion_counts counts;
-  bool order_was_replaced = false;
-  void order_is_replaced(const std::string&) { order_was_replaced = true; }
-  template <class Target, class Hints>
-  void insertion_ends(const Target& target, const Hints&)
-  {
-    counts = target.counts();
-  }
-};
-
 // As a mesh where it is one, else as a soup.
 class Insertion
 {
@@ -128,15 +117,15 @@ public:
       m_mesh = surfaces::to_mesh<Mesh>(surface);
   }
 
-  void by_default(Triangulation& tr, Watch& watch) const
+  void by_default(Triangulation& tr, comparison::Take_counts& counts) const
   {
-    with(CGAL::Surface_insertion_traits_3(), tr, watch);
+    with(CGAL::Surface_insertion_traits_3(), tr, counts);
   }
 
   template <class Traits>
-  void with(const Traits& traits, Triangulation& tr, Watch& watch) const
+  void with(const Traits& traits, Triangulation& tr, comparison::Take_counts& counts) const
   {
-    const auto np = CGAL::parameters::visitor(std::ref(watch));
+    const auto np = CGAL::parameters::visitor(std::ref(counts));
     if (m_is_mesh)
       CGAL::insert_surface_vertices_3(tr, m_mesh, traits, np);
     else
@@ -172,12 +161,12 @@ Json measure_case(const Case& c, std::size_t repetitions)
 {
   const Insertion insertion(c.surface);
   std::vector<double> ratios, plain, by_default;
-  Watch watch;
+  comparison::Take_counts counts;
   bool is_equal = true;
   for (std::size_t r = 0; r < repetitions; ++r) {
     Triangulation expected, tr;
     plain.push_back(comparison::time_of([&] { insertion.by_plain_cgal(expected); }).cpu);
-    by_default.push_back(comparison::time_of([&] { insertion.by_default(tr, watch); }).cpu);
+    by_default.push_back(comparison::time_of([&] { insertion.by_default(tr, counts); }).cpu);
     ratios.push_back(plain.back() / by_default.back());
     is_equal = is_equal && (r > 0 || tr == expected);
   }
@@ -192,9 +181,9 @@ Json measure_case(const Case& c, std::size_t repetitions)
           {"median_default_cpu", rounded(comparison::median(by_default))},
           {"median_ratio", rounded(comparison::median(ratios), 1e3)},
           {"lower_limit_of_ratio", rounded(lower_limit(ratios), 1e3)},
-          {"cells_destroyed", rounded(double(watch.counts.cells_destroyed) / n, 1e2)},
-          {"cells_tested_to_start", rounded(double(watch.counts.cells_tested_to_start) / n, 1e2)},
-          {"order_was_replaced", watch.order_was_replaced}};
+          {"cells_destroyed", rounded(double(counts.kernel.cells_destroyed) / n, 1e2)},
+          {"cells_tested_to_start", rounded(double(counts.kernel.cells_tested_to_start) / n, 1e2)},
+          {"order_was_replaced", counts.order_was_replaced}};
 }
 
 // The default with nets in blocks of another size; see Surface_net_rounds.
@@ -211,12 +200,12 @@ template <class Traits>
 Json counts_of(const Insertion& insertion, const Traits& traits, std::size_t n)
 {
   Triangulation tr;
-  Watch watch;
-  insertion.with(traits, tr, watch);
-  return {{"cells_destroyed", rounded(double(watch.counts.cells_destroyed) / double(n), 1e2)},
+  comparison::Take_counts counts;
+  insertion.with(traits, tr, counts);
+  return {{"cells_destroyed", rounded(double(counts.kernel.cells_destroyed) / double(n), 1e2)},
           {"cells_tested_to_start",
-           rounded(double(watch.counts.cells_tested_to_start) / double(n), 1e2)},
-          {"order_was_replaced", watch.order_was_replaced}};
+           rounded(double(counts.kernel.cells_tested_to_start) / double(n), 1e2)},
+          {"order_was_replaced", counts.order_was_replaced}};
 }
 
 Json count_case(const Case& c, const std::vector<std::size_t>& blocks)

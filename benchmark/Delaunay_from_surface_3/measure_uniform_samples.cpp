@@ -6,6 +6,7 @@
 // on samples as they are and thinned; and what nested subsets are worth as rounds of insertion, by
 // cells destroyed, beside nets of the surface and random rounds. Only counts. Writes JSON.
 
+#include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
@@ -53,7 +54,7 @@ constexpr std::uint64_t seed = 2024;
 Json degrees_json(const uniform::Surface_degrees& found)
 {
   return {{"points", found.points},
-          {"surface_vertices", found.surface_vertices},
+          {"surface_vertices", found.surface.vertices},
           {"euler_characteristic", found.euler_characteristic},
           {"surface_largest_degree", found.surface.largest},
           {"surface_mean_degree", rounded(found.surface.mean, 1e2)},
@@ -84,18 +85,6 @@ Json measure_sample(const uniform::Sample& sample, const std::vector<double>& fa
   return result;
 }
 
-struct Watch : CGAL::Default_surface_insertion_visitor_3
-{
-  DFS::Insertion_counts counts;
-  bool order_was_replaced = false;
-  void order_is_replaced(const std::string&) { order_was_replaced = true; }
-  template <class Target, class Hints>
-  void insertion_ends(const Target& target, const Hints&)
-  {
-    counts = target.counts();
-  }
-};
-
 // Each point is located from the one before it.
 template <class Plan>
 using With_plan = CGAL::Surface_insertion_policies_3<DFS::Full_graph, Plan, DFS::Previous_hint_3,
@@ -105,12 +94,12 @@ template <class Traits>
 Json destroyed(const Indexed_surface& surface, const Traits& traits)
 {
   Triangulation tr;
-  Watch watch;
+  comparison::Take_counts counts;
   CGAL::insert_surface_points_3(tr, surface.points, surface.faces, traits,
-                                CGAL::parameters::visitor(std::ref(watch)));
+                                CGAL::parameters::visitor(std::ref(counts)));
   return {{"cells_destroyed",
-           rounded(double(watch.counts.cells_destroyed) / double(surface.points.size()), 1e2)},
-          {"order_was_replaced", watch.order_was_replaced}};
+           rounded(double(counts.kernel.cells_destroyed) / double(surface.points.size()), 1e2)},
+          {"order_was_replaced", counts.order_was_replaced}};
 }
 
 Json measure_levels(const std::string& name, const Indexed_surface& surface)

@@ -21,6 +21,7 @@
 #include <functional>
 #include <iterator>
 #include <numeric>
+#include <string>
 #include <type_traits>
 
 namespace comparison {
@@ -38,6 +39,9 @@ struct Take_counts : CGAL::Default_surface_insertion_visitor_3
 {
   CGAL::Delaunay_from_surface_3::Insertion_counts kernel;
   std::size_t cells_destroyed = 0; // that the hints have seen
+  bool order_was_replaced = false;
+
+  void order_is_replaced(const std::string&) { order_was_replaced = true; }
 
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints& hints)

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DELAUNAY_FROM_SURFACE_3_COMPARISON_GAINS_H
-#define DELAUNAY_FROM_SURFACE_3_COMPARISON_GAINS_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_GAINS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_GAINS_H
 
 // What a program does that measures what kinds of users gain: work with plain CGAL and with the
 // package in turn, a line of JSON for each kind.
@@ -101,4 +101,4 @@ int write_gains(const std::string& program, const std::string& purpose, int argc
 
 } // namespace comparison
 
-#endif // DELAUNAY_FROM_SURFACE_3_COMPARISON_GAINS_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_GAINS_H

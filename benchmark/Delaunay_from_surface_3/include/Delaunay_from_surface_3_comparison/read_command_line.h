@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DELAUNAY_FROM_SURFACE_3_COMPARISON_READ_COMMAND_LINE_H
-#define DELAUNAY_FROM_SURFACE_3_COMPARISON_READ_COMMAND_LINE_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_READ_COMMAND_LINE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_READ_COMMAND_LINE_H
 
 #include <boost/program_options.hpp>
 
@@ -31,4 +31,4 @@ read_command_line(int argc, char** argv, const boost::program_options::options_d
 
 } // namespace comparison
 
-#endif // DELAUNAY_FROM_SURFACE_3_COMPARISON_READ_COMMAND_LINE_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_READ_COMMAND_LINE_H

@@ -22,13 +22,14 @@ namespace uniform {
 
 struct Degrees
 {
+  std::size_t vertices = 0; // with an edge
   std::size_t largest = 0;
   double mean = 0;
 };
 
 struct Surface_degrees
 {
-  std::size_t points = 0, surface_vertices = 0;
+  std::size_t points = 0;
   std::ptrdiff_t euler_characteristic = 0;
   Degrees surface, delaunay;
   double largest_ratio_of_edges = 0; // of the surface, at one vertex
@@ -36,15 +37,15 @@ struct Surface_degrees
 
 using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
 
-// Of the vertices that have an edge.
 inline Degrees degrees_of(const Edges& edges, std::size_t n)
 {
   std::vector<std::size_t> degree(n, 0);
   for (const auto& [i, j] : edges)
     ++degree[i], ++degree[j];
-  const auto isolated = std::count(degree.begin(), degree.end(), std::size_t(0));
-  return {*std::max_element(degree.begin(), degree.end()),
-          2 * double(edges.size()) / double(std::ptrdiff_t(n) - isolated)};
+  const std::size_t vertices =
+      n - std::size_t(std::count(degree.begin(), degree.end(), std::size_t(0)));
+  return {vertices, *std::max_element(degree.begin(), degree.end()),
+          2 * double(edges.size()) / double(vertices)};
 }
 
 // At each vertex the longest edge is divided by the shortest.
@@ -110,9 +111,7 @@ Surface_degrees surface_degrees(const std::vector<Point>& points, const Shape& s
   result.points = points.size();
   result.surface = degrees_of(surface, points.size());
   result.delaunay = degrees_of(delaunay, points.size());
-  result.surface_vertices =
-      std::size_t(std::lround(2 * double(surface.size()) / result.surface.mean));
-  result.euler_characteristic = std::ptrdiff_t(result.surface_vertices) -
+  result.euler_characteristic = std::ptrdiff_t(result.surface.vertices) -
                                 std::ptrdiff_t(surface.size()) + std::ptrdiff_t(triangles);
   result.largest_ratio_of_edges = largest_ratio(surface, points);
   return result;
