@@ -17,9 +17,10 @@ namespace CGAL {
 
 is the control: exactly the insertions of `Delaunay_triangulation_3::insert(first, last)`, in that
 order and from those starting cells. The surface is not looked at. With `Fast_location` this
-is true of the lowest level; with `Parallel_tag` plain insertion is another matter.
+is true of the lowest level; with `Parallel_tag` that function lets many threads insert, and this
+class one.
 
-\f$O(n \log n)\f$, plus what the insertions take.
+Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

@@ -20,7 +20,7 @@ is what inserts points without a surface: a biased randomised insertion order, e
 one before it, into a compact triangulation that is written into the user's at the end. Where that
 cannot serve, CGAL's own insertion does.
 
-\f$O(n \log n)\f$ expected for the order, plus what the insertions take.
+Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

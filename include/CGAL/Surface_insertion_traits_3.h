@@ -20,8 +20,8 @@ is the default, what measured fastest: rounds and starting points from nets of t
 into a compact triangulation that is written into the user's at the end. Where that cannot serve,
 CGAL's own insertion does. Nothing is traced.
 
-\f$O(n)\f$ for n points on a surface of fixed genus, \f$O(n \log n + m)\f$ for any graph with m
-edges, plus what the insertions take.
+Expected \f$O((n + m) \log n)\f$ for n points and m edges, and \f$O(n)\f$ on surfaces like those
+measured (`Delaunay_from_surface_3::Surface_net_rounds`), plus what the insertions take.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

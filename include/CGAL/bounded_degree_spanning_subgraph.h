@@ -20,10 +20,11 @@ with or without boundary, with one component or several.
 The degree of every vertex is at most
 - 3 on a component that is a sphere or a disc,
 - 8g on a closed component of genus g > 0,
-- 8g + 2b + 1 on a component of genus g with b boundary loops.
+- 8g + 2b + 1 on a component of genus g with b > 0 boundary loops.
 
-The subgraph contains the graph along which the surface was cut open (see
-`Delaunay_from_surface_3::cut_graph()`) and the boundary; the rest hangs on these as trees.
+On each component the subgraph contains the graph along which it was cut open (see
+`Delaunay_from_surface_3::cut_graph()`) and the boundary, or the triangle by which a sphere was
+opened; the rest hangs on these as trees.
 
 \tparam HalfedgeGraph a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam EdgeOutputIterator a model of `OutputIterator` that holds
@@ -54,8 +55,8 @@ valid halfedge graph can have such), and no vertex is pinched. Isolated vertices
 \throws Surface_input_error that names a vertex or an edge, if a precondition is violated. Nothing
 has been written then.
 
-Complexity: linear time, without recursion, and at most about 40 bytes of memory per vertex besides
-`g`.
+Complexity: time linear in the size of `g`, without recursion, and at most about 40 bytes of memory
+per vertex besides `g`, where there are about three edges per vertex.
 
 The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given in the
 user manual.
@@ -83,7 +84,7 @@ The degree of every vertex is at most max(3, 6g + 2b) on a component of genus g 
 loops.
 
 The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
-Complexity: \f$O(n \alpha(n))\f$ time.
+Complexity: nearly linear time, \f$O(n \alpha(n))\f$ for n vertices and edges.
 */
 template <class HalfedgeGraph, class EdgeOutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
@@ -119,9 +120,9 @@ vertex on the boundary starts and ends with its two boundary edges.
 \param vertex_index_map a bijection onto `0`, …, `num_vertices(graph) - 1`
 \param edge_is_boundary_map whether an edge has a triangle on one side only
 
-\pre The graph is simple: no loops and no two edges with the same ends. Neighbours in a list are
-joined by an edge, and the three lists of a triangle agree. An isolated vertex, with an empty list,
-is allowed.
+\pre The graph is simple: no loops and no two edges with the same ends. The far ends of two edges
+that follow each other in a list are joined by an edge, and the three lists of a triangle agree. An
+isolated vertex, with an empty list, is allowed.
 
 \return the output iterator
 
@@ -132,8 +133,8 @@ The degree is at most 3 on spheres and discs. On a component with Euler characte
 χ = 2 − h − b and b boundary loops (h is twice the genus if it is orientable, else the
 non-orientable genus) it is at most 4h if b = 0 and 4h + 2b + 1 otherwise.
 
-Complexity: linear time (for the check of the lists: the sum over the edges of the smaller degree of
-the two ends, which is linear for bounded genus). At most about 40 bytes of memory per vertex. Edges
+Complexity: linear time; for the check of the lists the sum over the edges of the smaller degree of
+the two ends, which is linear for bounded genus. At most about 40 bytes of memory per vertex. Edges
 are not paired and need no index: in a simple graph two ends name the edge, and where the surface is
 cut its edges are paired by bucket, in time linear in the cut.
 
@@ -161,10 +162,11 @@ writes a spanning tree of `bounded_degree_spanning_subgraph()`, one per componen
 dropped at the heaviest vertices.
 
 The parameters, preconditions and exceptions are those of
-`bounded_degree_spanning_subgraph()`. The degree is at most max(3, 3h + 2b), and 4 on the projective
-plane.
+`bounded_degree_spanning_subgraph()` for an embedded graph. The degree is at most max(3, 3h + 2b),
+and 4 on the projective plane.
 
-Complexity: nearly linear time, \f$O(n \alpha(n))\f$.
+Complexity: nearly linear time, \f$O(n \alpha(n))\f$ for n vertices and edges, and the check of the
+lists.
 */
 template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
           class EdgeIsBoundaryMap>

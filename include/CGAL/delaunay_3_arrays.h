@@ -93,10 +93,10 @@ Delaunay_3_arrays<Index> arrays_of_points(const PointRange& points, const MakeOr
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-returns the Delaunay triangulation of points as arrays of numbers: its cells are those of
-`Delaunay_triangulation_3` after `insert(first, last)`. No triangulation of CGAL's is made, unless
-the points lie in a plane or their coordinates are of too different size; the visitor is then told
-that the target is replaced.
+returns the Delaunay triangulation of points as arrays of numbers: its cells are those of a
+`Delaunay_triangulation_3<Exact_predicates_inexact_constructions_kernel>` after `insert(first,
+last)`. No triangulation of CGAL's is made, unless the points lie in a plane or their coordinates
+are of too different size; the visitor is then told that the target is replaced.
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
@@ -104,11 +104,12 @@ that the target is replaced.
 cells, as points in space have; those of the arrays included.
 
 \tparam Index `std::int32_t`: up to \f$2^{30}\f$ cells, or 150 million points; `std::int64_t`: any
-\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`: many threads insert, as with
-`insert_points_3()`; the numbers of the cells then differ from run to run. It needs TBB.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. With
+`Parallel_tag`, which needs TBB, many threads insert, as with `insert_points_3()`; the numbers of
+the cells then differ from run to run.
 \tparam PointRange a range of points of any kernel, of `std::array<double, 3>`, pointers to three
 numbers, or anything with coordinates `p[0]`, `p[1]`, `p[2]`; or of items that `point_map` turns
-into points. It is passed through once or twice.
+into points. It is passed through more than once.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param points the points
@@ -130,7 +131,8 @@ below
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told what is going on, and can stop it: the arrays are then empty. It
       is copied unless it is passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable as that of `insert_points_3()`}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3` without `accept()`, or a callable as that
+      of `insert_points_3()`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
@@ -161,8 +163,8 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-does the same for the points of a polygon soup, whose faces show which points are near each other:
-as `insert_surface_points_3()` does it.
+does the same for the points of a polygon soup, whose faces show which points are near each other.
+The order is that of `insert_surface_points_3()` with its default traits.
 
 \param points the points, those in no face included
 \param faces the faces: a range of ranges of integers, for each the indices of its points in order

@@ -23,9 +23,9 @@ namespace CGAL {
 
 inserts the points of a polygon soup into a Delaunay triangulation. The edges of the faces serve as
 the surface; the faces may be polygons, overlap, be oriented at random, or have edges with many
-faces. Where they are triangles that form a surface, oriented at random or not, a
-`Bounded_degree_subgraph` serves as for a mesh; elsewhere a spanning forest takes its place. The
-result, and what holds after a stop or an exception, are those of `insert_surface_vertices_3()`.
+faces. For traits that trace a `Bounded_degree_subgraph`, it is found as for a mesh if the faces are
+triangles that form a surface; else a spanning forest takes its place. The result, and what holds
+after a stop or an exception, are those of `insert_surface_vertices_3()`.
 
 <b>Complexity</b>: that of the traits' parts, plus \f$O(n + m)\f$ for n points and m sides of faces.
 

@@ -58,9 +58,10 @@ auto vertex_index_map_of_mesh(const FaceGraph& mesh, const NamedParameters& np)
 inserts the vertices of a surface mesh into a Delaunay triangulation. The result equals what
 `tr.insert(first, last)` makes of the same points; the surface serves to find the way.
 
-The edges of the mesh are all that is used of its connectivity; faces that are not triangles,
-several components, boundaries and isolated vertices are no obstacle. Duplicate points share one
-vertex, to which the first of them in the order of `vertices(mesh)` gives its point and info.
+The default traits use the edges of the mesh, and nothing else of its connectivity; faces that are
+not triangles, several components, boundaries and isolated vertices are no obstacle to any traits.
+Duplicate points share one vertex, to which the first of them in the order of `vertices(mesh)` gives
+its point and info.
 
 If `tr` is empty it is built aside and swapped in: refused input, a stop by the visitor or an
 exception leave it unchanged, and handles to its infinite vertex from before the call become

@@ -83,10 +83,13 @@ inline std::vector<bool> packing(const Distinct_points& distinct, const std::vec
 \ingroup PkgDelaunayFromSurface3Samples
 
 writes the indices of some of the points, in ascending order: no two of these are near each other,
-and every other is near one of them, where a sizing field says what is near. On samples that are
-locally uniform in that sense the surface Delaunay triangulation has bounded degree
+and every other is near one of them, where a sizing field says what is near.
+
+The surface Delaunay triangulation of a locally uniform sample has bounded degree
 (\cgalCite{choi-dtsm-02}, §3.1, of \cgalCite{fr-ssrnl-02}, who thin dense samples in another way:
-they estimate normals too, and their \f$O(n \log n)\f$ holds in the worst case).
+they estimate normals too, and their \f$O(n \log n)\f$ holds in the worst case). For the subsets
+found here this is proved if the sample is dense and the sizing field changes slowly, with a
+Lipschitz constant well below 1; for others it is measured: \ref dfs_statements_uniform.
 
 The sizing field is what `sizing` says, made 1-Lipschitz: the size of p is the minimum over all points
 q of what it says for q, plus the distance of p and q. A function that is 1-Lipschitz stays as it is,

@@ -22,9 +22,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Samples
 
-returns for each point how far it is to its k-th nearest neighbor: how dense the points are there.
-Equal points count as one. Where there are fewer than k others it is the distance to the farthest of
-them, and 0 if there is none. As a function of the points this is 1-Lipschitz.
+returns for each point, in their order, how far it is to its k-th nearest neighbor: how dense the
+points are there. Equal points count as one. Where there are fewer than k others it is the distance
+to the farthest of them, and 0 if there is none. As a function of the points this is 1-Lipschitz, up
+to rounding.
 
 <b>Complexity</b>: \f$O(n \log n)\f$ for a tree of n points (`CGAL::Kd_tree`), in which n queries
 are made. On points of a surface each takes about \f$O(k + \log n)\f$; there is no such bound for

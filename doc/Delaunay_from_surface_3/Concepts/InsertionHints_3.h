@@ -41,10 +41,19 @@ public:
   static constexpr bool uses_subgraph = unspecified_value;
 
   /*!
+  may be left out, which is `false`. If it is `true`, several threads may insert, each with a copy of
+  the hints: it asks that copy for starts, and tells it of its own insertions only. The copy may
+  call `vertex()` and `cell()` of the target meanwhile. If it is `false`, a single thread inserts,
+  whatever the concurrency tag says.
+  */
+  static constexpr bool is_concurrent = unspecified_value;
+
+  /*!
   makes the hints for one insertion. All three objects outlive this one, so references to them may
   be kept.
 
-  \param target what the points are inserted into; it has no vertices of points yet
+  \param target what the points are inserted into. None of its rounds has begun, but a few points may
+  be vertices already: `Compact_delaunay_3` begins with four of them.
   \param subgraph the graph T on the numbers 0, …, `target.size()`-1 if `uses_subgraph` is `true`,
   else an empty graph
   \param plan the plan that was made; point i of `target` is the one at place i of its order, so that
@@ -54,9 +63,10 @@ public:
                    const CGAL::Delaunay_from_surface_3::Insertion_order& plan);
 
   /*!
-  returns the cell from which the location of point `i` starts (line 2b). It is called once for each
-  point, just before its location: for `i` = 0, 1, and so on. Where a visitor leaves points out, points
-  before `i` may have no vertex.
+  returns the cell from which the location of point `i` starts (line 2b). It is called just before
+  that, for `i` = 0, 1, and so on. Where a visitor leaves points out, points before `i` may have no
+  vertex. If several threads insert, each calls it for some of the points, for a point again if its
+  insertion gave way to that of another thread, and points before `i` may still have no vertex.
 
   \return a cell that is alive now. `target.cell(v)` gives one for every vertex `v`, and for none.
   */

@@ -28,29 +28,34 @@ public:
   makes the plan from `seed`, which stands for all its random choices: plans with the same seed give
   the same order for the same points. A plan without random choices ignores it.
 
-  Only `CGAL::Surface_insertion_policies_3` asks for this constructor. A traits class of your own
-  may make its plan in another way.
+  Only `CGAL::Surface_insertion_policies_3`, and plans that are made of others, ask for this
+  constructor. A traits class of your own may make its plan in another way.
   */
   explicit InsertionPlan(unsigned int seed);
 
   /*!
   returns the order of n points and the ends of the rounds.
 
-  \tparam Point the points of the triangulation
-  \tparam GeomTraits its geometric traits class, a model of `DelaunayTriangulationTraits_3`
+  \tparam Point the points of the triangulation. Where a kernel has other numbers than `double` but
+  all coordinates are doubles, they are handed over as points of
+  `CGAL::Exact_predicates_inexact_constructions_kernel`, if the target serves the kernel and the plan
+  can be called with them.
+  \tparam GeomTraits the geometric traits class of these points, a model of
+  `DelaunayTriangulationTraits_3`
   \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, directed or not
   \tparam VertexIndexMap a model of `boost::ReadablePropertyMap` from vertex descriptors of `Graph`
   to an integer type
 
   \param points the n points; all coordinates are finite, points may coincide
-  \param gt the geometric traits object of the triangulation
+  \param gt a geometric traits object for `points`
   \param graph the graph of the surface, not the subgraph that is traced
   \param index_map maps the vertices of `graph` onto 0, …, n-1, one to one: the vertex with index i
   stands for `points[i]`
 
   \post The `order` returned is a permutation of 0, …, n-1. Its `round_ends` increase strictly, and
   the last is n; there are none if and only if n is 0. Its `starting_places` are none, or one
-  for each place, before it.
+  for each place; each but the first comes before its place. The functions that insert check all
+  this, and throw a `std::invalid_argument` before they insert anything if it does not hold.
   */
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   CGAL::Delaunay_from_surface_3::Insertion_order
@@ -62,11 +67,12 @@ public:
   /// A plan may have both of the following, or neither. They bound what an unlucky order can cost:
   /// when the insertions have destroyed more cells than the budget allows (a step of a walk counts
   /// for a third of a cell), those made so far are dropped and the work begins anew with
-  /// `fallback_plan()`. Only targets that build aside and count what they do can begin anew; for
-  /// others the budget is not looked at.
+  /// `fallback_plan()`. It is looked at between calls of `InsertionTarget_3::insert_round()`. A target
+  /// that counts nothing, as `Triangulation_target_3`, never exceeds it.
   /// @{
 
-  /// how many cells the insertions may destroy for each point inserted, on average.
+  /// how many cells the insertions may destroy for each point inserted, on average; as many as for a
+  /// thousand points come on top.
   static constexpr std::size_t cells_per_point = unspecified_value;
 
   /// returns another `InsertionPlan`, made from the same seed.

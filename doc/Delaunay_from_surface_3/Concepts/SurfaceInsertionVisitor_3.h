@@ -3,7 +3,7 @@
 \cgalConcept
 
 A `SurfaceInsertionVisitor_3` is told what the insertion of a surface is doing, and can stop it. It
-may have a function more, `accept()`, which leaves points out.
+may have one more function, `accept()`, which leaves points out.
 
 Visitors are copied; one passed by `std::ref()` keeps its state. A visitor may throw: an empty
 triangulation is then unchanged, and a non-empty one is the triangulation of its old points and
@@ -29,8 +29,9 @@ For points p, q, …, in two rounds, the calls come in this order:
 A visitor with `accept()` is asked by it after `phase_begins(UPDATE)`; about the first points, until
 those accepted do not lie in one plane, already before `target_is_replaced(reason)`.
 
-If the order is too costly, `order_is_replaced(reason)` comes after one of the `go_further()`, and all
-from `phase_begins(PLAN)` on comes again.
+If the order is too costly, `order_is_replaced(reason)` comes after an insertion, and all from
+`phase_begins(PLAN)` on comes again. `delaunay_3_arrays()` makes no T, and so has no phase `SUBGRAPH`;
+it reads faces in the phase `PLAN`, and calls `surface_is_irregular()` there.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_surface_insertion_visitor_3}
@@ -77,7 +78,7 @@ public:
   /*!
   is called before the first round with the number of threads that may insert. If that is more than
   one, the phases `LOCATION` and `UPDATE` are not told, and `go_further()` is asked only before
-  insertions of the thread that called. It is this thread that calls all functions here.
+  insertions of the thread that called. This thread calls all functions here.
   */
   void insertion_begins(std::size_t number_of_threads);
 
@@ -137,7 +138,8 @@ public:
   insertion anyway; a point that is left out costs it on top of its location. %CGAL's own insertion
   passes the stars on the way to the nearest vertex.
 
-  `delaunay_3_arrays()` leaves no point out, nor does a target without `InsertionTarget_3::insert_if()`.
+  With `delaunay_3_arrays()`, and with a target without `InsertionTarget_3::insert_if()`, a visitor
+  that has this function does not compile.
 
   \param i the point: its index in the input; for a mesh, its place in `vertices(mesh)`
   \param nearest the index of the first point inserted at the nearest vertex; `std::size_t(-1)` if

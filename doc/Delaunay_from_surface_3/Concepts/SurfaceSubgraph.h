@@ -28,7 +28,7 @@ public:
   /*!
   writes edges of `graph` to `out`. The same graph gives the same edges in the same order.
 
-  An edge is taken in both directions, whichever way it is written. Loops and repeated edges are
+  Whichever way an edge is written, T has it in both directions. Loops and repeated edges are
   harmless.
 
   \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, directed or not. For

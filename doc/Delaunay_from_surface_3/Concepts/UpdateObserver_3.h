@@ -24,7 +24,9 @@ public:
   /*!
   is called before point `i` is inserted, if `observes_conflict_zone` is `true` and the target knows
   the conflict zone. `CGAL::Delaunay_from_surface_3::Triangulation_target_3` knows it in dimension
-  3, without `Fast_location`, for points that are not there already.
+  3, without `Fast_location`, for points that are not there already;
+  `CGAL::Delaunay_from_surface_3::Compact_delaunay_3` for all of these but the four points that it
+  begins with.
 
   \tparam CellIterator an input iterator with the value type `Cell` of the target
   \param i the number of the point
@@ -34,7 +36,8 @@ public:
   void before_update(std::size_t i, CellIterator first, CellIterator last);
 
   /*!
-  is called after point `i` was inserted, or left out.
+  is called after point `i` was inserted, or left out in its turn. Of points that were left out before
+  the target was made, as `SurfaceInsertionVisitor_3` says, nothing is told.
 
   \tparam Vertex the type `Vertex` of the target
   \param i the number of the point

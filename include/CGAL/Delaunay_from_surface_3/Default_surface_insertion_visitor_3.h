@@ -13,9 +13,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Progress
 
-names what the insertion of a surface is doing. `PLAN` and `SUBGRAPH` come once; `LOCATION` and
-`UPDATE` alternate, point by point; `TRACE` comes at the end of each round but the last; `FINISH`
-once, but not after a stop; `DONE` when nothing follows.
+names what the insertion of a surface is doing. `PLAN` and `SUBGRAPH` come once, and again if the
+work begins anew in another order; `LOCATION` and `UPDATE` alternate, point by point; `TRACE` comes
+at the end of each round but the last; `FINISH` once, but not after a stop; `DONE` when nothing
+follows.
 */
 enum class Surface_insertion_phase {
   PLAN,     ///< the order of the points and the rounds are made.
@@ -30,8 +31,9 @@ enum class Surface_insertion_phase {
 /*!
 \ingroup PkgDelaunayFromSurface3Progress
 
-watches nothing, never stops the work and leaves no point out; to be derived from. A function of the same name in the
-derived class takes the place of the one here, at compile time. All calls are inlined away.
+watches nothing, never stops the work and leaves no point out; to be derived from. A function of
+the same name in the derived class takes the place of the one here, at compile time. Calls of those
+here cost nothing.
 
 \cgalModels{SurfaceInsertionVisitor_3}
 */

@@ -129,7 +129,8 @@ public:
     return m_has_neighbors ? (m_stride == 8 ? m_vertices.data() + 4 : m_neighbors.data()) : nullptr;
   }
 
-  /// returns 8 at first, since vertices and neighbours of a cell lie side by side; else 4.
+  /// returns 8 at first, since vertices and neighbours of a cell lie side by side; 4 after
+  /// `separate()` or `drop_neighbors()`.
   std::size_t stride() const { return m_stride; }
 
   /// returns the vertex of each point.

@@ -29,7 +29,8 @@ struct Insertion_order
   std::vector<std::size_t> round_ends;
 
   /// for every `k > 0` a `starting_places[k] < k`: the insertion of the point `order[k]` may start
-  /// at the point `order[starting_places[k]]`, which is near. Empty if the plan knows of none.
+  /// at the point `order[starting_places[k]]`, which is near. There are n, of which the first is
+  /// not looked at; or none, if the plan knows of none.
   std::vector<std::size_t> starting_places;
 };
 

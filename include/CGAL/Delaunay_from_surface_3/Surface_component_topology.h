@@ -45,7 +45,7 @@ struct Surface_component_topology
   /// orientable.
   std::size_t genus() const { return is_orientable ? euler_genus() / 2 : euler_genus(); }
 
-  /// returns the largest degree that `bounded_degree_spanning_subgraph()` can give a vertex here.
+  /// returns the bound on degrees in the subgraph of `bounded_degree_spanning_subgraph()`.
   std::size_t subgraph_degree_bound() const
   {
     const std::size_t h = euler_genus(), b = number_of_boundary_loops;
@@ -54,7 +54,7 @@ struct Surface_component_topology
     return b == 0 ? 4 * h : 4 * h + 2 * b + 1;
   }
 
-  /// returns the largest degree that `bounded_degree_spanning_tree()` can give a vertex here.
+  /// returns the bound on degrees in the tree of `bounded_degree_spanning_tree()`.
   std::size_t tree_degree_bound() const
   {
     const std::size_t h = euler_genus(), b = number_of_boundary_loops;

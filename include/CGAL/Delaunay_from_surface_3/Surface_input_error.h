@@ -12,10 +12,11 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Progress
 
-is thrown when a surface cannot serve as input: a coordinate that is not a finite number, an index
-out of range or given twice, a graph whose number of vertices differs from the number of points. The
-message names what is wrong and where, on one line. Input is checked before the first change of the
-triangulation.
+is thrown when something cannot serve as input: a coordinate that is not a finite number, an index
+out of range or given twice, a graph whose number of vertices differs from the number of points, a
+surface that is not a simple triangulated manifold where one is needed, and what else the functions
+name. The message says what is wrong and where, on one line. Input is checked before the first
+change of the triangulation.
 */
 class Surface_input_error : public std::invalid_argument
 {

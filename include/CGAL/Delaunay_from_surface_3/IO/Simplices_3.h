@@ -39,7 +39,7 @@ struct Simplices_3
     std::vector<double> values; ///< by simplex.
   };
 
-  int dimension = 3;                         ///< 3 for tetrahedra, 2 for triangles, 1 for edges, 0
+  int dimension = 3;                         ///< 3: tetrahedra, 2: triangles, 1: edges, 0: points.
   std::vector<std::array<double, 3>> points; ///< their coordinates.
   std::vector<std::int64_t> input_indices;   ///< of each point: where it was in the input.
   std::vector<std::int64_t> simplices;       ///< `dimension + 1` indices of points for each.
@@ -60,8 +60,8 @@ returns those finite cells `c` of a triangulation for which `is_wanted(c)` holds
 different points, in the order of the input. The neighbours are left out if the arrays have none.
 Linear.
 
-\param points the points of which `arrays` was made: a random access range of points of any kernel,
-of `std::array<double, 3>`, or of anything with coordinates `p[0]`, `p[1]`, `p[2]`
+\param points the points of which `arrays` was made: a range of points of any kernel, of
+`std::array<double, 3>`, or of anything with coordinates `p[0]`, `p[1]`, `p[2]`
 \param arrays what `delaunay_3_arrays()` returned
 \param is_wanted a function from cell numbers to `bool`
 */

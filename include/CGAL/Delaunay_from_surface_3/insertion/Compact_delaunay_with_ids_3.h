@@ -50,8 +50,8 @@ It serves geometric traits with exact predicates, such as
 `Filtered_kernel<Simple_cartesian<float>>`, if all coordinates are doubles; empty triangulations;
 points that do not all lie in one plane: see `obstacle()`. The rounding mode must be to nearest.
 
-Memory: 32 bytes per cell and per point, and the size of an `Id` per point, while it inserts. The
-export gives the cells back as it goes.
+Memory while it inserts: 32 bytes per cell and 36 per point if an `Id` has 32 bits, and twice as
+much if it has 64. The export gives the cells back as it goes.
 
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`
 \tparam Id an unsigned integer type for the numbers of vertices and cells: there can be

@@ -27,7 +27,7 @@ draws a random order and cuts it into rounds that grow geometrically; each round
 along a Hilbert curve. This is a biased randomised insertion order (\cgalCite{acr-icbr-03}): random
 enough for the expected size of the conflict zones, coherent enough for short walks and warm caches.
 
-\f$O(n \log n)\f$ expected.
+Expected \f$O(n \log n)\f$ for n points.
 
 \cgalModels{InsertionPlan}
 */

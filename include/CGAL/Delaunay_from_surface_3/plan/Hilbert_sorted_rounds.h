@@ -23,7 +23,7 @@ takes the rounds of `Plan` and sorts each along a Hilbert curve. The sets of poi
 inserted by the end of a round stay the same. Starting places that `Plan` names are dropped: they
 belong to its order. `Neighbor_started_rounds<Hilbert_sorted_rounds<Plan>>` names others.
 
-The cost of `Plan`, plus \f$O(n \log n)\f$ expected.
+The cost of `Plan`, plus expected \f$O(n \log n)\f$ for n points.
 
 \tparam Plan a model of `InsertionPlan`, constructible from a seed
 

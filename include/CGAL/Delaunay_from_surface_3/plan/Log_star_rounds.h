@@ -26,7 +26,7 @@ one difference: the first round follows a Hilbert curve. It has no trace before 
 and a walk from one random point to the next would be long. The set of its points is random all the
 same, and only the set enters the analysis of the later rounds.
 
-\f$O(n + N_1 \log N_1) = O(n)\f$ expected.
+Expected \f$O(n + N_1 \log N_1) = O(n)\f$ for n points.
 
 \cgalModels{InsertionPlan}
 */

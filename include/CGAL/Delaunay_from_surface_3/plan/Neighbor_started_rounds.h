@@ -26,7 +26,7 @@ that was inserted last before it, or, if none was, the point inserted just befor
 order that neighbour is near, and what is known of it is still in the cache. To be used with
 `Planned_hints_3`.
 
-The cost of `Plan`, plus \f$O(n + m)\f$ for m edges.
+The cost of `Plan`, plus \f$O(n + m)\f$ for n points and m edges.
 
 \tparam Plan a model of `InsertionPlan`, constructible from a seed
 

@@ -29,7 +29,7 @@ Where two round ends coincide, or one is not less than n, the empty round is dro
 It is the plan for `Conflict_history_hints_3`, whose bounds need every order to be random, that of
 the first round too. `Log_star_rounds` is the same for points that are located by walking.
 
-\f$O(n)\f$.
+\f$O(n)\f$ for n points.
 
 \cgalModels{InsertionPlan}
 */

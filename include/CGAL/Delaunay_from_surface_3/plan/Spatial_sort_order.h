@@ -24,7 +24,7 @@ orders the points by `CGAL::spatial_sort()`, all in one round. This is the order
 `Delaunay_triangulation_3::insert(first, last)` inserts; with `Previous_hint_3` it reproduces that
 function insertion by insertion. The seed is not used: `spatial_sort()` has its own.
 
-\f$O(n \log n)\f$ expected.
+Expected \f$O(n \log n)\f$ for n points.
 
 \cgalModels{InsertionPlan}
 */

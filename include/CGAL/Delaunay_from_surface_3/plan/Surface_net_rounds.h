@@ -60,8 +60,9 @@ A level that keeps more than 90 % of its vertices (isolated vertices, graphs wit
 the hierarchy; what is left then, and the last few dozen vertices, are ordered by
 `Geometric_rounds`.
 
-\f$O(n)\f$ for surfaces of fixed genus; \f$O((n + m) \log n + n \log n)\f$ for n vertices and m
-edges otherwise. Distances are asked for along the edges of net vertices only, and up to rounding.
+Expected \f$O((n + m) \log n)\f$ for n vertices and m edges. \f$O(n)\f$ where vertices and edges
+become fewer by a constant factor from level to level, as they do on the surfaces measured, and no
+cluster is large. Distances are asked for along the edges of net vertices only, and up to rounding.
 
 \cgalModels{InsertionPlan}
 */
@@ -74,9 +75,8 @@ public:
   /// the number of vertices at which nets end.
   static constexpr std::size_t coarsest = 64;
 
-  /// the budget: on surfaces nets destroy 9 to 31 cells for each point, 40 on a torus of 60,000
-  /// points without noise, and on adversarial ones any number. An order that takes more than this
-  /// is left.
+  /// the budget (`InsertionPlan::cells_per_point`): on surfaces nets destroy 9 to 31 cells for each
+  /// point, 40 on a torus of 60,000 points without noise, and on adversarial ones any number.
   static constexpr std::size_t cells_per_point = 64;
 
   /// the size from which the inside of a cluster is sorted in space.

@@ -24,7 +24,7 @@ namespace Delaunay_from_surface_3 {
 writes the edges of `bounded_degree_spanning_subgraph()`: degree at most 3 on spheres and discs, and
 a bound that depends on the genus and the boundary elsewhere.
 
-\f$O(n)\f$ for n vertices.
+Linear: \f$O(n + m)\f$ for n vertices and m edges.
 
 \cgalModels{SurfaceSubgraph}
 */
@@ -70,7 +70,7 @@ public:
 
 writes the edges of `bounded_degree_spanning_tree()`: as `Bounded_degree_subgraph`, without cycles.
 
-\f$O(n \alpha(n))\f$ for n vertices.
+Nearly linear: \f$O(n \alpha(n))\f$ for n vertices and edges.
 
 \cgalModels{SurfaceSubgraph}
 */

@@ -16,12 +16,13 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 writes the edges of a cut graph of a triangulated surface: removed from the surface, together with
-its boundary, they leave one open disc per component.
+its boundary, they leave one open disc of each component that is not a sphere. On a sphere or a disc
+nothing is written, and boundary edges never are.
 
-The cut graph is pruned: no vertex inside the surface has exactly one of its edges. Together with
-the boundary its degrees satisfy Σ(deg − 2) = 2(1 − χ), so a closed surface of genus g falls apart
-into at most 4g corners at any vertex. On a sphere or a disc nothing is written, and boundary edges
-never are.
+The cut graph is pruned: no vertex inside the surface has exactly one of its edges. On a component
+with Euler characteristic χ that is not a sphere, the degrees in cut graph and boundary together
+satisfy Σ(deg − 2) = 2(1 − χ), so a closed surface of genus g > 0 falls apart into at most 4g
+corners at any vertex.
 
 The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
 Complexity: linear time, for any genus.
@@ -38,12 +39,11 @@ EdgeOutputIterator cut_graph(const HalfedgeGraph& g, EdgeOutputIterator out,
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of a cut graph: removed from the surface, together with the boundary, they leave
-one open disc per component. No vertex that is not on the boundary has exactly one of them. On a
-sphere or disc nothing is written; boundary edges are never written.
+does the same for a triangulated surface that is given as a graph with the cyclic order of the edges
+around every vertex; a closed surface need not be orientable.
 
-The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
-Complexity: linear time.
+The parameters, preconditions, exceptions and complexity are those of
+`bounded_degree_spanning_subgraph()` for an embedded graph.
 */
 template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
           class EdgeIsBoundaryMap>

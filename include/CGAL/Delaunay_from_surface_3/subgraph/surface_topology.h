@@ -43,9 +43,8 @@ Surface_topology surface_topology(const HalfedgeGraph& g,
 finds the components of a triangulated surface that is given as a graph with the cyclic order of the
 edges around every vertex, and of each its Euler characteristic, boundary loops and orientability.
 
-The parameters, preconditions and exceptions are those of
+The parameters, preconditions, exceptions and complexity are those of
 `bounded_degree_spanning_subgraph()` for an embedded graph.
-Complexity: linear time.
 */
 template <class Graph, class Embedding, class VertexIndexMap, class EdgeIsBoundaryMap>
 Surface_topology surface_topology(const Graph& graph, Embedding embedding,

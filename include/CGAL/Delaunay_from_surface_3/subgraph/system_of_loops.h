@@ -16,8 +16,8 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes a system of loops of a closed triangulated surface: on every component of genus g, 2g closed
-walks through one base vertex such that the surface without them is an open disc.
+writes a system of loops of a closed triangulated surface: on every component of genus g > 0 these
+are 2g closed walks through one base vertex such that the component without them is an open disc.
 
 \cgalCite{choi-dtsm-02} cuts along 2g cycles too, found by the algorithm of \cgalCite{l-ps-01}. This is
 not that algorithm: the loops are those of a tree and a cotree. They are here for comparison. Each

@@ -50,12 +50,12 @@ some time before: the point's *conflict set* then. One of these would not do: ce
 descend from the others only.
 
 Let points be inserted in random order, and let \f$c_j\f$ be the expected number of cells in
-conflict with a point p in the triangulation of j points. The j-th insertion makes each of them with
-probability \f$4/j\f$. So from the triangulation of k points to that of i the sum
-\f$\sum_{k < j \le i} 4 c_j / j\f$ is visited, which is \f$O(\log(i/k))\f$ if \f$c_j\f$ is
-\f$O(1)\f$ (\cgalCite{choi-dtsm-02}, Lemma 4). At each node at most eight tests are made in vain,
-four of sons and one for each facet, whatever the degrees of the vertices are: work is proportional
-to nodes.
+conflict with a point p in the triangulation of j points. Each of them was made by the j-th
+insertion with probability \f$4/j\f$, or \f$3/j\f$ if it is infinite. So from the triangulation of k
+points to that of i at most \f$\sum_{k < j \le i} 4 c_j / j\f$ nodes are visited in expectation,
+which is \f$O(\log(i/k))\f$ if \f$c_j\f$ is \f$O(1)\f$ (\cgalCite{choi-dtsm-02}, Lemma 4). At each
+node at most eight tests are made in vain, four of sons and one for each facet, whatever the degrees
+of the vertices are: work is proportional to nodes.
 
 Memory: 104 bytes per cell that ever was, where handles have 8 bytes, and 24 per cell of today.
 Points may only be inserted, all conflict zones must be reported, and predicates must be exact.

@@ -45,7 +45,8 @@ measured: it is here for the theory.
 
 A trace takes \f$O(n)\f$ expected time, and a search \f$O(\log(i/k))\f$ expected for point i after a
 trace in the triangulation of k points (Theorem 3 and Lemma 4), under the assumptions of the paper.
-Memory besides the history: 24 bytes per point, and 8 for each cell of a record.
+Memory besides the history: 25 bytes per point, and 8 for each cell of a record; during a trace also
+the records before it, and 16 bytes per point at most.
 
 \tparam Target `Triangulation_target_3`, not of a triangulation with `Fast_location`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T

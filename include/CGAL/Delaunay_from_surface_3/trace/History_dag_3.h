@@ -38,14 +38,14 @@ may start at the root or at any node that is known to contain the point.
 The first event is the root. Its star consists of all cells that there are when the triangulation is
 handed over or becomes 3-dimensional; no history is kept before.
 
-Let points be inserted in random order into a triangulation of linear expected size. The cell that
-contains a point p is replaced by the j-th insertion with probability \f$4/j\f$, since it is finite
-and has four vertices. So a descent enters \f$4 \ln(i/k)\f$ nodes expected, if it leads from the
-triangulation of k points to that of i, and \f$4 \ln i\f$ from the root. To enter a node takes tests
-in proportion to the size of the star. So it is nodes that are few, not tests: where one vertex is
-in a share of all cells a descent through its star, and through those of its neighbours, takes tests
-without bound. It is the practical variant, whose records are single nodes; the paper's is
-`Conflict_history_3`.
+Let points be inserted in random order. The cell that contains a point p is made by the j-th
+insertion with probability \f$4/j\f$ if it is finite, since any of its four vertices may be the
+last, and \f$3/j\f$ if it is not. So a descent from the triangulation of k points to that of i
+enters at most about \f$4 \ln(i/k)\f$ nodes in expectation, and \f$4 \ln i\f$ from the root. To
+enter a node takes tests in proportion to the size of the star. So nodes are few, but tests need not
+be: where one vertex is in a constant share of all cells, a descent through its star, and through
+those of its neighbours, takes tests without bound. It is the practical variant, whose records are
+single nodes; the paper's is `Conflict_history_3`.
 
 Memory: 48 bytes per cell that ever was, where handles have 8 bytes, and about 24 bytes per cell of
 today. That is several times what the triangulation itself takes. Nothing is freed before the end,

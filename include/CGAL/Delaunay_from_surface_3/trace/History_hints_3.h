@@ -36,9 +36,9 @@ This is the practical variant of the paper's location structure, which is that o
 `Conflict_history_hints_3`. It takes several times the memory of the triangulation (see
 `History_dag_3`) and is slower than a walk on all surfaces measured: it is here for comparison.
 
-A trace takes \f$O(n)\f$ expected time (Theorem 3), and a descent enters \f$O(\log(i/k))\f$ expected
-nodes for point i after a trace in the triangulation of k points, under the assumptions of the
-paper; each takes tests in proportion to the size of a star.
+Under the assumptions of the paper a trace enters \f$O(n)\f$ expected cells (Theorem 3). For any
+surface and a random order a descent enters \f$O(\log(i/k))\f$ expected nodes for point i after a
+trace in the triangulation of k points; each takes tests in proportion to the size of a star.
 
 \tparam Target `Triangulation_target_3`, not of a triangulation with `Fast_location`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T

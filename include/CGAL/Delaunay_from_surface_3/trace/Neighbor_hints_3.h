@@ -22,11 +22,12 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-starts every insertion from a cell of the nearest surface neighbour that is already inserted. A
-point none of whose neighbours is inserted starts from the vertex inserted last: early rounds are
-that sparse, and the plans keep them coherent.
+starts every insertion from a cell of the nearest neighbour in T, the subgraph of the traits, that
+is already inserted; `Full_graph` makes all neighbours on the surface count. A point none of whose
+neighbours is inserted starts from the vertex inserted last: early rounds are that sparse, and a
+plan should keep them coherent.
 
-O(degree) distance comparisons per point. No trace, no memory of its own.
+As many distance comparisons per point as it has neighbours in T. No trace, no memory of its own.
 
 \tparam Target a model of `InsertionTarget_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points

@@ -21,9 +21,11 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion from a cell of the point that the plan names in
-`Insertion_order::starting_places`; if the plan names none, from a cell of the vertex inserted last.
+`Insertion_order::starting_places`; if that has no vertex, since it was left out or another thread
+has not inserted it yet, from the point that the plan names for it, and so on. If the plan names
+none, the start is a cell of the vertex inserted last.
 
-\f$O(1)\f$ per point. No trace, no subgraph, no memory of its own.
+\f$O(1)\f$ per point where all are inserted. No trace, no subgraph, no memory of its own.
 
 \tparam Target a model of `InsertionTarget_3`
 \tparam Subgraph is not used

@@ -22,6 +22,8 @@ namespace Delaunay_from_surface_3 {
 starts every insertion from a cell of the vertex inserted last, as
 `Delaunay_triangulation_3::insert(first, last)` does. The surface is not looked at.
 
+\f$O(1)\f$ per point. No trace, no subgraph, no memory of its own.
+
 \tparam Target a model of `InsertionTarget_3`
 \tparam Subgraph is not used
 

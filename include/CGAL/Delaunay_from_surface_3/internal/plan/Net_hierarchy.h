@@ -14,9 +14,9 @@
 // Invariant: a level's vertices are numbered in the order in which those of the level below are, so
 // that a mesh that is coherent in memory gives levels that are. No search through the graph: where
 // the mesh is not coherent it would miss the cache at every vertex.
-// Cost: every level is linear in its vertices and edges. On a surface of fixed genus the levels
-// shrink by a constant factor (4 to 5) and their edges with them: linear altogether. On other
-// graphs a level may keep nearly all its vertices; such a level ends the hierarchy.
+// Cost: every level is linear in its vertices and edges. On the surfaces measured the levels shrink
+// by a constant factor (4 to 5) and their edges with them: linear altogether. In other graphs a
+// level may keep nearly all its vertices; such a level ends the hierarchy.
 
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/random_net.h>
