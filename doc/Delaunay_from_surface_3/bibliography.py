@@ -54,7 +54,8 @@ def heading(entry):
 
 def reference(entry):
     """Authors. Title. Where, when. Addresses."""
-    authors = ["others" if name == "others" else initials(name) for name in entry["author"].split(" and ")]
+    names = entry["author"].split(" and ")
+    authors = ", ".join(initials(name) for name in names if name != "others") + " and others" * ("others" in names)
     where = [f"In <em>{entry['booktitle']}</em>"] if "booktitle" in entry else []
     if "journal" in entry:
         number = f"({entry['number']})" if "number" in entry else ""
@@ -65,7 +66,7 @@ def reference(entry):
     elif "pages" in entry:
         where.append(f"pages {entry['pages']}")
     where += [entry[name] for name in ("publisher", "howpublished", "year") if name in entry]
-    parts = [", ".join(authors), entry["title"], ", ".join(where)]
+    parts = [authors, entry["title"], ", ".join(where)]
     if "doi" in entry:
         parts.append(f'<a href="https://doi.org/{entry["doi"]}">doi:{entry["doi"]}</a>')
     return ". ".join(parts + ([entry["note"]] if "note" in entry else [])) + "."
