@@ -108,7 +108,7 @@ def all_blocks(reports):
 
     loads = ", ".join(f'{report["machine"]["load_before"]:.1f}' for report in reports)
     times = [[row for row in report["results"] if row.get("times")] for report in reports]
-    return {**time_blocks([rows for rows in times if rows]),
+    return {**time_blocks(sorted((rows for rows in times if rows), key=lambda rows: rows[0]["points"])),
             **(part_blocks(rows_with("parts")) if rows_with("parts") else {}),
             **(memory_block(rows_with("memory")) if rows_with("memory") else {}),
             **rollback_block(rows_with("rolled_back")),

@@ -8,6 +8,7 @@
 #define BOOST_TEST_MODULE test_workers
 #include <boost/test/included/unit_test.hpp>
 
+#include "Owning_worker.h"
 #include "parallel_case.h"
 
 #include <cstddef>
@@ -51,6 +52,21 @@ BOOST_AUTO_TEST_CASE(workers_one_after_the_other_make_the_same)
       BOOST_TEST(many.is_valid);
       BOOST_TEST((many.cells == tests::cells_by_one(points)));
       BOOST_TEST(many.clashes == 0u);
+    }
+  }
+}
+
+// What the handshake promises, by another protocol: if this fails, too, the error is elsewhere.
+BOOST_AUTO_TEST_CASE(workers_that_own_cells_make_the_same)
+{
+  using Worker = tests::Owning_worker<tests::Id, tests::Exact>;
+  for (const char* kind : kinds) {
+    const auto points = tests::points_of(kind, std::string(kind) == "moment curve" ? 200 : 1000, 5);
+    const auto many = tests::insert_by_many<Worker>(points);
+    BOOST_TEST_CONTEXT(kind << ", clashes " << many.clashes << ", put off " << many.put_off)
+    {
+      BOOST_TEST(many.is_valid);
+      BOOST_TEST((many.cells == tests::cells_by_one(points)));
     }
   }
 }

@@ -145,13 +145,14 @@ struct Parallel_outcome
 };
 
 // In rounds that double.
-template <class Protocol = DFS::internal::Handshake, class Executor = Thread_executor>
+template <class Worker = DFS::internal::Insertion_worker<Id, Exact>,
+          class Executor = Thread_executor>
 Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
                                 const Executor& executor = Executor(),
                                 const DFS::internal::Parallel_rules& rules = {30, 8, 8})
 {
   Subject subject(points);
-  DFS::internal::Parallel_triangulation<Id, Exact, Executor, Protocol> triangulation(
+  DFS::internal::Parallel_triangulation<Id, Exact, Executor, Worker> triangulation(
       subject.exact, subject.complex, executor, rules);
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t first = 0, last = 30; first < points.size(); first = last, last *= 2) {

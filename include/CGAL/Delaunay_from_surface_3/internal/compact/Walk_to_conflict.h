@@ -30,7 +30,6 @@ struct Compact_location
   Id vertex; // 0: none
 };
 
-// Filter: the first stage of the predicates, scalar or in vectors.
 // Reads cells that nobody else writes meanwhile, where they are.
 struct Read_alone
 {
@@ -42,6 +41,7 @@ struct Read_alone
   static constexpr bool is_lost() { return false; }
 };
 
+// Filter: the first stage of the predicates, scalar or in vectors.
 template <class Filter, class Read = Read_alone>
 struct Walk_to_conflict
 {

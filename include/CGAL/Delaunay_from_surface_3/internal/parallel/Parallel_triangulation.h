@@ -36,12 +36,11 @@ struct Parallel_rules
   std::size_t chunk = 256;
 };
 
-// Executor: see blocks.h.
-template <class Id, class Exact, class Executor, class Protocol = Handshake>
+// Executor: see blocks.h. Worker: how one inserts a point beside others; tests have others.
+template <class Id, class Exact, class Executor, class Worker = Insertion_worker<Id, Exact>>
 class Parallel_triangulation
 {
   using Complex = Compact_complex<Id>;
-  using Worker = Insertion_worker<Id, Exact, Protocol>;
 
 public:
   // Of the vertices of `complex`, which has started. Keeps references.
