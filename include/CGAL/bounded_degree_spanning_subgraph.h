@@ -38,8 +38,8 @@ below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a property map associating to each vertex of `g` a unique index between
-    `0` and `num_vertices(g) - 1`}
+    \cgalParamDescription{the indices of the n vertices of `g`: 0, …, n-1. Those of a `Surface_mesh`
+    with removed vertices have gaps, and are refused; `collect_garbage()` closes them}
     \cgalParamType{a class model of `ReadablePropertyMap` with
     `boost::graph_traits<HalfedgeGraph>::%vertex_descriptor` as key type and an integer type as
     value type}
@@ -52,8 +52,8 @@ valid halfedge graph can have such), and no vertex is pinched. Isolated vertices
 
 \return the output iterator
 
-\throws Surface_input_error that names a vertex or an edge, if a precondition is violated. Nothing
-has been written then.
+\throws Surface_input_error that names a vertex or an edge, if a precondition is violated or the
+indices are not 0, …, n-1. Nothing has been written then.
 
 Complexity: time linear in the size of `g`, without recursion, and at most about 40 bytes of memory
 per vertex besides `g`, where there are about three edges per vertex.

@@ -101,8 +101,8 @@ boundary does not belong to it. So
 the larger one;
 - a point that is left out is nearer than its size to one that is kept, or equal to it.
 
-These distances are computed with doubles, and hold up to rounding. Of equal points the first one is
-looked at, with the smallest of their sizes.
+Coordinates are rounded to doubles; points that are equal then count as equal, and of these the
+first one is looked at, with the smallest of their sizes. The distances hold up to rounding.
 
 Subsets for several factors of the same sizing field are not nested, subsets of subsets are
 (\ref dfs_example_thinning).

@@ -23,9 +23,9 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Samples
 
 returns for each point, in their order, how far it is to its k-th nearest neighbor: how dense the
-points are there. Equal points count as one. Where there are fewer than k others it is the distance
-to the farthest of them, and 0 if there is none. As a function of the points this is 1-Lipschitz, up
-to rounding.
+points are there. Points count as one if their coordinates are equal as doubles. Where there are
+fewer than k others it is the distance to the farthest of them, and 0 if there is none. As a
+function of the points this is 1-Lipschitz, up to rounding.
 
 <b>Complexity</b>: \f$O(n \log n)\f$ for a tree of n points (`CGAL::Kd_tree`), in which n queries
 are made. On points of a surface each takes about \f$O(k + \log n)\f$; there is no such bound for
@@ -34,7 +34,7 @@ all points.
 \tparam PointRange a range of points, or of items that `point_map` turns into points
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param points the points, of any kernel; distances are computed with doubles
+\param points the points, of any kernel; their coordinates are rounded to doubles
 \param k the number of neighbors, at least 1: 6 is about the first ring on a surface, 12 and more even
 out points that come along lines
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
