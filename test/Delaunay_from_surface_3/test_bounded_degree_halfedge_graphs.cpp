@@ -326,6 +326,16 @@ BOOST_AUTO_TEST_CASE(empty_and_isolated)
   BOOST_TEST(certificate.number_of_graph_components == 2u);
 }
 
+// The index map of a mesh with removed vertices has gaps.
+BOOST_AUTO_TEST_CASE(removed_vertices_are_refused_until_garbage_is_collected)
+{
+  Surface_mesh mesh = mesh_of(5, {{1, 2, 3}, {2, 1, 4}});
+  mesh.remove_vertex(Surface_mesh::Vertex_index(0));
+  check_refused(mesh, {"the vertex index map is no bijection", "4 is too large"});
+  mesh.collect_garbage();
+  BOOST_TEST(check_mesh(mesh) == "");
+}
+
 // Regression: a disc whose three boundary edges are doubled by chords. All its counts are 4, so
 // that counting edges finds no vertex to peel; simple is a precondition and the message names both
 // edges.

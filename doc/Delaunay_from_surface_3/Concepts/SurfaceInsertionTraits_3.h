@@ -29,7 +29,9 @@ public:
   /// a model of `InsertionPlan`.
   using Insertion_plan = unspecified_type;
 
-  /// a model of `InsertionHints_3` for every target and subgraph.
+  /// a model of `InsertionHints_3` for every subgraph, and for these targets: that of the traits, those
+  /// that it names (`Wider_target`, and `Parallel_target` if the hints are concurrent), and
+  /// `CGAL::Delaunay_from_surface_3::Triangulation_target_3`, which takes its place.
   template <class Target, class Subgraph>
   using Insertion_hints_3 = unspecified_type;
 
