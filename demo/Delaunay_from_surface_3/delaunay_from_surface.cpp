@@ -65,6 +65,9 @@ void report_input(const Options& options, const Surface& surface, Report& report
 // What is good to know and no error.
 void note_what_is_odd(const Options& options, const Surface& surface, Messages& messages)
 {
+  if (surface.collapsed_triangles > 0)
+    messages.note(options.input + ": triangles with two corners at one point, left out: " +
+                  std::to_string(surface.collapsed_triangles));
   if (surface.faces.empty())
     messages.note(options.input + ": there are no faces, its points are taken alone");
   else if (!surface.is_manifold)

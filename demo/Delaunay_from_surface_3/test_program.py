@@ -133,6 +133,22 @@ class Surfaces(ProgramCase):
                 self.works(name, prints=[r"\nsurface: +points without faces\n", r"\nfinite cells: +1\n"],
                            notes=rf"note: {name}: there are no faces, its points are taken alone\n")
 
+    def test_marks_of_editors(self):
+        """What stands before a text in UTF-8, and ends of lines as Windows has them."""
+        self.write("mark.xyz", b"\xef\xbb\xbf0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n")
+        self.works("mark.xyz", "--quiet", "--json", prints=[r'"finite cells": 1\b'])
+
+    def test_collapsed_triangles(self):
+        """Rounding has put two corners of a triangle at one point, and all three of another."""
+        corners = {"1": "0 0 0", "2": "1 0 0", "3": "0 1 0", "4": "0 0 1"}
+        facets = ["1 3 2", "1 2 4", "2 3 4", "3 1 4", "1 1 2", "3 3 3"]
+        self.write("part.stl", "solid part", *(line for f in facets for line in (
+            "facet normal 0 0 0", "outer loop", *("vertex " + corners[k] for k in f.split()), "endloop", "endfacet")),
+            "endsolid part")
+        self.works("part.stl", "--inside", "--output", "part.mesh", prints=[
+            r"\nsurface: +triangle mesh\n", r"\nsurface faces: +4\n", r"\nwritten: +1 tetrahedra to part.mesh\n"],
+            notes=r"note: part.stl: triangles with two corners at one point, left out: 2\n")
+
     def test_indices_of_obj(self):
         self.write("indices.obj", "v 0 0 0", "v 1 0 0", "v 0 1 0", "f -3//1 -2//1 -1/7/1", "g a", "v 0 0 1", "f 1 4 2")
         self.works("indices.obj", "--stats", prints=[r"\nsurface: +triangle mesh\n", r"\nDelaunay edges: +5 of 5 "])
@@ -281,7 +297,8 @@ class Output(ProgramCase):
         self.works(TORUS, "--threads", 3, "--compare", "--repetitions", 1, prints=[r"\nthreads: +3\n", r"\nequal: +yes\n"])
         self.refuses("'--threads' needs the default traits", TORUS, "--threads", 2, "--traits", "plain")
         self.refuses("'--stats' counts what one thread does", TORUS, "--threads", 2, "--stats")
-        self.refuses("option '--threads' needs a whole number from 1", TORUS, "--threads", 0)
+        for number in (0, 65, 9999999):
+            self.refuses("option '--threads' needs a whole number from 1 to 64", TORUS, "--threads", number)
 
     def test_quiet_and_verbose(self):
         self.write("points.xyz", "0 0 0", "1 0 0", "5 0 0")
@@ -357,6 +374,10 @@ class Refusals(ProgramCase):
                                 ("options '--inside' and '--mark-inside' need '--output'", "--inside"),
                                 ("'--inside' and '--mark-inside' exclude", "--inside", "--mark-inside", "-o", "a.vtu"),
                                 ("a triangulation of CGAL is written as a whole", "--inside", "-o", "a.cgal"),
+                                ("'--mark-inside' needs .vtu, .vtk or .msh", "--mark-inside", "-o", "a.mesh"),
+                                (".* need '--output'; a page shows both", "--inside", "--view", "a.html"),
+                                ("option '--output' needs the name of a file", "--output", ""),
+                                ("option '--view' needs the name of a file", "--view", ""),
                                 ("'--quiet' and '--verbose' exclude each other", "--quiet", "--verbose"),
                                 ("unknown format 'las'", "--from", "las")):
             self.refuses(message, TORUS, *words)
@@ -371,7 +392,7 @@ class Refusals(ProgramCase):
         (self.folder / "folder.off").mkdir()
         self.refuses(r"folder\.off: is a directory", "folder.off")
         self.write("points.abc", "0 0 0")
-        self.refuses(r"points\.abc: unknown extension", "points.abc")
+        self.refuses(r"points\.abc: unknown extension; off, [a-z, ]+ and pts are read, .* with '--from'", "points.abc")
         (self.folder / "zero.off").symlink_to("/dev/zero")
         self.refuses(r"zero\.off: is not a plain file", "zero.off")
 
@@ -423,6 +444,7 @@ class Refusals(ProgramCase):
                 ("words.obj", "there are no vertices in it", "once upon a time"),
                 ("short.obj", "line 2: a vertex has too few coordinates", "# c", "v 1 2"),
                 ("words.xyz", "line 2: 'b' is not a number", "1 2 3", "1 b 3"),
+                ("commas.xyz", "line 1: '1,2,3' is not a number: blanks separate numbers", "1,2,3"),
                 ("short.pts", "line 2: a vertex has too few coordinates", "1", "1 2"),
                 ("count.pts", "there are no vertices in it", big),
                 ("short.stl", "it is cut short", "solid a", "facet")):

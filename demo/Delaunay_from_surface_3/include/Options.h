@@ -37,14 +37,18 @@ struct Options
   bool compare = false, stats = false, json = false, quiet = false, verbose = false;
 };
 
-// A number in [lowest, largest of unsigned int]; Boost alone would take -1 for 4294967295.
-inline unsigned int checked_number(const std::string& option, long long value, long long lowest)
+// A number in [lowest, highest]; Boost alone would take -1 for 4294967295.
+inline unsigned int checked_number(const std::string& option, long long value, long long lowest,
+                                   long long highest = (std::numeric_limits<unsigned int>::max)())
 {
-  if (value < lowest || value > (long long)(std::numeric_limits<unsigned int>::max)())
+  if (value < lowest || value > highest)
     throw std::runtime_error("option '--" + option + "' needs a whole number from " +
-                             std::to_string(lowest) + " to 4294967295");
+                             std::to_string(lowest) + " to " + std::to_string(highest));
   return static_cast<unsigned int>(value);
 }
+
+// More would not insert, and TBB does not bear any number.
+constexpr long long most_threads = 64;
 
 // The format of the output: what was said, or what the extension says.
 inline std::string output_format(const Options& options)
@@ -78,6 +82,9 @@ inline void check_input(const Options& options)
   if (!options.from.empty() && !files::is_format_read(options.from))
     throw std::runtime_error("unknown format '" + options.from + "': " + files::formats_read +
                              " are read");
+  if (options.from.empty() && !files::is_format_read(files::file_extension(options.input)))
+    throw std::runtime_error(options.input + ": unknown extension; " + files::formats_read +
+                             " are read, under other names with '--from'");
   if (options.traits != "default" && options.traits != "tracing" && options.traits != "plain")
     throw std::runtime_error("unknown traits '" + options.traits +
                              "': they are default, tracing and plain");
@@ -88,11 +95,14 @@ inline void check_output(const Options& options)
   if (options.output.empty() && !options.to.empty())
     throw std::runtime_error("option '--to' needs '--output'");
   if (options.output.empty() && (options.inside || options.mark_inside))
-    throw std::runtime_error("options '--inside' and '--mark-inside' need '--output'");
+    throw std::runtime_error("options '--inside' and '--mark-inside' need '--output'" +
+                             std::string(options.view.empty() ? "" : "; a page shows both anyway"));
   if (options.inside && options.mark_inside)
     throw std::runtime_error("'--inside' and '--mark-inside' exclude each other");
   if ((options.inside || options.mark_inside) && options.to == "cgal")
     throw std::runtime_error("a triangulation of CGAL is written as a whole");
+  if (options.mark_inside && (options.to == "mesh" || options.to == "tetgen"))
+    throw std::runtime_error("'--mark-inside' needs .vtu, .vtk or .msh: the others hold no data");
   if (options.quiet && options.verbose)
     throw std::runtime_error("'--quiet' and '--verbose' exclude each other");
 }
@@ -161,11 +171,14 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
   po::notify(given);
 
   check_input(options);
+  for (const std::string name : {"output", "view"})
+    if (given.count(name) != 0 && given[name].as<std::string>().empty())
+      throw std::runtime_error("option '--" + name + "' needs the name of a file");
   if (!options.compare && given.count("repetitions") != 0)
     throw std::runtime_error("option '--repetitions' needs '--compare'");
   options.seed = checked_number("seed", seed, 0);
   options.repetitions = checked_number("repetitions", repetitions, 1);
-  options.threads = checked_number("threads", threads, 1);
+  options.threads = checked_number("threads", threads, 1, most_threads);
   check_threads(options);
   check_output(options);
   if (!options.output.empty())

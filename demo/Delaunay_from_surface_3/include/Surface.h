@@ -33,6 +33,7 @@ struct Surface
   std::vector<std::vector<std::size_t>> faces;
   Mesh mesh; // the same points and faces again, if they are a manifold
   bool is_manifold = false;
+  std::size_t collapsed_triangles = 0; // were in the file, and are left out
 };
 
 // The default with many threads.

@@ -22,6 +22,7 @@ inline Surface read_surface(const std::string& file_name, const std::string& for
   Surface surface;
   surface.points = std::move(soup.points);
   surface.faces = std::move(soup.faces);
+  surface.collapsed_triangles = soup.collapsed_triangles;
   namespace PMP = CGAL::Polygon_mesh_processing;
   surface.is_manifold =
       !surface.faces.empty() && PMP::is_polygon_soup_a_polygon_mesh(surface.faces);

@@ -22,6 +22,8 @@ public:
   explicit Lines(std::string_view text)
     : m_rest(text)
   {
+    if (m_rest.substr(0, 3) == "\xEF\xBB\xBF") // some editors put this before a text in UTF-8
+      m_rest.remove_prefix(3);
   }
 
   // Goes to the next such line; returns whether there is one.

@@ -68,7 +68,10 @@ inline double parse_coordinate(std::string_view word)
   const char* const end = digits.data() + digits.size();
   const auto [rest, error] = std::from_chars(digits.data(), end, value);
   if (rest != end || error == std::errc::invalid_argument)
-    throw Bad_content(excerpt(word) + " is not a number");
+    throw Bad_content(excerpt(word) + " is not a number" +
+                      (word.find_first_of(",;") == word.npos
+                           ? ""
+                           : ": blanks separate numbers, and a point their decimals"));
   return error == std::errc() ? value : std::strtod(std::string(digits).c_str(), nullptr);
 }
 

@@ -97,6 +97,17 @@ inline void check_stl(const std::string& content)
   }
 }
 
+// A triangle that the rounding to float has made a segment or a point, as it does with small ones far
+// from the origin, bounds nothing: without it a closed surface is closed again.
+inline void leave_out_collapsed(Polygon_soup& soup)
+{
+  const auto first = std::remove_if(soup.faces.begin(), soup.faces.end(), [](const auto& f) {
+    return f[0] == f[1] || f[1] == f[2] || f[2] == f[0];
+  });
+  soup.collapsed_triangles = std::size_t(soup.faces.end() - first);
+  soup.faces.erase(first, soup.faces.end());
+}
+
 // This reader of CGAL's keeps no more than it has read.
 inline Polygon_soup read_stl(const std::string& content)
 {
@@ -105,6 +116,7 @@ inline Polygon_soup read_stl(const std::string& content)
   std::istringstream stream(content);
   if (!CGAL::IO::read_STL(stream, soup.points, soup.faces))
     throw Bad_content("it is damaged, cut short or in another format");
+  leave_out_collapsed(soup);
   return soup;
 }
 
