@@ -174,7 +174,7 @@ auto with_faces(const py::object& object, const F& f)
                 .cast<std::int64_t>());
     }
   } catch (const py::error_already_set&) {
-    throw py::type_error("faces: face " + std::to_string(faces.size()) +
+    throw py::type_error("faces: face " + std::to_string(faces.empty() ? 0 : faces.size() - 1) +
                          ": expected sequences of integers");
   } catch (const py::cast_error&) {
     throw py::value_error("faces: face " + std::to_string(faces.size() - 1) +

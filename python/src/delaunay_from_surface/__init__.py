@@ -15,6 +15,7 @@ points make it faster; they never change the result.
 
 from __future__ import annotations
 
+import operator
 from typing import Callable, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
@@ -81,7 +82,7 @@ def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: b
     Raises
     ------
     ValueError
-        If an array has the wrong shape, a coordinate is not a finite number, or an index is out of range.
+        If an array has the wrong shape, a coordinate is not a finite number, or an index or the seed is out of range.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError
@@ -89,6 +90,8 @@ def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: b
 
     Memory: about 270 bytes per point at the peak, the result included, where points have 6.8 cells each.
     """
+    if not 0 <= operator.index(seed) < 2 ** 32:
+        raise ValueError(f"seed: expected a whole number from 0 to 4294967295, got {seed}")
     return Delaunay3(*_core.delaunay3(points, faces, neighbors, seed, progress))
 
 
