@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A traits class of one's own: the trace of the paper, on all edges of the surface instead of a
-// spanning subgraph, with rounds that grow by a constant factor.
+// spanning subgraph, and an insertion plan of one's own instead of the paper's rounds.
 
 #include <CGAL/insert_surface_vertices_3.h>
 
@@ -11,16 +11,21 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/Tracing_traits_3.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <numeric>
+#include <random>
 #include <string>
+#include <vector>
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 
@@ -28,9 +33,37 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<K::Point_3>;
 using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 
-struct My_traits : CGAL::Surface_insertion_policies_3<DFS::Full_graph,       // where to trace
-                                                      DFS::Geometric_rounds, // order, rounds
-                                                      DFS::Traced_hints_3>   // where to start
+// An InsertionPlan: a random order, and rounds of which each is as long as all before it.
+class Doubling_rounds
+{
+public:
+  explicit Doubling_rounds(unsigned int seed)
+    : m_seed(seed)
+  {
+  }
+
+  template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
+  DFS::Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&, const Graph&,
+                                  VertexIndexMap) const
+  {
+    DFS::Insertion_order plan;
+    plan.order.resize(points.size());
+    std::iota(plan.order.begin(), plan.order.end(), std::size_t(0));
+    std::shuffle(plan.order.begin(), plan.order.end(), std::mt19937(m_seed));
+    for (std::size_t end = 16; end < points.size(); end *= 2)
+      plan.round_ends.push_back(end);
+    if (!points.empty())
+      plan.round_ends.push_back(points.size());
+    return plan;
+  }
+
+private:
+  unsigned int m_seed;
+};
+
+struct My_traits : CGAL::Surface_insertion_policies_3<DFS::Full_graph,     // where to trace
+                                                      Doubling_rounds,     // order, rounds
+                                                      DFS::Traced_hints_3> // where to start
 {
 };
 
