@@ -126,7 +126,8 @@ public:
   vertex. What is left out depends on the order: on traits, seed, and the order of the input. So the
   insertions go one by one in a single thread, whatever the concurrency tag says, and
   `insertion_begins()` tells 1. If the work begins anew (`order_is_replaced()`, or
-  `target_is_replaced()` for want of ids), so do the questions.
+  `target_is_replaced()` for want of ids), so do the questions; but in the latter case, where the
+  order stays, the answers to the very first ones, asked before there is a target, stand.
 
   A point that is left out gets no vertex: it is not written to
   `vertex_to_vertex_output_iterator`, has no info to give, and stands in nobody's way. The
