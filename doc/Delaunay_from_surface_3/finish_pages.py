@@ -8,8 +8,9 @@
 - Concepts are called concepts, which Doxygen calls classes.
 - The word CGAL means the library, and is no link to the namespace.
 - The pages of folders, which Doxygen writes, links from nowhere, and leaves empty, are removed.
-- Names in tables may be broken after an underscore, unless a digit follows, so that tables are not wider than they
-  must be. Options of programs are not broken after their hyphens.
+- Names in tables and titles may be broken after an underscore, unless a digit follows, after a slash, and after two
+  colons, so that they are not wider than they must be; elsewhere only on a narrow window. Options of programs are not
+  broken after their hyphens.
 - MathJax 2, which draws the formulas, is copied beside the pages: of it what they need, so that nothing is fetched when
   they are read. Pages without formulas do not ask for it. Where it is not found none does, and formulas are shown as
   TeX has them.
@@ -33,6 +34,7 @@ PARTS_OF_MATHJAX = ["MathJax.js", "extensions/AssistiveMML.js", "extensions/Math
 LOADING = re.compile(r'<script type="text/x-mathjax-config">.*?</script>\s*<script[^>]*MathJax\.js"></script>\s*', re.S)
 TABLE = re.compile(r'<table class="markdownTable">.*?</table>', re.S)
 CODE = re.compile(r"<code>.*?</code>")
+HEADLINE = re.compile(r'<div class="title">[^<]*')
 OPTION = re.compile(r"(?<=[ >])-[-\w]+")
 # With what must not be torn from it at the end of a line. Doxygen has put a blank between "(" and a formula.
 FORMULA = re.compile(r"(\( )?(\\\(.*?\\\))([,.;:)]*)")
@@ -48,10 +50,18 @@ def copy_mathjax(source, target):
             shutil.copyfile(source / part, target / part)
 
 
-def breakable(table):
-    def break_names(text):
-        return re.sub(r"_(?!\d)", "_<wbr/>", text[0])
-    return CODE.sub(lambda code: re.sub(r">[^<]+", break_names, code[0]), table[0])
+def breakable(text, where):
+    def break_names(part):
+        return re.sub(r"_(?!\d)|/|::", r"\g<0>" + where, part[0])
+    return re.sub(r">[^<]+", break_names, text)
+
+
+def with_breakable_names(page):
+    page = HEADLINE.sub(lambda title: breakable(title[0], "<wbr/>"), page)
+    parts = re.split(f"({TABLE.pattern})", page, flags=re.S) # tables are the odd ones
+    for i, where in ((0, '<wbr class="narrow"/>'), (1, "<wbr/>")):
+        parts[i::2] = [CODE.sub(lambda code, where=where: breakable(code[0], where), part) for part in parts[i::2]]
+    return "".join(parts)
 
 
 def whole_options(match):
@@ -75,7 +85,7 @@ def main():
         old = path.read_text(encoding="utf-8")
         new = LISTED.sub(r">concept \1", TITLE.sub(r"Concept \1", old))
         new = NAME_OF_LIBRARY.sub("CGAL", new)
-        new = CODE.sub(whole_options, TABLE.sub(breakable, new))
+        new = with_breakable_names(CODE.sub(whole_options, new))
         needs_mathjax = has_mathjax and FORMULA.search(new)
         new = FORMULA.sub(whole_formula, new) if needs_mathjax else LOADING.sub("", new)
         if new != old:
