@@ -54,8 +54,11 @@ bool run(const Options& options)
   bool all_equal = true;
   for (const Named_surface& surface : chosen_surfaces(options))
     for (const std::size_t size : options.sizes) {
-      if (size < surface.least_size && !(surface.is_file && size == 0))
+      if (size < surface.least_size && !(surface.is_file && size == 0)) {
+        std::cerr << surface.name << ", " << size << " points: left out, it is made from "
+                  << surface.least_size << " on\n";
         continue;
+      }
       const Mesh mesh = surfaces::to_mesh<Mesh>(surface.make(size, options.seed));
       std::cerr << surface.name << ", " << mesh.number_of_vertices() << " points\n";
       Json result = {{"surface", surface.name},
