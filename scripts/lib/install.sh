@@ -8,6 +8,17 @@ fail() {
   exit 1
 }
 
+# head_of_script: what the comment at the head of the running script says. From the project's root.
+head_of_script() { sed -n '2,/^set/ { /^#/ s/^# \?//p }' "scripts/${0##*/}"; }
+
+# answer_help "$@": for scripts whose only option is --help.
+answer_help() {
+  if [ "${1-}" = --help ] || [ "${1-}" = -h ]; then
+    head_of_script
+    exit
+  fi
+}
+
 is_root() { [ "$(id -u)" -eq 0 ]; }
 
 as_root() { if is_root; then "$@"; else sudo "$@"; fi; }
