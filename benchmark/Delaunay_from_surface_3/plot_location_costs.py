@@ -107,9 +107,9 @@ def draw_hypothesis(report, file_name):
                     if row["change"] == change]
             if dots:
                 axes.plot(*zip(*dots), color=color, marker=marker, linestyle="", markersize=7, clip_on=False)
-        ticks(axes.xaxis, [0, 20, 40, 60, 80, 100], "{:g} %".format)
+        ticks(axes.xaxis, [0, 20, 40, 60, 80, 100], "{:g}".format)
         ticks(axes.yaxis, [t for t in (0.1, 1, 10, 100, 1000) if t < 10 * most], log=True)
-        axes.set(title=f'{surface}, {rows[0]["points"]} points', xlabel="edges of T that are Delaunay")
+        axes.set(title=f'{surface}, {rows[0]["points"]} points', xlabel="% of the edges of T are Delaunay")
     sheet.legend([line(color, change, marker, linestyle="") for (change, color), marker
                   in zip(CHANGES.items(), MARKERS)], columns=3)
     sheet.write(file_name)
