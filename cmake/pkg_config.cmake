@@ -15,9 +15,15 @@ endforeach()
 list(JOIN pc_cflags " " pc_cflags)
 list(JOIN pc_libs " " pc_libs)
 
-# From the file itself, so that an installed copy can be moved.
-file(RELATIVE_PATH pc_prefix "/prefix/${CMAKE_INSTALL_DATADIR}/pkgconfig" "/prefix")
-string(REGEX REPLACE "/$" "" pc_prefix "${pc_prefix}")
+# From the file itself, so that an installed copy can be moved; unless a folder is absolute.
+if(IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}" OR IS_ABSOLUTE "${CMAKE_INSTALL_DATADIR}")
+  set(pc_prefix "${CMAKE_INSTALL_PREFIX}")
+  set(pc_includedir "${CMAKE_INSTALL_FULL_INCLUDEDIR}")
+else()
+  file(RELATIVE_PATH pc_prefix "/prefix/${CMAKE_INSTALL_DATADIR}/pkgconfig" "/prefix")
+  string(REGEX REPLACE "/$" "" pc_prefix "\${pcfiledir}/${pc_prefix}")
+  set(pc_includedir "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
 configure_file("${CMAKE_CURRENT_LIST_DIR}/delaunay_from_surface_3.pc.in"
   "${PROJECT_BINARY_DIR}/delaunay_from_surface_3.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/delaunay_from_surface_3.pc"
