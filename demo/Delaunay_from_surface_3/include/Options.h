@@ -73,18 +73,26 @@ inline std::string output_format(const Options& options)
   return format;
 }
 
-inline void check_input(const Options& options)
+// The format of the input, in the same way.
+inline std::string input_format(const Options& options)
 {
   if (options.input.empty())
     throw std::runtime_error("no surface given");
   if (options.input == "-" && options.from.empty())
     throw std::runtime_error("the standard input needs '--from': no extension says the format");
-  if (!options.from.empty() && !files::is_format_read(options.from))
-    throw std::runtime_error("unknown format '" + options.from + "': " + files::formats_read +
-                             " are read");
-  if (options.from.empty() && !files::is_format_read(files::file_extension(options.input)))
-    throw std::runtime_error(options.input + ": unknown extension; " + files::formats_read +
-                             " are read, under other names with '--from'");
+  const std::string format =
+      options.from.empty() ? files::file_extension(options.input) : options.from;
+  if (!files::is_format_read(format))
+    throw std::runtime_error(
+        (options.from.empty() ? options.input + ": unknown extension; "
+                              : "unknown format '" + format + "': ") +
+        files::formats_read +
+        (options.from.empty() ? " are read, under other names with '--from'" : " are read"));
+  return format;
+}
+
+inline void check_traits(const Options& options)
+{
   if (options.traits != "default" && options.traits != "tracing" && options.traits != "plain")
     throw std::runtime_error("unknown traits '" + options.traits +
                              "': they are default, tracing and plain");
@@ -170,7 +178,8 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
   }
   po::notify(given);
 
-  check_input(options);
+  options.from = input_format(options);
+  check_traits(options);
   for (const std::string name : {"output", "view"})
     if (given.count(name) != 0 && given[name].as<std::string>().empty())
       throw std::runtime_error("option '--" + name + "' needs the name of a file");

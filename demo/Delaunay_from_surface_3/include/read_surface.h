@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-// Reads a surface; `format` is empty if the extension says it. It is a polygon soup first, and also
+// Reads a surface in this format. It is a polygon soup first, and also
 // a mesh if its faces are a manifold. The coordinates are left to be checked by the package.
 inline Surface read_surface(const std::string& file_name, const std::string& format)
 {
