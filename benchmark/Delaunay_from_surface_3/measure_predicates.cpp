@@ -8,8 +8,8 @@
 #include <Delaunay_from_surface_3_comparison/machine.h>
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/exact_signs.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

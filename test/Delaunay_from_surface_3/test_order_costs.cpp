@@ -14,7 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DELAUNAY_3_ARRAYS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DELAUNAY_3_ARRAYS_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/support/Page_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 // somebody else has it the insertion clashes. Nothing is announced, nothing validated, no fence.
 // What a triangulation made by this worker does, too, is not the handshake's fault.
 
-#include <CGAL/Delaunay_from_surface_3/internal/parallel/Insertion_worker.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -11,11 +11,11 @@
 #include "exact_signs_of_points.h"
 #include "fuzz_tally.h"
 
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Double_double.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Sphere_filter.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Wide_sphere_filter.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/exact_signs.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/flat_beyond_sign.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/flat_beyond_sign.h>
 
 #include <algorithm>
 #include <array>

@@ -10,11 +10,11 @@
 #include "Thread_executor.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_triangulation.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/is_delaunay.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/is_delaunay.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
-#include <CGAL/Delaunay_from_surface_3/internal/parallel/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 
 #include <algorithm>
 #include <array>

@@ -14,7 +14,7 @@
 #include <Delaunay_from_surface_3_theory/trees.h>
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>

@@ -13,10 +13,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
-#include <CGAL/Delaunay_from_surface_3/internal/parallel/Insertion_worker.h>
-#include <CGAL/Delaunay_from_surface_3/internal/parallel/Parallel_triangulation.h>
-#include <CGAL/Delaunay_from_surface_3/internal/parallel/Segments.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Segments.h>
 
 #include <algorithm>
 #include <array>

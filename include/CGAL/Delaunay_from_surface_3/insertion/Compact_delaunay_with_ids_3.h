@@ -13,16 +13,16 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Scaled_points.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/is_delaunay.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/starting_simplex.h>
-#include <CGAL/Delaunay_from_surface_3/internal/parallel/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/is_delaunay.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Tbb_executor.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/assertions.h>

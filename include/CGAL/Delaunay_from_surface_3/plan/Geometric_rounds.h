@@ -8,13 +8,17 @@
 // A biased randomised insertion order (Amenta, Choi, Rote 2003): rounds that grow
 // geometrically, each in a spatially coherent order.
 
+#include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -23,8 +27,9 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-draws a random order and cuts it into rounds that grow geometrically; each round is then sorted
-along a Hilbert curve. This is a biased randomised insertion order (\cgalCite{acr-icbr-03}): random
+draws a random order and cuts it into rounds that grow geometrically; each round is then sorted by
+halves: across the longest extent at the median, the half that is nearer to the point before comes
+first, and so on. This is a biased randomised insertion order (\cgalCite{acr-icbr-03}): random
 enough for the expected size of the conflict zones, coherent enough for short walks and warm caches.
 
 Expected \f$O(n \log n)\f$ for n points.
@@ -56,14 +61,24 @@ public:
 
   /// returns order and rounds of `points`. The graph is not looked at.
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt, const Graph&,
+  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&, const Graph&,
                              VertexIndexMap) const
   {
     using namespace Delaunay_from_surface_3::internal;
     Insertion_order plan;
     plan.order = random_order(points.size(), m_seed);
     plan.round_ends = round_ends(points.size());
-    hilbert_sort_rounds(points, gt, plan, plan.round_ends.size());
+    const auto coordinates = [&](std::size_t i) {
+      const Point& p = points[i];
+      return std::array<double, 3>{to_double(p.x()), to_double(p.y()), to_double(p.z())};
+    };
+    Sort_by_halves sort;
+    auto first = plan.order.begin();
+    for (const std::size_t end : plan.round_ends) {
+      const auto last = plan.order.begin() + std::ptrdiff_t(end);
+      sort(coordinates, first, last);
+      first = last;
+    }
     return plan;
   }
 

@@ -8,7 +8,7 @@
 // Beyond the paper: once the order is known, so is which surface neighbour of a point will have
 // been inserted last when its turn comes. One pass over the edges of F finds it for all points.
 
-#include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <algorithm>

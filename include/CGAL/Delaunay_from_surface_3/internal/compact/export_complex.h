@@ -10,11 +10,11 @@
 // Cells are made in ascending order, each linked with those made before it, so that a compact cell
 // is read once and its memory can go back to the system while CGAL's grows. Linear.
 
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/Large_heap_pages.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/support/Large_heap_pages.h>
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 
 #include <CGAL/Triangulation_hierarchy_3.h>
 

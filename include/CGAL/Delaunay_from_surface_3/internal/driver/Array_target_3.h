@@ -9,7 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/partition_cells.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/partition_cells.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_VISITOR_IN_MODE_OF_CALLER_H
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 
 #include <cstddef>
 #include <string>

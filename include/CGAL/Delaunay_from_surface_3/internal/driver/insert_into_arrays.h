@@ -18,7 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_in_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -24,10 +24,10 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/Rounding_to_nearest.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>

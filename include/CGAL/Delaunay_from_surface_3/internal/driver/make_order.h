@@ -6,7 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_MAKE_ORDER_H
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 
 #include <type_traits>
 

@@ -8,9 +8,9 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Net_hierarchy.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/Lists.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -10,7 +10,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Tbb_executor.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/tags.h>

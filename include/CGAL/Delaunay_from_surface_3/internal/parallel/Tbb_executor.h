@@ -7,7 +7,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 
-#include <CGAL/Delaunay_from_surface_3/internal/parallel/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>

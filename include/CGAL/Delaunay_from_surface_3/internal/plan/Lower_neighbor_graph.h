@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_LOWER_NEIGHBOR_GRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_LOWER_NEIGHBOR_GRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>

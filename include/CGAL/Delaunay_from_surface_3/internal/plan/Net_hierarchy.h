@@ -19,11 +19,11 @@
 // level may keep nearly all its vertices; such a level ends the hierarchy.
 
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/random_net.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/Large_page_allocator.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/Lists.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/blocks.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/random_net.h>
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -16,7 +16,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
-#include <CGAL/Delaunay_from_surface_3/internal/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 
 #include <array>
 #include <cstddef>

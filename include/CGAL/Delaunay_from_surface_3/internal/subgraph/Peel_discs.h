@@ -36,7 +36,7 @@
 // Cost: two scans of each list, about 12 neighbour visits per vertex (Lemma 8); 4 bytes per vertex
 // and the stack, at most as long as C.
 
-#include <CGAL/Delaunay_from_surface_3/internal/support/prefetch.h>
+#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Opened_surface.h>
 
 #include <limits>

@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_COMPLEX_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_COMPLEX_H
+
+// Cells and vertices as numbers, and nothing else: what an insertion scribbles on is in
+// Conflict_zone.h. A cell is 32 bytes (with ids of 32 bits), half a cache line.
+//
+// One vertex, one number: that of the i-th point in the order of insertion is i + 1, and its
+// coordinates are there from the beginning; 0 is the infinite vertex. Numbers of duplicates stay
+// unused.
+//
+// Invariants: vertices of a cell are in positive orientation (with the infinite vertex in the place
+// of a point beyond the hull); the infinite vertex is only ever the last of a cell. A link names a
+// neighbour and, in its two lowest bits, which of the neighbour's facets is shared: 4 · cell +
+// facet, as in TetGen's and HXT's meshes (Si 2015; Marot, Pellerin, Remacle 2019). A cell that is
+// destroyed is `dead`, and so is one that is not in use; that mark is the highest bit of its first
+// vertex.
+
+#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+template <class Id>
+struct Compact_cell
+{
+  Id v[4];
+  Id links[4];
+};
+
+// `label` belongs to the insertion under way (Fill_star.h). It lies here, in bytes that alignment
+// would leave empty, beside the coordinates that were just read. In an array of its own, as many
+// threads need it (Write_announced.h), it takes longer.
+template <class Id>
+struct alignas(32) Compact_vertex
+{
+  double coordinates[3];
+  Id cell; // any cell of the vertex
+  Id label;
+};
+
+// The corners of facet i, such that (p, corners) is positive for p on the inner side, and the
+// infinite vertex stays the last.
+constexpr unsigned char facet_corners[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
+
+template <class Id>
+class Compact_complex
+{
+  static_assert(std::numeric_limits<Id>::is_integer && !std::numeric_limits<Id>::is_signed,
+                "ids are unsigned");
+
+public:
+  using Cell = Compact_cell<Id>;
+  using Vertex = Compact_vertex<Id>;
+
+  static constexpr Id infinite = 0;
+  static constexpr Id dead = Id(Id(1) << (std::numeric_limits<Id>::digits - 1)); // of v[0]
+  static constexpr std::size_t max_vertices = dead;
+  static constexpr std::size_t max_cells = std::size_t((std::numeric_limits<Id>::max)() >> 2) + 1;
+
+  // The vertices of n points, in no cell yet; coordinates(i) returns those of the i-th.
+  template <class Coordinates>
+  Compact_complex(std::size_t n, const Coordinates& coordinates)
+    : m_number_of_vertices(n + 1)
+  {
+    if (m_number_of_vertices > max_vertices)
+      throw Too_few_ids(std::numeric_limits<Id>::digits);
+    m_vertices.reserve(m_number_of_vertices, 0);
+    m_vertices[infinite] = Vertex();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::array<double, 3> p = coordinates(i);
+      m_vertices[vertex_of_point(i)] = {{p[0], p[1], p[2]}, 0, 0};
+    }
+  }
+
+  static Id vertex_of_point(std::size_t i) { return Id(i + 1); }
+  static std::size_t point_of_vertex(std::size_t v) { return v - 1; }
+
+  Cell* cells() { return m_cells.data(); }
+  const Cell* cells() const { return m_cells.data(); }
+  Vertex* vertices() { return m_vertices.data(); }
+  const Vertex* vertices() const { return m_vertices.data(); }
+  Cell& cell(std::size_t c) { return m_cells[c]; }
+  const Cell& cell(std::size_t c) const { return m_cells[c]; }
+  Vertex& vertex(std::size_t v) { return m_vertices[v]; }
+  const Vertex& vertex(std::size_t v) const { return m_vertices[v]; }
+  std::size_t vertices_end() const { return m_number_of_vertices; } // 0 and unused ones too
+  std::size_t cells_end() const { return m_cells_end; }             // dead ones too
+
+  static bool is_dead(const Cell& c) { return (c.v[0] & dead) != 0; }
+  static Id first_vertex(const Cell& c) { return Id(c.v[0] & Id(~dead)); }
+  static bool is_infinite(const Cell& c) { return c.v[3] == infinite; }
+  static Id link(Id cell, unsigned facet) { return Id(Id(cell << 2) | facet); }
+
+  // The number of a cell that never was. The cells may move.
+  Id new_cell()
+  {
+    if (m_cells_end == max_cells)
+      throw Too_few_ids(std::numeric_limits<Id>::digits);
+    if (m_cells_end == m_cells.capacity())
+      m_cells.reserve((std::min)(m_cells_end + m_cells_end / 2 + 1, max_cells), m_cells_end);
+    return Id(m_cells_end++);
+  }
+
+  // Room for n cells at least; and which of them there are, dead ones too, if others than
+  // new_cell() hand them out. The cells may move.
+  void make_room(std::size_t n)
+  {
+    if (n > max_cells && m_cells.capacity() >= max_cells)
+      throw Too_few_ids(std::numeric_limits<Id>::digits);
+    m_cells.reserve((std::min)(n, max_cells), m_cells_end);
+  }
+  std::size_t capacity() const { return m_cells.capacity(); }
+  void use_cells(std::size_t end) { m_cells_end = end; }
+
+  // The first cells: that of four vertices, positively oriented, and the infinite ones around it.
+  // Makes room for the cells that points on a surface have, some 7 for each. Lattices and smooth
+  // surfaces without noise have up to 13 for a time; pages that nobody writes take no memory, so
+  // there is room for these, too, while that is less than a gigabyte.
+  void start(const std::array<Id, 4>& v)
+  {
+    constexpr std::size_t cells_of_gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
+    const std::size_t few = 7 * m_number_of_vertices + 64, many = 14 * m_number_of_vertices + 64;
+    m_cells.reserve((std::min)(many < cells_of_gigabyte ? many : few, max_cells), 0);
+    std::array<Id, 5> cells;
+    for (Id& c : cells)
+      c = new_cell();
+    for (unsigned i = 0; i < 4; ++i) {
+      cell(cells[4]).v[i] = v[i];
+      cell(cells[i]) = {{v[i ^ 1], v[i ^ 2], v[i ^ 3], infinite}, {0, 0, 0, 0}};
+      vertex(v[i]).cell = cells[4];
+    }
+    vertex(infinite).cell = cells[0];
+    for (const Id c : cells)
+      for (const Id d : cells)
+        if (c != d)
+          link_if_adjacent(c, d);
+  }
+
+  // Do links and vertices agree? Of cell c and its neighbour d across facet i: d's link leads back,
+  // and the facet has the same corners in both, the other way round. Linear.
+  bool is_valid() const
+  {
+    for (std::size_t c = 0; c < m_cells_end; ++c)
+      for (unsigned i = 0; !is_dead(cell(c)) && i < 4; ++i) {
+        const Id there = cell(c).links[i];
+        if (std::size_t(there >> 2) >= m_cells_end || is_dead(cell(there >> 2)) ||
+            cell(there >> 2).links[there & 3] != link(Id(c), i) ||
+            !is_same_facet(cell(c), i, cell(there >> 2), there & 3))
+          return false;
+      }
+    for (std::size_t v = 0; v < m_number_of_vertices; ++v) {
+      const Cell& c = cell(vertex(v).cell);
+      const bool is_used = v == infinite || vertex(v).cell != 0;
+      if (is_used && (is_dead(c) || std::find(c.v, c.v + 4, Id(v)) == c.v + 4))
+        return false;
+    }
+    return true;
+  }
+
+  // For the export, which reads each cell once: these are not read any more.
+  void release_cells(std::size_t first, std::size_t last) { m_cells.release(first, last); }
+  void deallocate_cells() { m_cells.deallocate(); }
+  Page_array<Cell> take_cells() { return std::move(m_cells); }
+  void deallocate_vertices() { m_vertices.deallocate(); }
+
+private:
+  void link_if_adjacent(Id c, Id d)
+  {
+    const unsigned i = lonely_vertex(cell(c), cell(d)), j = lonely_vertex(cell(d), cell(c));
+    if (i < 4 && j < 4)
+      cell(c).links[i] = link(d, j);
+  }
+
+  // The only vertex of c that d has not; 4 if there are more.
+  static unsigned lonely_vertex(const Cell& c, const Cell& d)
+  {
+    unsigned lonely = 4, count = 0;
+    for (unsigned i = 0; i < 4; ++i)
+      if (std::find(d.v, d.v + 4, c.v[i]) == d.v + 4)
+        lonely = i, ++count;
+    return count == 1 ? lonely : 4;
+  }
+
+  // The corners of facet i of c, rotated, are those of facet j of d in the other direction.
+  static bool is_same_facet(const Cell& c, unsigned i, const Cell& d, unsigned j)
+  {
+    for (unsigned r = 0; r < 3; ++r) {
+      bool is_same = true;
+      for (unsigned k = 0; k < 3; ++k)
+        is_same = is_same && c.v[facet_corners[i][k]] == d.v[facet_corners[j][(r + 3 - k) % 3]];
+      if (is_same)
+        return true;
+    }
+    return false;
+  }
+
+  Page_array<Cell> m_cells;
+  Page_array<Vertex> m_vertices;
+  std::size_t m_cells_end = 0;
+  std::size_t m_number_of_vertices;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_COMPLEX_H

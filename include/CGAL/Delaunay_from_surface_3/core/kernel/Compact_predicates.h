@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_PREDICATES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_PREDICATES_H
+
+// Is a cell in conflict with a point? The stages are asked in this order, and each leaves open what
+// it cannot decide. Costs are those of a sphere test, in ns (measure_predicates), to the end of the
+// stage:
+//
+//   stage           what it decides                                  cost  header
+//   first filter    signs farther from 0 than doubles err              15  Sphere_filter.h
+//   flat circle     infinite cells in planes across an axis             -  flat_beyond_sign.h
+//   HALF_DIGIT      differences as integers of 30 bits, 0 included     80  exact_signs.h
+//   ONE_DIGIT       the same of 60 bits                               135  exact_signs.h
+//   DOUBLE_DOUBLE   farther from 0 than sums of two doubles err       240  Double_double.h
+//   TWO_DIGITS      integers of 120 bits, 0 included                  440  exact_signs.h
+//   KERNEL          all that is left                                 2500  Perturbed_predicates.h
+//
+// Where the sign is 0, the stage goes on with CGAL's perturbation.
+
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/flat_beyond_sign.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// The predicates of one insertion. Exact: as Perturbed_predicates. The new point is a vertex p, in
+// no cell yet.
+template <class Id, class Exact>
+class Compact_predicates
+{
+  using Complex = Compact_complex<Id>;
+  using Cell = Compact_cell<Id>;
+
+public:
+  // Keeps references to all three.
+  Compact_predicates(const Exact& exact, const Complex& complex, Insertion_counts& counts)
+    : m_exact(exact)
+    , m_complex(complex)
+    , m_counts(counts)
+  {
+  }
+
+  void count_cell_tested_to_start() { ++m_counts.cells_tested_to_start; }
+
+  // The vertex of the cell that has the coordinates of p, or 0.
+  Id vertex_at(const Cell& cell, Id p) const
+  {
+    const double* const q = coordinates(p);
+    for (const Id v : cell.v)
+      if (v != Complex::infinite && std::equal(q, q + 3, coordinates(v)))
+        return v;
+    return 0;
+  }
+
+  // A facet of the finite cell that p lies beyond: one opposite to a vertex far from p. A walk that
+  // drops far vertices first turns around a near one, and stays where cells are small; where p is
+  // far from all, it goes where p is farthest beyond. (The fourth power was measured.)
+  unsigned facet_towards(const Cell& cell, const Cell_view& view, Id p) const
+  {
+    unsigned farthest = 0;
+    for (unsigned k = 1; k < 4; ++k)
+      if (view.pushes[k] < view.pushes[farthest])
+        farthest = k;
+    if (view.facets[farthest] < -view.facet_bound)
+      return farthest;
+    for (unsigned k = 0; k < 4; ++k) // of tiny coordinates the pushes underflow first
+      if (view.facets[k] < -view.facet_bound)
+        return k;
+    for (unsigned k = 0; k < 4; ++k)
+      if (view.facets[k] <= view.facet_bound && orientation(cell, k, p) < 0)
+        return k;
+    CGAL_error_msg("a cell that contains a point must be in conflict with it");
+  }
+
+  int orientation(const Cell& cell, unsigned k, Id p) const
+  {
+    return m_exact.orientation(coordinates(p), coordinates(cell.v[k ^ 1]),
+                               coordinates(cell.v[k ^ 2]), coordinates(cell.v[k ^ 3]));
+  }
+
+  // Of an infinite cell: 1 if p is beyond its finite facet, -1 if before, 0 if not decided.
+  int beyond_sign(const Cell& cell, const double* p) const
+  {
+    return internal::beyond_sign(row(coordinates(Complex::first_vertex(cell)), p),
+                                 row(coordinates(cell.v[1]), p), row(coordinates(cell.v[2]), p));
+  }
+
+  bool is_beyond_exactly(const Cell& cell, Id p)
+  {
+    const double* const v[3] = {coordinates(Complex::first_vertex(cell)), coordinates(cell.v[1]),
+                                coordinates(cell.v[2])};
+    const double* const q = coordinates(p);
+    if (const int flat = flat_beyond_sign(v, q))
+      return flat > 0;
+    const Exact_sign exact = exact_beyond_sign(v, q);
+    ++m_counts.facet_tests_by_stage[exact.stage];
+    m_counts.perturbed += exact.is_perturbed;
+    return exact.sign != 0 ? exact.sign > 0 : m_exact.is_beyond(v[0], v[1], v[2], q);
+  }
+
+  // What the first filter left open.
+  bool is_in_close_sphere(const Cell& cell, Id p)
+  {
+    const double* const v[4] = {coordinates(Complex::first_vertex(cell)), coordinates(cell.v[1]),
+                                coordinates(cell.v[2]), coordinates(cell.v[3])};
+    const double* const q = coordinates(p);
+    const Exact_sign exact = exact_sphere_sign(v, q, m_is_fused);
+    ++m_counts.sphere_tests_by_stage[exact.stage];
+    m_counts.perturbed += exact.is_perturbed;
+    return exact.sign != 0 ? exact.sign > 0 : m_exact.is_in_sphere(v[0], v[1], v[2], v[3], q);
+  }
+
+  // The same for any cell, with all filters.
+  bool is_in_conflict(const Cell& cell, Id p)
+  {
+    const double* const q = coordinates(p);
+    if (Complex::is_infinite(cell)) {
+      const int sign = beyond_sign(cell, q);
+      return sign != 0 ? sign > 0 : is_beyond_exactly(cell, p);
+    }
+    const int sign = sphere_sign(row(coordinates(cell.v[0]), q), row(coordinates(cell.v[1]), q),
+                                 row(coordinates(cell.v[2]), q), row(coordinates(cell.v[3]), q));
+    return sign != 0 ? sign > 0 : is_in_close_sphere(cell, p);
+  }
+
+private:
+  const double* coordinates(Id v) const { return m_complex.vertex(v).coordinates; }
+
+  const Exact& m_exact;
+  const Complex& m_complex;
+  Insertion_counts& m_counts;
+  const bool m_is_fused = has_fused_products();
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_PREDICATES_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_TRIANGULATION_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_TRIANGULATION_H
+
+// Insertion (Bowyer 1981; Watson 1981) on numbered cells: walk to a conflict, dig the conflict
+// zone, fill the star (Choi 2002, Fig. 1, lines 2b and 2c). Each of the three has a header of its
+// own.
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Fill_star.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_explore_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/nearest_vertex.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/vectors.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Id: an unsigned type for the numbers. Exact: as Perturbed_predicates.
+template <class Id, class Exact>
+class Compact_triangulation
+{
+  using Complex = Compact_complex<Id>;
+  using Predicates = Compact_predicates<Id, Exact>;
+
+public:
+  using Location = Compact_location<Id>;
+
+  // Of the vertices of `complex`, which has started. Keeps references.
+  Compact_triangulation(const Exact& exact, Complex& complex, const Alone& = Alone())
+    : m_exact(exact)
+    , m_complex(complex)
+  {
+  }
+
+  // Where vertex p, in no cell yet, goes, from cell `start`. Counted, or not.
+  Location locate(Id p, Id start)
+  {
+    Predicates predicates(m_exact, m_complex, m_zone.counts);
+    return walk(predicates, p, start);
+  }
+  Location locate(Id p, Id start) const
+  {
+    Insertion_counts uncounted;
+    Predicates predicates(m_exact, m_complex, uncounted);
+    return walk(predicates, p, start);
+  }
+
+  // Puts p where a cell is in conflict with it. `before(first, last)` is given the cells in
+  // conflict. Returns p.
+  template <class Before>
+  Id insert(Id p, Id cell, const Before& before)
+  {
+    dig(p, cell);
+    fill(p, before);
+    return p;
+  }
+
+  // The same if accepts(v) for the vertex v nearest to p; else nothing changes, and v is returned.
+  template <class Before, class Accepts>
+  Id insert_if(Id p, Id cell, const Before& before, const Accepts& accepts)
+  {
+    dig(p, cell);
+    const Id nearest = nearest_vertex_of_zone(m_complex, m_exact, m_zone, p);
+    if (!accepts(nearest)) {
+      m_zone.revive(m_complex);
+      return nearest;
+    }
+    fill(p, before);
+    return p;
+  }
+
+  const Insertion_counts& counts() const { return m_zone.counts; }
+
+  // The same words as those of many threads (Parallel_triangulation.h).
+  static constexpr std::size_t number_of_workers() { return 1; }
+  static constexpr std::size_t size_of_piece(std::size_t) { return 256; }
+  static void finish() {}
+
+private:
+  Location walk(Predicates& predicates, Id p, Id start) const
+  {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+    if (m_is_wide)
+      return Walk_to_conflict<Wide_sphere_filter>()(m_complex, predicates, p, start);
+#endif
+    return Walk_to_conflict<Sphere_filter>()(m_complex, predicates, p, start);
+  }
+
+  void dig(Id p, Id cell)
+  {
+    Predicates predicates(m_exact, m_complex, m_zone.counts);
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+    if (m_is_wide) {
+      Dig_conflict_zone<Widest_explore_neighbors<Id>>()(m_complex, predicates, m_zone, p, cell);
+      return;
+    }
+#endif
+    Dig_conflict_zone<Explore_neighbors>()(m_complex, predicates, m_zone, p, cell);
+  }
+
+  template <class Before>
+  void fill(Id p, const Before& before)
+  {
+    before(m_zone.cells.data(), m_zone.cells.data() + m_zone.number_of_cells);
+    m_fill_star(m_complex, m_zone, p);
+  }
+
+  const Exact& m_exact;
+  Complex& m_complex;
+  Conflict_zone<Id> m_zone;
+  Fill_star<Id> m_fill_star;
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  const bool m_is_wide = machine_has_vectors();
+#endif
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_TRIANGULATION_H

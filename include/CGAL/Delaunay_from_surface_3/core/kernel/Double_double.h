@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_DOUBLE_DOUBLE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_DOUBLE_DOUBLE_H
+
+// A stage of the sphere test between integers of one digit and of two: the determinant in sums of
+// two doubles. It decides nearly all of what has too many bits for one digit, at less than half the
+// price of two.
+//
+// A product or sum of two such numbers is wrong by less than 2^-100 of (the sum of) the absolute
+// values of what enters, and differences of two doubles are exact. So the bound of the first stage
+// holds with 2^-100 for u, and 2^-93 m^(5/2) is on the safe side.
+//
+// The error terms are exact only if no product is fused into a sum behind our back, as compilers do
+// when the user allows fma. opaque() hides from them what is a product.
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+#if defined(__GNUC__) && defined(__x86_64__)
+inline double opaque(double product)
+{
+  __asm__("" : "+x"(product));
+  return product;
+}
+#elif defined(__GNUC__) && defined(__aarch64__)
+inline double opaque(double product)
+{
+  __asm__("" : "+w"(product));
+  return product;
+}
+#else
+inline double opaque(double product)
+{
+  volatile double hidden = product;
+  return hidden;
+}
+#endif
+
+// What a product lost by rounding, a b - product, exactly: for any machine (Dekker 1971) …
+struct Split_products
+{
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double error(double a, double b, double product)
+  {
+    const double a1 = upper_half(a), a0 = a - a1, b1 = upper_half(b), b0 = b - b1;
+    return ((opaque(a1 * b1) - product) + opaque(a1 * b0) + opaque(a0 * b1)) + opaque(a0 * b0);
+  }
+
+private:
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double upper_half(double a)
+  {
+    const double c = opaque(134217729. * a); // 2^27 + 1
+    return c - (c - a);
+  }
+};
+
+// … and where it is one instruction.
+struct Fused_products
+{
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double error(double a, double b, double product)
+  {
+    return std::fma(a, b, -product);
+  }
+};
+
+// The differences of N vertices and p, row by row; each is exactly high + low (Knuth 1969).
+template <int N>
+struct Exact_differences
+{
+  static constexpr int size = 3 * N;
+  double high[size], low[size];
+
+  Exact_differences(const double* const* vertices, const double* p)
+  {
+    double a[size], b[size]; // in a row, for vectors
+    CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
+    for (int k = 0; k < size; ++k) {
+      a[k] = vertices[k / 3][k % 3];
+      b[k] = p[k % 3];
+    }
+    for (int k = 0; k < size; ++k) {
+      high[k] = a[k] - b[k];
+      const double minus_b = high[k] - a[k];
+      low[k] = (a[k] - (high[k] - minus_b)) - (b[k] + minus_b);
+    }
+  }
+};
+
+// The number high + low, with |low| at most half an ulp of high.
+template <class Products>
+struct Double_double
+{
+  double high, low;
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE friend Double_double operator+(const Double_double& s,
+                                                                            const Double_double& t)
+  {
+    const double sum = s.high + t.high;
+    const double part = sum - s.high;
+    const double error = (s.high - (sum - part)) + (t.high - part);
+    return normalized(sum, error + (s.low + t.low));
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE friend Double_double operator-(const Double_double& s,
+                                                                            const Double_double& t)
+  {
+    return s + Double_double{-t.high, -t.low};
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE friend Double_double operator*(const Double_double& s,
+                                                                            const Double_double& t)
+  {
+    const double product = opaque(s.high * t.high);
+    const double error = Products::error(s.high, t.high, product);
+    return normalized(product, error + (opaque(s.high * t.low) + opaque(s.low * t.high)));
+  }
+
+private:
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Double_double normalized(double high,
+                                                                             double low)
+  {
+    const double sum = high + low;
+    return {sum, low - (sum - high)};
+  }
+};
+
+template <class Products>
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int
+close_sphere_sign_with(const Exact_differences<4>& differences)
+{
+  using Number = Double_double<Products>;
+  const auto number = [&](int k) { return Number{differences.high[k], differences.low[k]}; };
+  Row<Number> r[4];
+  CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
+  for (int k = 0; k < 4; ++k)
+    r[k] = {number(3 * k), number(3 * k + 1), number(3 * k + 2)};
+  const Sphere_cofactors<Number> cofactors(r[0], r[1], r[2], r[3]);
+  const double m =
+      (std::max)((std::max)(r[0].w.high, r[1].w.high), (std::max)(r[2].w.high, r[3].w.high));
+  const double bound = 1. / 9903520314283042199192993792. * (m * m * std::sqrt(m)) + // 2^-93
+                       Filter_bounds::tiny;
+  return certified_sign(cofactors.lifted(r[0], r[1], r[2], r[3]).high, bound);
+}
+
+// Of a positively oriented cell.
+inline int close_sphere_sign(const Exact_differences<4>& differences)
+{
+#if defined(__FMA__) || defined(__aarch64__)
+  return close_sphere_sign_with<Fused_products>(differences);
+#else
+  return close_sphere_sign_with<Split_products>(differences);
+#endif
+}
+
+#if defined(__GNUC__) && defined(__x86_64__)
+// The same, to be called if the machine has fma.
+__attribute__((target("fma"))) inline int
+fused_close_sphere_sign(const Exact_differences<4>& differences)
+{
+  return close_sphere_sign_with<Fused_products>(differences);
+}
+
+inline bool has_fused_products()
+{
+  return __builtin_cpu_supports("fma");
+}
+#else
+inline int fused_close_sphere_sign(const Exact_differences<4>& differences)
+{
+  return close_sphere_sign(differences);
+}
+
+inline bool has_fused_products()
+{
+  return false;
+}
+#endif
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_DOUBLE_DOUBLE_H

@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_FILL_STAR_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_FILL_STAR_H
+
+// Choi 2002, Fig. 1, line 2c, second half: fills the conflict zone with the star of the new vertex,
+// one cell for each facet of the zone's boundary (Bowyer 1981; Watson 1981).
+//
+// Two new cells are neighbours if their facets share an edge. Each facet writes its links to a
+// table under its three directed edges; the neighbour across an edge stands under its reverse. The
+// boundary is a sphere of B facets, so it has B/2 + 2 vertices; they are labelled 0, 1, … on the
+// way. The table is small, never cleared, and stays in the cache: the idea is HXT's (Marot,
+// Pellerin, Remacle 2019). Large zones sort their edges instead.
+//
+// Cost: O(B).
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Writes cells that nobody else reads meanwhile.
+template <class Id>
+struct Write_alone
+{
+  using Cell = Compact_cell<Id>;
+  using Vertex = Compact_vertex<Id>;
+
+  // What is left from earlier zones; 0 at first.
+  static Id& label(Vertex* vertices, Id v) { return vertices[v].label; }
+  static void forget_labels(Compact_complex<Id>& complex)
+  {
+    for (std::size_t v = 0; v < complex.vertices_end(); ++v)
+      complex.vertex(v).label = 0;
+  }
+
+  // The cell of p and the facet, all but its links at p.
+  static void open(Cell& cell, Id p, const Zone_facet<Id>& facet)
+  {
+    static_assert(sizeof(cell.v) == sizeof(facet), "a facet is a cell without its first vertex");
+    std::memcpy(cell.v, &facet, sizeof(facet));
+    cell.v[0] = p;
+    cell.links[0] = facet.outside;
+  }
+  static void set_outer_link(Id& link, Id to) { link = to; }
+  static void set_link(Id& link, Id to) { link = to; }
+  static void set_cell(Vertex* vertices, Id v, Id c) { vertices[v].cell = c; }
+  static void set_cell_of_corners(Vertex* vertices, const Id* corners, Id c)
+  {
+    for (unsigned k = 0; k < 3; ++k)
+      vertices[corners[k]].cell = c;
+  }
+  static void close(Cell&, Id) {} // the cell is complete
+};
+
+// Write: how what is shared is written, alone or beside others who read (Write_announced.h).
+template <class Id, class Write = Write_alone<Id>>
+class Fill_star
+{
+  using Complex = Compact_complex<Id>;
+  using Zone = Conflict_zone<Id>;
+
+public:
+  static constexpr std::size_t small_side = 32, side = 64;
+  // So many facets can have `side` vertices.
+  static constexpr std::size_t max_table_facets = 2 * side - 4;
+
+  explicit Fill_star(Write write = Write())
+    : m_table(side * side)
+    , m_write(std::move(write))
+  {
+  }
+
+  // Makes the star of p of the zone's facets, whose corners become labels. The zone's cells are
+  // then those of the star.
+  void operator()(Complex& complex, Zone& zone, Id p)
+  {
+    zone.take_cells_of_star(complex);
+    const std::size_t n = zone.number_of_facets;
+    if (std::size_t((std::numeric_limits<Id>::max)() - m_base) < complex.vertices_end())
+      forget_labels(complex);
+    m_write.set_cell(complex.vertices(), p, zone.cells[0]);
+    if (n <= 2 * small_side - 4) {
+      fill_by_table<small_side>(complex, zone, p);
+    } else if (n <= max_table_facets) {
+      fill_by_table<side>(complex, zone, p);
+    } else {
+      const Id first_label = m_base;
+      make_cells(complex, zone, p, [](Id, Id, Id, Id) {});
+      link_by_sorting(complex, zone, Id(m_base - first_label));
+      for (std::size_t i = 0; i < n; ++i)
+        m_write.close(complex.cell(zone.cells[i]), p);
+    }
+  }
+
+private:
+  template <std::size_t Side>
+  void fill_by_table(Complex& complex, Zone& zone, Id p)
+  {
+    Id* const table = m_table.data();
+    make_cells(complex, zone, p, [table](Id a, Id b, Id d, Id c) {
+      table[b * Side + d] = Complex::link(c, 1);
+      table[d * Side + a] = Complex::link(c, 2);
+      table[a * Side + b] = Complex::link(c, 3);
+    });
+    typename Complex::Cell* const cells = complex.cells();
+    for (std::size_t i = 0; i < zone.number_of_facets; ++i) {
+      const Id* const corners = zone.facets[i].corners;
+      const std::size_t a = corners[0], b = corners[1], d = corners[2];
+      typename Complex::Cell& cell = cells[zone.cells[i]];
+      m_write.set_link(cell.links[1], table[d * Side + b]);
+      m_write.set_link(cell.links[2], table[a * Side + d]);
+      m_write.set_link(cell.links[3], table[b * Side + a]);
+      m_write.close(cell, p);
+    }
+  }
+
+  // Vertices and outer links of the cells. Corners are replaced by their labels. `then` is given
+  // these and the cell.
+  template <class Then>
+  void make_cells(Complex& complex, Zone& zone, Id p, const Then& then)
+  {
+    typename Complex::Cell* const cells = complex.cells();
+    typename Complex::Vertex* const vertices = complex.vertices();
+    const Id base = m_base;
+    Id count = 0;
+    for (std::size_t i = 0, n = zone.number_of_facets; i < n; ++i) {
+      Zone_facet<Id>& f = zone.facets[i];
+      const Id c = zone.cells[i];
+      const Id outside = f.outside;
+      m_write.open(cells[c], p, f);
+      m_write.set_outer_link(cells[outside >> 2].links[outside & 3], Complex::link(c, 0));
+      m_write.set_cell_of_corners(vertices, f.corners, c);
+      for (Id& corner : f.corners)
+        corner = label(m_write.label(vertices, corner), base, count);
+      then(f.corners[0], f.corners[1], f.corners[2], c);
+    }
+    m_base = Id(base + count);
+  }
+
+  // Labels 0, 1, … are kept as m_base + 0, m_base + 1, …: what is left from earlier zones is less
+  // than m_base, and so beyond every label after the subtraction. No branch: it would not be
+  // predicted.
+  static Id label(Id& kept, Id base, Id& count)
+  {
+    Id l = Id(kept - base);
+    const bool is_new = l >= count;
+    l = is_new ? count : l;
+    count = Id(count + is_new);
+    kept = Id(base + l);
+    return l;
+  }
+
+  void forget_labels(Complex& complex)
+  {
+    m_write.forget_labels(complex);
+    m_base = 1;
+  }
+
+  // Edges in lexicographic order, by counting: the two cells at an edge then come one after the
+  // other.
+  void link_by_sorting(Complex& complex, const Zone& zone, std::size_t number_of_labels)
+  {
+    m_edges.clear();
+    for (std::size_t i = 0; i < zone.number_of_facets; ++i)
+      for (unsigned k = 0; k < 3; ++k) {
+        const Id* const corners = zone.facets[i].corners;
+        const auto [lower, upper] = std::minmax(corners[(k + 1) % 3], corners[(k + 2) % 3]);
+        m_edges.push_back({lower, upper, Complex::link(zone.cells[i], k + 1)});
+      }
+    sort_edges(&Edge::upper, number_of_labels);
+    sort_edges(&Edge::lower, number_of_labels);
+    for (std::size_t e = 0; e + 1 < m_edges.size(); e += 2) {
+      const Id s = m_edges[e].link, t = m_edges[e + 1].link;
+      m_write.set_link(complex.cell(s >> 2).links[s & 3], t);
+      m_write.set_link(complex.cell(t >> 2).links[t & 3], s);
+    }
+  }
+
+  // Of the star's boundary: its ends, as labels, and the facet of a new cell that contains it.
+  struct Edge
+  {
+    Id lower, upper, link;
+  };
+
+  // Stable.
+  void sort_edges(Id Edge::*end, std::size_t number_of_labels)
+  {
+    m_first.assign(number_of_labels + 1, 0);
+    for (const Edge& e : m_edges)
+      ++m_first[e.*end + 1];
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_sorted.resize(m_edges.size());
+    for (const Edge& e : m_edges)
+      m_sorted[m_first[e.*end]++] = e;
+    m_edges.swap(m_sorted);
+  }
+
+  std::vector<Id> m_table;
+  Write m_write;
+  Id m_base = 1;
+  std::vector<Edge> m_edges, m_sorted;
+  std::vector<std::size_t> m_first;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_FILL_STAR_H

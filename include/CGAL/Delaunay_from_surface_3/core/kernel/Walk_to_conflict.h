@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WALK_TO_CONFLICT_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WALK_TO_CONFLICT_H
+
+// Choi 2002, Fig. 1, line 2b: "Locate s_i in D(S_{i-1})". Instead of the cell that contains the
+// point, any cell in conflict with it will do (as in HXT: Marot, Pellerin, Remacle 2019), and near
+// a good starting cell there is one nearly at once.
+//
+// Walks towards the point, through the facet that it seems farthest beyond, until a cell is in
+// conflict with it. The cell that contains the point is, unless the point is one of its vertices;
+// in a Delaunay triangulation no such walk runs in a circle. Cost: O(1) per cell.
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Where a point goes: a cell in conflict with it, or else (cell unused) the vertex at its place.
+template <class Id>
+struct Compact_location
+{
+  Id cell;
+  Id vertex; // 0: none
+};
+
+// Reads cells that nobody else writes meanwhile, where they are.
+struct Read_alone
+{
+  template <class Id>
+  const Compact_cell<Id>& operator()(const Compact_cell<Id>& cell) const
+  {
+    return cell;
+  }
+  static constexpr bool is_lost() { return false; }
+};
+
+// Filter: the first stage of the predicates, scalar or in vectors.
+template <class Filter, class Read = Read_alone>
+struct Walk_to_conflict
+{
+  // Where point p, a vertex in no cell, goes, from cell c. Beside others who write, `read` can get
+  // lost: then that is nowhere.
+  template <class Id, class Predicates>
+  Compact_location<Id> operator()(const Compact_complex<Id>& complex, Predicates& predicates, Id p,
+                                  Id c, Read&& read = Read()) const
+  {
+    using Complex = Compact_complex<Id>;
+    const double* const point = complex.vertex(p).coordinates;
+    for (;;) {
+      predicates.count_cell_tested_to_start();
+      const Compact_cell<Id>& cell = read(complex.cell(c));
+      if (read.is_lost())
+        return {c, 0};
+      if (Complex::is_infinite(cell)) {
+        const int sign = predicates.beyond_sign(cell, point);
+        const Id w = sign == 0 ? predicates.vertex_at(cell, p) : Id(0);
+        if (w != 0 || sign > 0 || (sign == 0 && predicates.is_beyond_exactly(cell, p)))
+          return {c, w};
+        c = cell.links[3] >> 2;
+        continue;
+      }
+      const double* const v[4] = {
+          complex.vertex(cell.v[0]).coordinates, complex.vertex(cell.v[1]).coordinates,
+          complex.vertex(cell.v[2]).coordinates, complex.vertex(cell.v[3]).coordinates};
+      const Cell_view view = Filter::view(v, point);
+      if (view.sphere > 0)
+        return {c, 0};
+      if (view.sphere == 0) {
+        if (const Id w = predicates.vertex_at(cell, p))
+          return {c, w};
+        if (predicates.is_in_close_sphere(cell, p))
+          return {c, 0};
+      }
+      c = cell.links[predicates.facet_towards(cell, view, p)] >> 2;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WALK_TO_CONFLICT_H

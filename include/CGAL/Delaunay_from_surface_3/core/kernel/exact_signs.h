@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_EXACT_SIGNS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_EXACT_SIGNS_H
+
+// The exact stages: signs of the determinants in integers of fixed width, and CGAL's perturbation
+// where they are 0.
+//
+// The differences v - p are integers times a power of 2. Where these have few bits (30, 60 or 120,
+// see Integer_differences.h) the signs follow from products of integers; what has more is left
+// open.
+
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Fixed_integer.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Integer_differences.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// sign: 1 or -1, perturbed where the determinant is 0; 0: not decided.
+struct Exact_sign
+{
+  int sign;
+  bool is_perturbed;
+  Exact_stage stage;
+};
+
+inline bool is_lexicographically_less(const double* a, const double* b)
+{
+  return a[0] != b[0] ? a[0] < b[0] : a[1] != b[1] ? a[1] < b[1] : a[2] < b[2];
+}
+
+// CGAL's symbolic perturbation (Devillers, Teillaud 2003): the paraboloid is raised at the
+// lexicographically greatest of the points, and so on down. Raising it at a vertex has the sign of
+// the vertex's cofactor; raising it at p moves p out.
+template <int N, class Sign_of_cofactor>
+int perturbed_sign(const double* const* vertices, const double* p, const Sign_of_cofactor& sign_of)
+{
+  for (unsigned left = (1u << N) - 1;;) {
+    int greatest = -1;
+    const double* point = p;
+    for (int k = 0; k < N; ++k)
+      if ((left >> k & 1) && is_lexicographically_less(point, vertices[k])) {
+        greatest = k;
+        point = vertices[k];
+      }
+    if (greatest < 0)
+      return -1;
+    if (const int sign = sign_of(greatest))
+      return sign;
+    left &= ~(1u << greatest);
+  }
+}
+
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
+
+struct Exact_sphere
+{
+  static constexpr int size = 4;
+
+  template <int Halves>
+  static Exact_sign sign(const Row<Fixed_integer<Halves>>* r, Exact_stage stage,
+                         const double* const* vertices, const double* p)
+  {
+    const Sphere_cofactors<Fixed_integer<Halves>> cofactors(r[0], r[1], r[2], r[3]);
+    if (const int sign = sign_of(cofactors.lifted(r[0], r[1], r[2], r[3])))
+      return {sign, false, stage};
+    return {perturbed_sign<4>(vertices, p, [&](int k) { return sign_of(cofactors.of[k]); }), true,
+            stage};
+  }
+
+  static int filtered_sign(const Exact_differences<4>& differences, bool is_fused)
+  {
+    return is_fused ? fused_close_sphere_sign(differences) : close_sphere_sign(differences);
+  }
+};
+
+struct Exact_beyond
+{
+  static constexpr int size = 3;
+
+  template <int Halves>
+  static Exact_sign sign(const Row<Fixed_integer<Halves>>* r, Exact_stage stage,
+                         const double* const* vertices, const double* p)
+  {
+    if (const int height = sign_of(determinant_of(r[0], r[1], r[2])))
+      return {-height, false, stage};
+    using R = Row<Fixed_integer<Halves>>;
+    Circle_cofactors<Fixed_integer<Halves>> cofactors(r, &R::x, &R::y);
+    if (sign_of(cofactors.area) == 0)
+      cofactors = {r, &R::y, &R::z};
+    if (sign_of(cofactors.area) == 0)
+      cofactors = {r, &R::z, &R::x};
+    const int area = sign_of(cofactors.area);
+    if (const int sign = sign_of(cofactors.lifted(r)))
+      return {area * sign, false, stage};
+    return {perturbed_sign<3>(vertices, p, [&](int k) { return area * sign_of(cofactors.of[k]); }),
+            true, stage};
+  }
+
+  // Two digits are cheap here.
+  static int filtered_sign(const Exact_differences<3>&, bool) { return 0; }
+};
+
+template <class Determinant>
+Exact_sign exact_sign(const double* const* vertices, const double* p, bool is_fused)
+{
+  constexpr int n = Determinant::size;
+  const Exact_differences<n> exact_differences(vertices, p);
+  const Integer_differences<n> differences(exact_differences);
+  if (!differences.can_be_scaled())
+    return {0, false, KERNEL};
+  if (differences.has_one_digit() && differences.has_half_a_digit()) {
+    Row<Fixed_integer<1>> rows[n];
+    differences.set_rows(rows);
+    return Determinant::sign(rows, HALF_DIGIT, vertices, p);
+  }
+  if (differences.has_one_digit()) {
+    Row<Fixed_integer<2>> rows[n];
+    differences.set_rows(rows);
+    return Determinant::sign(rows, ONE_DIGIT, vertices, p);
+  }
+  if (const int sign = Determinant::filtered_sign(exact_differences, is_fused))
+    return {sign, false, DOUBLE_DOUBLE};
+  Row<Fixed_integer<4>> rows[n];
+  if (!differences.set_rows(rows))
+    return {0, false, KERNEL};
+  return Determinant::sign(rows, TWO_DIGITS, vertices, p);
+}
+
+// Of a positively oriented cell.
+inline Exact_sign exact_sphere_sign(const double* const* vertices, const double* p, bool is_fused)
+{
+  return exact_sign<Exact_sphere>(vertices, p, is_fused);
+}
+
+// Of an infinite cell, given by its three finite vertices.
+inline Exact_sign exact_beyond_sign(const double* const* vertices, const double* p)
+{
+  return exact_sign<Exact_beyond>(vertices, p, false);
+}
+
+#else
+
+inline Exact_sign exact_sphere_sign(const double* const* vertices, const double* p, bool is_fused)
+{
+  const Exact_differences<4> differences(vertices, p);
+  const int sign = is_fused ? fused_close_sphere_sign(differences) : close_sphere_sign(differences);
+  return {sign, false, sign != 0 ? DOUBLE_DOUBLE : KERNEL};
+}
+
+inline Exact_sign exact_beyond_sign(const double* const*, const double*)
+{
+  return {0, false, KERNEL};
+}
+
+#endif
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_EXACT_SIGNS_H

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_IS_DELAUNAY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_IS_DELAUNAY_H
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Are links and vertices right, and is no cell in conflict with the vertex across a facet? Linear.
+// Exact: as Perturbed_predicates.
+template <class Id, class Exact>
+bool is_delaunay(const Compact_complex<Id>& complex, const Exact& exact)
+{
+  using Complex = Compact_complex<Id>;
+  if (!complex.is_valid())
+    return false;
+  Insertion_counts uncounted;
+  Compact_predicates<Id, Exact> predicates(exact, complex, uncounted);
+  for (std::size_t c = 0; c < complex.cells_end(); ++c) {
+    const Compact_cell<Id>& cell = complex.cell(c);
+    for (unsigned k = 0; !Complex::is_dead(cell) && k < 4; ++k) {
+      const Id across = complex.cell(cell.links[k] >> 2).v[cell.links[k] & 3];
+      if (across != Complex::infinite && predicates.is_in_conflict(cell, across))
+        return false;
+    }
+  }
+  return true;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_IS_DELAUNAY_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_STARTING_SIMPLEX_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_STARTING_SIMPLEX_H
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Four points that do not lie in one plane, positively oriented.
+struct Starting_simplex
+{
+  std::array<std::size_t, 4> points;
+  bool is_found;
+};
+
+// The first such points among n; `point(i)` gives the coordinates of the i-th. Exact; O(n) at
+// worst, a few tests as a rule.
+template <class Predicates, class PointOf>
+Starting_simplex starting_simplex(const Predicates& predicates, std::size_t n, const PointOf& point)
+{
+  std::size_t b = 1;
+  while (b < n && std::equal(point(0), point(0) + 3, point(b)))
+    ++b;
+  std::size_t c = b + 1;
+  while (c < n && predicates.are_collinear(point(0), point(b), point(c)))
+    ++c;
+  for (std::size_t d = c + 1; d < n; ++d) {
+    const int o = predicates.orientation(point(0), point(b), point(c), point(d));
+    if (o != 0)
+      return {o > 0 ? std::array<std::size_t, 4>{0, b, c, d}
+                    : std::array<std::size_t, 4>{b, 0, c, d},
+              true};
+  }
+  return {{}, false};
+}
+
+// Starts a complex with such points, and notes them in vertex_of, by point. Returns one of these
+// vertices; 0 if the points lie in one plane.
+template <class Exact, class Id>
+Id start_complex(const Exact& exact, Compact_complex<Id>& complex, std::vector<Id>& vertex_of)
+{
+  using Complex = Compact_complex<Id>;
+  const auto simplex = starting_simplex(exact, vertex_of.size(), [&](std::size_t i) {
+    return complex.vertex(Complex::vertex_of_point(i)).coordinates;
+  });
+  if (!simplex.is_found)
+    return 0;
+  std::array<Id, 4> v;
+  for (std::size_t k = 0; k < 4; ++k)
+    v[k] = vertex_of[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
+  complex.start(v);
+  return v[0];
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_STARTING_SIMPLEX_H

@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_RANDOM_NET_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_RANDOM_NET_H
+
+// A net of a graph, that is a maximal independent set, with the cluster of every net vertex: itself
+// and neighbours of it; of several net vertices beside it a vertex belongs to the nearest, or,
+// where there are many vertices, to the first.
+//
+// The net is the greedy one in a random order of the vertices. In the order of the numbers it would
+// be as regular as the numbering, and CAD numbers along profiles and rings: whole rings would come
+// one after the other. Where there are many vertices, blocks of successive numbers come one after
+// the other, and the order is random inside each. That keeps memory together, and stays near the
+// order of the numbers, which is a good one on scans. Hubs come before all others: the middle of a
+// fan is better there before the fan than after it. Chains of vertices of which each waits for the
+// one before have logarithmic length in random orders (Blelloch, Fineman, Shun 2012; Fischer, Noever
+// 2018).
+//
+// Cost: linear in vertices and edges. Every edge is stored at one of its ends only, at which it is
+// seen from both: a vertex asks those in its list, and tells them when it joins.
+
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Random numbers that depend on the seed alone, with any library: splitmix64 (Steele, Lea, Flood
+// 2014).
+class Split_mix
+{
+public:
+  explicit Split_mix(std::uint64_t seed)
+    : m_state(seed)
+  {
+  }
+
+  std::uint64_t operator()()
+  {
+    std::uint64_t x = m_state += 0x9e3779b97f4a7c15;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+  }
+
+  template <class Iterator>
+  void shuffle(Iterator first, Iterator last)
+  {
+    using std::swap;
+    for (auto n = static_cast<std::uint64_t>(last - first); n > 1; --n)
+      swap(first[n - 1], first[((*this)() >> 32) * n >> 32]); // for n up to 2^32
+  }
+
+private:
+  std::uint64_t m_state;
+};
+
+// The numbers 0, …, n-1 in random order; where they are many, block by block, in random order
+// inside each. The blocks share one permutation, each with a twist of its own. What belongs to one
+// of many blocks of a graph fits into the cache nearest to the processor.
+class Random_blocks
+{
+public:
+  static constexpr std::size_t largest_block = std::size_t(1) << 15;
+  static constexpr std::size_t one_of_many = std::size_t(1) << 10;
+
+  // `block`: the size of one of many, rounded up to a power of 2.
+  Random_blocks(std::size_t n, std::uint64_t seed, std::size_t block = one_of_many)
+    : m_n(n)
+  {
+    std::size_t size = 1;
+    while (size < (n <= largest_block ? n : (std::min)(n, block)))
+      size *= 2;
+    Split_mix random(seed);
+    m_inner.resize(size);
+    std::iota(m_inner.begin(), m_inner.end(), std::uint32_t(0));
+    random.shuffle(m_inner.begin(), m_inner.end());
+    for (std::size_t first = 0; first < n; first += size)
+      m_blocks.push_back({first, random() % size, random() % size});
+  }
+
+  // Calls visit(v) for every number.
+  template <class Visit>
+  void for_each(const Visit& visit) const
+  {
+    const std::size_t mask = m_inner.size() - 1;
+    for (const Block& block : m_blocks)
+      for (std::size_t k = 0; k <= mask; ++k) {
+        const std::size_t v = block.first + (m_inner[(k + block.shift) & mask] ^ block.flip);
+        if (v < m_n)
+          visit(v);
+      }
+  }
+
+private:
+  struct Block
+  {
+    std::size_t first, shift, flip;
+  };
+
+  std::size_t m_n;
+  std::vector<Block> m_blocks;
+  std::vector<std::uint32_t> m_inner; // as many as a block has, a power of 2
+};
+
+template <class Index>
+struct Net
+{
+  Large_vector<Index> centers;    // by cluster: its net vertex, in ascending order
+  Large_vector<Index> cluster_of; // by vertex: the number of its cluster
+};
+
+// The vertices with more than three times as many edges as the others have on average, in random
+// order.
+template <class Index>
+std::vector<Index> hubs_of(const Lists<Index>& lower, std::uint64_t seed)
+{
+  const std::size_t n = lower.size();
+  Large_vector<Index> degree(n);
+  for (std::size_t v = 0; v < n; ++v)
+    degree[v] = Index(lower.end(v) - lower.begin(v));
+  for (const Index u : lower.items)
+    ++degree[u];
+  const Index most = Index(3 * 2 * lower.items.size() / n);
+  std::vector<Index> result;
+  for (std::size_t v = 0; v < n; ++v)
+    if (degree[v] > most)
+      result.push_back(Index(v));
+  Split_mix(seed).shuffle(result.begin(), result.end());
+  return result;
+}
+
+// By vertex: itself if it is in the greedy net of the graph with these lower neighbours, else a
+// neighbour that is. `hubs` come first.
+template <class Index>
+Large_vector<Index> random_net(const Lists<Index>& lower, const std::vector<Index>& hubs,
+                               std::uint64_t seed, std::size_t block)
+{
+  enum State : char { UNSEEN, IN_NET, BESIDE };
+  std::vector<char> state(lower.size(), UNSEEN);
+  Large_vector<Index> center(lower.size());
+  const auto decide = [&](std::size_t v) {
+    if (state[v] != UNSEEN)
+      return;
+    const Index *const first = lower.begin(v), *const last = lower.end(v);
+    const Index* const in_net =
+        std::find_if(first, last, [&](Index u) { return state[u] == IN_NET; });
+    center[v] = in_net == last ? Index(v) : *in_net;
+    state[v] = in_net == last ? IN_NET : BESIDE;
+    if (in_net == last)
+      for (const Index* u = first; u != last; ++u)
+        if (state[*u] == UNSEEN) {
+          state[*u] = BESIDE;
+          center[*u] = Index(v);
+        }
+  };
+  for (const Index v : hubs)
+    decide(v);
+  Random_blocks(lower.size(), seed, block).for_each(decide);
+  return center;
+}
+
+// Of several net vertices beside a vertex that is_wanted, makes the nearest one its centre.
+template <class Index, class Is_wanted, class Distance>
+void choose_nearest_centers(const Lists<Index>& lower, const Is_wanted& is_wanted,
+                            const Distance& distance, Large_vector<Index>& center)
+{
+  const double largest = (std::numeric_limits<float>::max)();
+  Large_vector<float> nearest(lower.size(), (std::numeric_limits<float>::infinity)());
+  const auto offer = [&](std::size_t v, std::size_t c) {
+    if (!is_wanted(v))
+      return;
+    const float d = float((std::min)(distance(v, c), largest));
+    if (d < nearest[v]) {
+      nearest[v] = d;
+      center[v] = Index(c);
+    }
+  };
+  for (std::size_t v = 0; v < lower.size(); ++v)
+    for (const Index *u = lower.begin(v), *end = lower.end(v); u != end; ++u)
+      if (center[v] == v) {
+        if (*u != v)
+          offer(*u, v);
+      } else if (center[*u] == *u)
+        offer(v, *u);
+}
+
+// The same for the vertices in the clusters of hubs. A hub would keep all that are beside it,
+// however far away, and its cluster those of the next level, until one cluster has half of all
+// vertices.
+template <class Index, class Distance>
+void choose_nearest_instead_of_hubs(const Lists<Index>& lower, const std::vector<Index>& hubs,
+                                    const Distance& distance, Large_vector<Index>& center)
+{
+  if (hubs.empty())
+    return;
+  std::vector<char> is_hub(lower.size()), is_beside_hub(lower.size());
+  for (const Index v : hubs)
+    is_hub[v] = 1;
+  for (std::size_t v = 0; v < lower.size(); ++v)
+    is_beside_hub[v] = is_hub[center[v]];
+  choose_nearest_centers(
+      lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, distance, center);
+}
+
+// The net and its clusters. `distance(v, u)` is asked for neighbours, one of which is in the net;
+// where there are many vertices it is asked for those beside hubs only: a pass over all points is
+// dear there, for a small gain.
+template <class Index, class Distance>
+Net<Index> net_of(const Lists<Index>& lower, std::uint64_t seed, const Distance& distance,
+                  std::size_t block = Random_blocks::one_of_many)
+{
+  const std::size_t n = lower.size();
+  const std::vector<Index> hubs = hubs_of(lower, seed);
+  Net<Index> net;
+  net.cluster_of = random_net(lower, hubs, seed, block);
+  Large_vector<Index>& center = net.cluster_of;
+  if (n <= Random_blocks::largest_block)
+    choose_nearest_centers(
+        lower, [](std::size_t) { return true; }, distance, center);
+  else
+    choose_nearest_instead_of_hubs(lower, hubs, distance, center);
+  Large_vector<Index> number(n); // of the cluster of a net vertex
+  for (std::size_t v = 0; v < n; ++v)
+    if (center[v] == v) {
+      number[v] = Index(net.centers.size());
+      net.centers.push_back(Index(v));
+    }
+  for (std::size_t v = 0; v < n; ++v)
+    net.cluster_of[v] = number[center[v]];
+  return net;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_RANDOM_NET_H

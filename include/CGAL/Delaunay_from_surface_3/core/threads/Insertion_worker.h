@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_INSERTION_WORKER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_INSERTION_WORKER_H
+
+// Inserts points beside other workers: walks and digs without a lock, announces the zone, makes
+// sure that nobody interfered, and only then writes.
+//
+// Two insertions conflict if a cell of one zone is in the other zone or beside it. Both announce
+// their zones in their lanes, then a fence, then both read the lanes of their zones and of the
+// cells beside: at least one sees the other, and gives up with nothing written. If the other has
+// finished before, its cleared lanes make its writes visible: a first vertex or a link is not what
+// was read. Insertions whose zones share a cell beside them only write different links of it.
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Explore_announced.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Shared_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Wide_explore_announced.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Write_announced.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Copies of cells that others may be writing. It is lost after so many cells, or at one that stays
+// busy.
+template <class Id>
+class Read_announced
+{
+public:
+  explicit Read_announced(std::size_t most_cells)
+    : m_cells_left(most_cells)
+  {
+  }
+
+  const Compact_cell<Id>& operator()(const Compact_cell<Id>& cell)
+  {
+    unsigned tries_left = m_cells_left-- > 0 ? 20 : 0;
+    while (tries_left > 0 && !read_cell(cell, m_copy))
+      --tries_left;
+    m_is_lost = tries_left == 0;
+    return m_copy;
+  }
+  bool is_lost() const { return m_is_lost; }
+  Id word() const { return m_copy.v[0]; } // of the cell read last
+
+private:
+  std::size_t m_cells_left;
+  bool m_is_lost = false;
+  Compact_cell<Id> m_copy;
+};
+
+enum class Insertion_try {
+  DONE,    // the point is a vertex
+  PRESENT, // another point was there
+  CLASH,   // another insertion was in the way; nothing was written
+  NO_CELLS // there are no fresh cells any more; nothing was written
+};
+
+template <class Id, class Exact, class Protocol = Handshake>
+class Insertion_worker
+{
+  using Complex = Compact_complex<Id>;
+  using Predicates = Compact_predicates<Id, Exact>;
+  using Location = Compact_location<Id>;
+
+public:
+  // The worker with this number, of those that `shared` has lanes for.
+  Insertion_worker(const Exact& exact, Shared_complex<Id>& shared, unsigned number)
+    : m_exact(exact)
+    , m_shared(shared)
+    , m_number(number)
+    , m_fill_star(Write_announced<Id>(shared.complex().vertices_end()))
+  {
+  }
+
+  // Tries to insert vertex p by a walk from cell `start` that may be stale. `present` is the vertex
+  // that is there already. A walk of more than `most_cells` counts as a clash.
+  Insertion_try insert(Id p, Id start, Id& present,
+                       std::size_t most_cells = (std::numeric_limits<std::size_t>::max)())
+  {
+    const Insertion_try outcome = announce(p, start, present, most_cells);
+    return outcome == Insertion_try::DONE ? write(p) : outcome;
+  }
+
+  // The first half: finds the zone and announces it; DONE: as far as that goes.
+  Insertion_try announce(Id p, Id start, Id& present, std::size_t most_cells)
+  {
+    Predicates predicates(m_exact, m_shared.complex(), m_zone.counts);
+    Read_announced<Id> read(most_cells);
+    const Location location = walk(predicates, p, start, read);
+    if (read.is_lost())
+      return Insertion_try::CLASH;
+    if (location.vertex != 0) {
+      present = location.vertex;
+      return Insertion_try::PRESENT;
+    }
+    m_zone.words[0] = read.word();
+    if (!dig(predicates, p, location.cell))
+      return withdraw(Insertion_try::CLASH);
+    return has_cells_for_star() ? Insertion_try::DONE : withdraw(Insertion_try::NO_CELLS);
+  }
+
+  // The second half: writes the star of p if nobody interfered.
+  Insertion_try write(Id p)
+  {
+    if (Protocol::has_fence)
+      full_fence();
+    if (!is_zone_still_true())
+      return withdraw(Insertion_try::CLASH);
+    write_star(p);
+    return Insertion_try::DONE;
+  }
+
+  const Insertion_counts& counts() const { return m_zone.counts; }
+
+private:
+  Location walk(Predicates& predicates, Id p, Id start, Read_announced<Id>& read) const
+  {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+    if (m_is_wide)
+      return Walk_to_conflict<Wide_sphere_filter, Read_announced<Id>&>()(
+          m_shared.complex(), predicates, p, start, read);
+#endif
+    return Walk_to_conflict<Sphere_filter, Read_announced<Id>&>()(m_shared.complex(), predicates, p,
+                                                                  start, read);
+  }
+
+  // Digs from a cell that was found in conflict under the word in the zone.
+  bool dig(Predicates& predicates, Id p, Id cell)
+  {
+    return with_explore([&](auto&& explore) {
+      return Dig_conflict_zone<std::decay_t<decltype(explore)>&>()(m_shared.complex(), predicates,
+                                                                   m_zone, p, cell, explore);
+    });
+  }
+
+  bool is_zone_still_true()
+  {
+    return with_explore([&](const auto& explore) {
+      return explore.is_still_true(m_shared.complex().cells(), m_zone.number_of_cells);
+    });
+  }
+
+  template <class F>
+  bool with_explore(const F& f)
+  {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+    if constexpr (std::is_same<Id, std::uint32_t>::value)
+      if (m_is_wide)
+        return f(Wide_explore_announced<Protocol>(m_zone, m_shared.lanes(), m_number));
+#endif
+    return f(Explore_announced<Id, Protocol>(m_zone, m_shared.lanes(), m_number));
+  }
+
+  Insertion_try withdraw(Insertion_try outcome)
+  {
+    for (std::size_t k = 0; k < m_zone.number_of_cells; ++k)
+      release(m_zone.cells[k]);
+    return outcome;
+  }
+
+  void release(Id c)
+  {
+    store_release(m_shared.lanes().lane(c, m_number), std::uint8_t(0));
+  }
+
+  bool has_cells_for_star()
+  {
+    if (!m_zone.has_room(m_zone.number_of_facets))
+      m_zone.make_room(2 * m_zone.number_of_facets);
+    while (m_zone.number_of_cells + m_zone.free_cells.size() < m_zone.number_of_facets)
+      if (!m_shared.take_chunk(m_zone.free_cells))
+        return false;
+    return true;
+  }
+
+  void write_star(Id p)
+  {
+    Complex& complex = m_shared.complex();
+    const std::size_t destroyed = m_zone.number_of_cells, created = m_zone.number_of_facets;
+    for (std::size_t k = created; k < destroyed; ++k) {
+      Id& word = complex.cell(m_zone.cells[k]).v[0];
+      store_relaxed(word, Id(word | Complex::dead));
+      release(m_zone.cells[k]);
+    }
+    m_fill_star(complex, m_zone, p);
+    for (std::size_t k = 0; k < (std::min)(destroyed, created); ++k) // these kept their places
+      release(m_zone.cells[k]);
+  }
+
+  const Exact& m_exact;
+  Shared_complex<Id>& m_shared;
+  const unsigned m_number;
+  Announced_zone<Id> m_zone;
+  Fill_star<Id, Write_announced<Id>> m_fill_star;
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  const bool m_is_wide = !is_watched && machine_has_vectors();
+#endif
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_INSERTION_WORKER_H

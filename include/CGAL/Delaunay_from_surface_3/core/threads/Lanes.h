@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_LANES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_LANES_H
+
+// For each cell a byte per worker, its lane: "the cell is in my conflict zone". One writer per
+// byte, so that nothing is ever compared and swapped: two workers that announce their zones in this
+// way, and then look for the other's lane, cannot both overlook the other (Dekker's handshake;
+// Dijkstra 1965).
+
+#include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+class Lanes
+{
+public:
+  static constexpr unsigned most_workers = 64;
+
+  // Of so many workers, up to most_workers; of no cells yet.
+  explicit Lanes(unsigned number_of_workers)
+  {
+    while ((1u << m_shift) < number_of_workers)
+      ++m_shift;
+  }
+
+  // Room for n cells; no lane is set. Nobody else works meanwhile.
+  void reset(std::size_t n)
+  {
+    m_bytes.reset(); // first, so that not both are there
+    m_bytes.reset(static_cast<std::uint8_t*>(std::calloc((n << m_shift) + 8, 1)));
+    if (m_bytes == nullptr)
+      throw std::bad_alloc();
+  }
+
+  void deallocate() { m_bytes.reset(); }
+
+  std::uint8_t& lane(std::size_t cell, unsigned worker)
+  {
+    return m_bytes.get()[(cell << m_shift) + worker];
+  }
+
+  unsigned shift() const { return m_shift; } // of the number of bytes per cell
+  const std::uint8_t* bytes() const { return m_bytes.get(); }
+  std::uint8_t* bytes() { return m_bytes.get(); }
+
+private:
+  struct Free
+  {
+    void operator()(std::uint8_t* bytes) const { std::free(bytes); }
+  };
+
+  unsigned m_shift = 1; // two workers are the fewest
+  std::unique_ptr<std::uint8_t[], Free> m_bytes;
+};
+
+// The lanes of a cell, all but one worker's, as one number: 0 if nobody else has the cell. The
+// bytes of a cell are read as words.
+template <class Word, unsigned number_of_words = 1>
+class Other_lanes
+{
+public:
+  Other_lanes(const std::uint8_t* bytes, unsigned worker)
+    : m_words(reinterpret_cast<const Word*>(bytes))
+  {
+    for (unsigned b = 0; b < sizeof(m_others); ++b)
+      reinterpret_cast<unsigned char*>(m_others)[b] = b == worker ? 0 : 255;
+  }
+
+  Word operator()(std::size_t cell) const
+  {
+    const Word* const words = m_words + number_of_words * cell;
+    Word others = 0;
+    for (unsigned k = 0; k < number_of_words; ++k)
+      others |= load_acquire(words[k]) & m_others[k];
+    return others;
+  }
+
+private:
+  const Word* m_words;
+  Word m_others[number_of_words];
+};
+
+// The same, byte by byte: what was written as a byte is read as one where ThreadSanitizer looks on.
+class Other_lanes_by_byte
+{
+public:
+  Other_lanes_by_byte(const std::uint8_t* bytes, unsigned worker, unsigned shift)
+    : m_bytes(bytes)
+    , m_worker(worker)
+    , m_shift(shift)
+  {
+  }
+
+  std::uint8_t operator()(std::size_t cell) const
+  {
+    std::uint8_t others = 0;
+    for (unsigned b = 0; b < 1u << m_shift; ++b)
+      others |= b == m_worker ? std::uint8_t(0) : load_acquire(m_bytes[(cell << m_shift) + b]);
+    return others;
+  }
+
+private:
+  const std::uint8_t* m_bytes;
+  unsigned m_worker, m_shift;
+};
+
+// Calls f(others), where others(cell) returns the lanes of a cell but the worker's.
+template <class F>
+auto with_other_lanes(const Lanes& lanes, unsigned worker, const F& f)
+{
+  if constexpr (is_watched)
+    return f(Other_lanes_by_byte(lanes.bytes(), worker, lanes.shift()));
+  switch (lanes.shift()) {
+  case 1:
+    return f(Other_lanes<std::uint16_t>(lanes.bytes(), worker));
+  case 2:
+    return f(Other_lanes<std::uint32_t>(lanes.bytes(), worker));
+  case 3:
+    return f(Other_lanes<std::uint64_t>(lanes.bytes(), worker));
+  case 4:
+    return f(Other_lanes<std::uint64_t, 2>(lanes.bytes(), worker));
+  case 5:
+    return f(Other_lanes<std::uint64_t, 4>(lanes.bytes(), worker));
+  default:
+    return f(Other_lanes<std::uint64_t, 8>(lanes.bytes(), worker));
+  }
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_LANES_H

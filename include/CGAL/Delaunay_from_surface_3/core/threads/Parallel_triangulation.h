@@ -1,0 +1,244 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_PARALLEL_TRIANGULATION_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_PARALLEL_TRIANGULATION_H
+
+// One round of Choi 2002, Fig. 1, lines 2b and 2c, by several workers. Every start is a vertex of
+// an earlier round, or leads to one, so that any worker can insert any point of the round at any
+// time. A point that clashes is tried once more when the chunk is done, and then put off until all
+// are, when the caller inserts it alone: nobody waits for anybody.
+//
+// Workers are right when they run one after the other, too: then the first one takes all points.
+
+#include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Segments.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// When a round is worth how many workers, and in what portions.
+struct Parallel_rules
+{
+  std::size_t first_points = 2000;     // until so many are inserted, one works
+  std::size_t points_per_worker = 500; // of a round
+  std::size_t chunk = 256;
+};
+
+// Executor: see blocks.h. Worker: how one inserts a point beside others; tests have others.
+template <class Id, class Exact, class Executor, class Worker = Insertion_worker<Id, Exact>>
+class Parallel_triangulation
+{
+  using Complex = Compact_complex<Id>;
+
+public:
+  // Of the vertices of `complex`, which has started. Keeps references.
+  Parallel_triangulation(const Exact& exact, Complex& complex, const Executor& executor,
+                         const Parallel_rules& rules = Parallel_rules())
+    : m_exact(exact)
+    , m_shared(complex, executor.number_of_workers())
+    , m_executor(executor)
+    , m_rules(rules)
+  {
+  }
+
+  // How many points a call of insert_round() should have, at least, for its workers to be worth
+  // their start.
+  std::size_t size_of_piece(std::size_t inserted) const
+  {
+    return inserted < m_rules.first_points ? m_rules.first_points - inserted
+                                           : (std::max)(32 * m_rules.chunk, inserted / 4);
+  }
+
+  // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker
+  // has a copy of `hints`. `go_further` is asked by the caller's thread; returns false if it said
+  // no.
+  template <class Hints, class GoFurther>
+  bool insert_round(std::size_t first, std::size_t last, std::vector<Id>& vertex_of,
+                    const Hints& hints, const GoFurther& go_further)
+  {
+    m_shared.begin();
+    const std::size_t number = workers_of_round(first, last - first);
+    Round<Hints, GoFurther> round(first, last, number, vertex_of, hints, go_further);
+    for (bool is_first = true; is_first || round.is_full; is_first = false) {
+      if (round.is_full.exchange(false))
+        m_shared.grow();
+      m_executor(number, [&](std::size_t t) { work(round, t); });
+      if (round.error)
+        std::rethrow_exception(round.error);
+      if (round.is_stopped)
+        return false;
+    }
+    return insert_put_off(round);
+  }
+
+  // To be called when all is inserted. Gives back what only threads need.
+  void finish()
+  {
+    m_shared.finish();
+    m_counts = counts();
+    m_workers.clear();
+  }
+
+  Insertion_counts counts() const
+  {
+    Insertion_counts sum = m_counts;
+    for (const auto& worker : m_workers)
+      sum += worker->counts();
+    return sum;
+  }
+  std::size_t number_of_workers() const { return m_executor.number_of_workers(); }
+
+private:
+  // What the workers of a round share, and what each has for itself.
+  template <class Hints, class GoFurther>
+  struct Round
+  {
+    Round(std::size_t first, std::size_t last, std::size_t number, std::vector<Id>& vertices,
+          const Hints& h, const GoFurther& go)
+      : segments(first, last, number)
+      , own(number, Own{h, {}, 0})
+      , vertex_of(vertices)
+      , go_further(go)
+    {
+    }
+
+    struct alignas(64) Own
+    {
+      Hints hints;
+      std::vector<std::size_t> put_off;
+      std::size_t clashes;
+    };
+
+    Segments segments;
+    std::vector<Own> own;
+    std::vector<Id>& vertex_of;
+    const GoFurther& go_further;
+    std::atomic<bool> is_stopped{false}, is_full{false}, has_error{false};
+    std::exception_ptr error;
+  };
+
+  std::size_t workers_of_round(std::size_t inserted, std::size_t points)
+  {
+    std::size_t number = m_executor.number_of_workers();
+    number = (std::min)(number, points / m_rules.points_per_worker);
+    number = inserted < m_rules.first_points || number == 0 ? 1 : number;
+    while (m_workers.size() < number)
+      m_workers.push_back(std::make_unique<Worker>(m_exact, m_shared, unsigned(m_workers.size())));
+    return number;
+  }
+
+  template <class Round>
+  void work(Round& round, std::size_t t)
+  {
+    try {
+      const Rounding_to_nearest rounding;
+      while (!round.is_stopped && !round.is_full) {
+        const Segments::Range chunk = round.segments.take(t, m_rules.chunk);
+        if (chunk.first == chunk.second)
+          break;
+        const std::size_t clashes = insert_chunk(round, t, chunk);
+        // Where more than half of the points clash, there are too many workers: the first one
+        // stays.
+        if (t % 2 == 1 && 2 * clashes > chunk.second - chunk.first)
+          break;
+      }
+    } catch (...) {
+      if (!round.has_error.exchange(true))
+        round.error = std::current_exception();
+      round.is_stopped = true;
+    }
+  }
+
+  // Returns the number of clashes.
+  template <class Round>
+  std::size_t insert_chunk(Round& round, std::size_t t, const Segments::Range& chunk)
+  {
+    auto& own = round.own[t];
+    const std::size_t before = own.clashes;
+    std::vector<std::size_t> again;
+    for (std::size_t i = chunk.first; i < chunk.second; ++i)
+      if (!insert_point(round, t, i, most_cells_of_walk))
+        again.push_back(i);
+    for (const std::size_t i : again)
+      if (!insert_point(round, t, i, most_cells_of_walk))
+        own.put_off.push_back(i);
+    return own.clashes - before;
+  }
+
+  // Returns false if the point is still to be inserted.
+  template <class Round>
+  bool insert_point(Round& round, std::size_t t, std::size_t i, std::size_t most_cells)
+  {
+    auto& own = round.own[t];
+    if (round.is_full || round.is_stopped)
+      return false;
+    if (t == 0 && !round.go_further()) {
+      round.is_stopped = true;
+      return false;
+    }
+    Id vertex = Complex::vertex_of_point(i);
+    if (round.vertex_of[i] != 0) // one of the first four
+      return true;
+    switch (m_workers[t]->insert(vertex, own.hints.start(i), vertex, most_cells)) {
+    case Insertion_try::CLASH:
+      ++own.clashes;
+      return false;
+    case Insertion_try::NO_CELLS:
+      round.is_full = true;
+      return false;
+    default:
+      store_relaxed(round.vertex_of[i], vertex);
+      own.hints.after_update(i, vertex);
+      return true;
+    }
+  }
+
+  // The points that clashed twice, by the caller alone. Returns false if it is stopped.
+  template <class Round>
+  bool insert_put_off(Round& round)
+  {
+    const std::size_t any = (std::numeric_limits<std::size_t>::max)();
+    for (auto& own : round.own) {
+      m_counts.put_off += own.put_off.size();
+      m_counts.clashes += own.clashes;
+      own.clashes = 0;
+      for (const std::size_t i : own.put_off)
+        while (!insert_point(round, 0, i, any)) {
+          if (round.is_stopped)
+            return false;
+          m_shared.grow(); // alone it does not clash
+          round.is_full = false;
+        }
+      own.put_off.clear();
+    }
+    return true;
+  }
+
+  // A walk that takes longer may go round in circles, in a triangulation that changes under it.
+  static constexpr std::size_t most_cells_of_walk = 10000;
+
+  const Exact& m_exact;
+  Shared_complex<Id> m_shared;
+  const Executor m_executor;
+  const Parallel_rules m_rules;
+  std::vector<std::unique_ptr<Worker>> m_workers;
+  Insertion_counts m_counts; // those that are not a worker's
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_PARALLEL_TRIANGULATION_H

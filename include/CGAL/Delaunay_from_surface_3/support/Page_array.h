@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PAGE_ARRAY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PAGE_ARRAY_H
+
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared
+// first, and parts can be given back while others are still read. Elements up to capacity()
+// may be written; there is no size to keep.
+template <class T>
+class Page_array
+{
+  static_assert(std::is_trivially_copyable<T>::value, "elements are moved as bytes");
+
+public:
+  Page_array() = default;
+  Page_array(const Page_array&) = delete;
+  Page_array& operator=(const Page_array&) = delete;
+  ~Page_array() { deallocate(); }
+
+  // Takes the memory of another, also one of a larger type whose objects hold nothing but such
+  // elements.
+  template <class U>
+  explicit Page_array(Page_array<U>&& other)
+  {
+    static_assert(sizeof(U) % sizeof(T) == 0, "elements fill those of the other");
+    m_capacity = other.m_capacity * (sizeof(U) / sizeof(T));
+    m_data = reinterpret_cast<T*>(other.m_data);
+    other.m_data = nullptr;
+    other.m_capacity = 0;
+  }
+  Page_array(Page_array&& other) noexcept { swap(other); }
+  Page_array& operator=(Page_array&& other) noexcept
+  {
+    Page_array(std::move(other)).swap(*this);
+    return *this;
+  }
+
+  void swap(Page_array& other) noexcept
+  {
+    std::swap(m_data, other.m_data);
+    std::swap(m_capacity, other.m_capacity);
+  }
+
+  T* data() { return m_data; }
+  const T* data() const { return m_data; }
+  T& operator[](std::size_t i) { return m_data[i]; }
+  const T& operator[](std::size_t i) const { return m_data[i]; }
+  std::size_t capacity() const { return m_capacity; }
+
+  // Makes room for at least n elements and keeps the first `used`.
+  void reserve(std::size_t n, std::size_t used)
+  {
+    if (n <= m_capacity)
+      return;
+    T* const data = Large_page_allocator<T>().allocate(n);
+    if (used > 0)
+      std::memcpy(static_cast<void*>(data), m_data, used * sizeof(T));
+    deallocate();
+    m_data = data;
+    m_capacity = n;
+  }
+
+  // The elements first, …, last - 1 are not read any more; their whole pages go back to the system.
+  void release(std::size_t first, std::size_t last)
+  {
+#if defined(__linux__)
+    const std::size_t begin = (first * sizeof(T) + large_page - 1) / large_page * large_page;
+    const std::size_t end = last * sizeof(T) / large_page * large_page;
+    if (begin < end && has_large_pages(m_capacity * sizeof(T)))
+      madvise(reinterpret_cast<char*>(m_data) + begin, end - begin, MADV_DONTNEED);
+#else
+    (void)first, (void)last;
+#endif
+  }
+
+  void deallocate()
+  {
+    if (m_data != nullptr)
+      Large_page_allocator<T>().deallocate(m_data, m_capacity);
+    m_data = nullptr;
+    m_capacity = 0;
+  }
+
+private:
+  template <class U>
+  friend class Page_array;
+
+  T* m_data = nullptr;
+  std::size_t m_capacity = 0;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PAGE_ARRAY_H

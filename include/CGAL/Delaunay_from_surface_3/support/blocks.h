@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_BLOCKS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_BLOCKS_H
+
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// An executor runs bodies: executor(n, body) calls body(0) in the thread that calls it, and
+// body(1), …, body(n-1) at the same time, or later, anywhere; it returns when all have returned.
+// They do not throw. This one is for a single thread.
+struct Alone
+{
+  std::size_t number_of_workers() const { return 1; }
+
+  template <class Body>
+  void operator()(std::size_t number, const Body& body) const
+  {
+    for (std::size_t t = 0; t < number; ++t)
+      body(t);
+  }
+};
+
+// Into how many blocks of `least` or more an executor cuts n things.
+template <class Executor>
+std::size_t number_of_blocks(const Executor& executor, std::size_t n, std::size_t least)
+{
+  return (std::max)(std::size_t(1), (std::min)(executor.number_of_workers(), n / least));
+}
+
+// Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. When all are
+// done, throws what the first of those that threw has thrown.
+template <class Executor, class Body>
+void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks, const Body& body)
+{
+  std::vector<std::exception_ptr> errors(blocks);
+  executor(blocks, [&](std::size_t b) {
+    try {
+      const Rounding_to_nearest rounding;
+      const std::size_t size = n / blocks + 1;
+      body((std::min)(n, b * size), (std::min)(n, (b + 1) * size), b);
+    } catch (...) {
+      errors[b] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& error : errors)
+    if (error)
+      std::rethrow_exception(error);
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_BLOCKS_H

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PERMUTATION_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PERMUTATION_H
+
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// result[k] = items[order[k]]
+template <class T, class Executor = Alone>
+std::vector<T> permuted(const std::vector<T>& items, const std::vector<std::size_t>& order,
+                        const Executor& executor = Executor())
+{
+  std::vector<T> result;
+  if constexpr (!std::is_same<Executor, Alone>::value && std::is_default_constructible<T>::value) {
+    result.resize(order.size());
+    for_each_block(executor, order.size(), number_of_blocks(executor, order.size(), 4096),
+                   [&](std::size_t first, std::size_t last, std::size_t) {
+                     for (std::size_t k = first; k < last; ++k)
+                       result[k] = items[order[k]];
+                   });
+  } else {
+    (void)executor;
+    result.reserve(order.size());
+    for (const std::size_t i : order)
+      result.push_back(items[i]);
+  }
+  return result;
+}
+
+// result[order[k]] = k
+inline std::vector<std::size_t> inverse(const std::vector<std::size_t>& order)
+{
+  std::vector<std::size_t> result(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    result[order[k]] = k;
+  return result;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PERMUTATION_H

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_SHARED_WORDS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_SHARED_WORDS_H
+
+// Words in ordinary memory that several threads read and write: std::atomic_ref of C++20, for
+// C++17, and no more of it than is used.
+//
+// On x86 every load acquires and every store releases, and compilers keep volatile accesses in
+// their order: volatile words are enough, if all that is shared is read and written by these
+// functions. GCC takes an atomic access for one of all memory, and loads every pointer again after
+// it.
+
+#include <atomic>
+#include <cstddef>
+#include <type_traits>
+
+// Does ThreadSanitizer look on? It knows atomic words, and neither fences nor vectors.
+#if defined(__SANITIZE_THREAD__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED
+#endif
+#endif
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)
+constexpr bool is_watched = true;
+#else
+constexpr bool is_watched = false;
+#endif
+
+#if defined(__x86_64__) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)
+
+template <class Word>
+Word load_relaxed(const Word& w)
+{
+  return *static_cast<const volatile Word*>(&w);
+}
+template <class Word>
+Word load_acquire(const Word& w)
+{
+  return *static_cast<const volatile Word*>(&w);
+}
+template <class Word>
+void store_relaxed(Word& w, Word value)
+{
+  *static_cast<volatile Word*>(&w) = value;
+}
+template <class Word>
+void store_release(Word& w, Word value)
+{
+  *static_cast<volatile Word*>(&w) = value;
+}
+
+#elif defined(__GNUC__) || defined(__clang__)
+
+template <class Word>
+Word load_relaxed(const Word& w)
+{
+  return __atomic_load_n(&w, __ATOMIC_RELAXED);
+}
+template <class Word>
+Word load_acquire(const Word& w)
+{
+  return __atomic_load_n(&w, __ATOMIC_ACQUIRE);
+}
+template <class Word>
+void store_relaxed(Word& w, Word value)
+{
+  __atomic_store_n(&w, value, __ATOMIC_RELAXED);
+}
+template <class Word>
+void store_release(Word& w, Word value)
+{
+  __atomic_store_n(&w, value, __ATOMIC_RELEASE);
+}
+
+#else
+
+// A std::atomic of an integer that is always lock-free is that integer, on all compilers known.
+template <class Word>
+std::atomic<Word>& as_atomic(const Word& w)
+{
+  static_assert(std::atomic<Word>::is_always_lock_free && sizeof(std::atomic<Word>) == sizeof(Word),
+                "words are shared without locks");
+  return reinterpret_cast<std::atomic<Word>&>(const_cast<Word&>(w));
+}
+template <class Word>
+Word load_relaxed(const Word& w)
+{
+  return as_atomic(w).load(std::memory_order_relaxed);
+}
+template <class Word>
+Word load_acquire(const Word& w)
+{
+  return as_atomic(w).load(std::memory_order_acquire);
+}
+template <class Word>
+void store_relaxed(Word& w, Word value)
+{
+  as_atomic(w).store(value, std::memory_order_relaxed);
+}
+template <class Word>
+void store_release(Word& w, Word value)
+{
+  as_atomic(w).store(value, std::memory_order_release);
+}
+
+#endif
+
+// Where they would be no instruction there is none. ThreadSanitizer sees no fences, and its
+// compilers warn of them.
+inline void acquire_fence()
+{
+#if !defined(__x86_64__) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)
+  std::atomic_thread_fence(std::memory_order_acquire);
+#endif
+}
+inline void release_fence()
+{
+#if !defined(__x86_64__) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)
+  std::atomic_thread_fence(std::memory_order_release);
+#endif
+}
+
+// Between the stores before it and the loads after it. Where ThreadSanitizer looks on, an exchange
+// of a word that nobody else has does the same on x86.
+inline void full_fence()
+{
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED
+  std::atomic<int> word{0};
+  word.exchange(1, std::memory_order_seq_cst);
+#else
+  std::atomic_thread_fence(std::memory_order_seq_cst);
+#endif
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_SHARED_WORDS_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_VECTORS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_VECTORS_H
+
+// Functions in vector instructions that the user need not compile for: they are marked with their
+// target, and called where the machine has it. The target has no fma, so that no product is fused.
+
+#if defined(__GNUC__) && defined(__x86_64__)
+
+#include <tmmintrin.h> // not <immintrin.h>, which takes g++ 12 a hundred megabytes more
+
+#include <type_traits>
+
+#define CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+#define CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS __attribute__((target("avx2,popcnt")))
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS                                             \
+  __attribute__((target("avx2,popcnt"), always_inline)) inline
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+inline bool machine_has_vectors()
+{
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
+}
+
+// Vectors of four, with the operators that GCC and clang give them.
+using Four_doubles = double __attribute__((vector_size(32)));
+using Four_longs = long long __attribute__((vector_size(32)));
+using Four_words = unsigned __attribute__((vector_size(16)));
+
+// The lanes with these numbers of a, 0 to 3, and b, 4 to 7.
+template <int i, int j, int k, int l, class Vector>
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Vector lanes_of(Vector a, Vector b)
+{
+#if defined(__clang__) || __GNUC__ >= 12
+  return __builtin_shufflevector(a, b, i, j, k, l);
+#else
+  using Numbers = std::conditional_t<sizeof(Vector) == 32, Four_longs, Four_words>;
+  return __builtin_shuffle(a, b, Numbers{i, j, k, l});
+#endif
+}
+template <int i, int j, int k, int l, class Vector>
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Vector lanes_of(Vector a)
+{
+  return lanes_of<i, j, k, l>(a, a);
+}
+
+// At any address of a double: copied, as clang takes a vector type for aligned whatever its attributes
+// say in an alias. One instruction each.
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles load_four(const double* from)
+{
+  Four_doubles v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
+}
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS void store_four(double* to, Four_doubles v)
+{
+  __builtin_memcpy(to, &v, sizeof v);
+}
+
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles max_of(Four_doubles a, Four_doubles b)
+{
+  return a > b ? a : b;
+}
+
+// What has no operator.
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles sqrt_of(Four_doubles v)
+{
+#if defined(__clang__) && __clang_major__ >= 18
+  return __builtin_elementwise_sqrt(v);
+#else
+  return __builtin_ia32_sqrtpd256(v);
+#endif
+}
+
+// Bit i: what a comparison says of lane i.
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS unsigned bits_of(Four_longs comparison)
+{
+  return unsigned(__builtin_ia32_movmskpd256(reinterpret_cast<Four_doubles>(comparison)));
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_VECTORS_H
