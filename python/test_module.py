@@ -28,6 +28,14 @@ def random_points(n, seed=1):
     return np.random.default_rng(seed).random((n, 3))
 
 
+def skew_lines(n):
+    """The points of one are neighbours of all points of the other: n * n / 4 tetrahedra."""
+    points = np.zeros((n, 3))
+    points[::2, 0] = points[1::2, 1] = np.linspace(0, 1, n // 2)
+    points[1::2, 2] = 1
+    return points
+
+
 def cell_set(simplices):
     return {tuple(sorted(map(int, s))) for s in simplices}
 
@@ -147,6 +155,9 @@ class Refusals(unittest.TestCase):
         self.refuses(TypeError, "points: expected numbers, got entries of type complex128", points.astype(complex))
         self.refuses(TypeError, "points: expected", points.astype(str))
         self.refuses(TypeError, "points: expected", [[1, 2, 3], [4, 5]])
+        for masked in (np.ma.masked_array(points, mask=points > 0.5), np.ma.masked_array(points),
+                       list(np.ma.masked_array(points, mask=points > 0.5))):
+            self.refuses(ValueError, "points: a masked array is not read", masked)
         points[7, 1] = np.nan
         self.refuses(ValueError, "vertex 7: its y coordinate is not a finite number", points)
 
@@ -159,6 +170,17 @@ class Refusals(unittest.TestCase):
         self.refuses(TypeError, r"faces: face 1: expected sequences of integers", points, [[0, 1, 2], [0.5, 1, 2]])
         self.refuses(TypeError, r"faces: face 0: expected sequences of integers", points, 7)
         self.refuses(ValueError, r"faces: face 0: an index is too large", points, [[0, 1, 2 ** 70]])
+        large = np.array([[0, 1, 2], [0, 1, 2 ** 63]], dtype=np.uint64)
+        masked = np.ma.masked_array([[0, 1, 2], [1, 2, 3]], mask=[[False] * 3, [True] * 3])
+        for given in (large, large.astype(">u8")):
+            self.refuses(ValueError, "faces: face 1: the index 9223372036854775808 is too large", points, given)
+        for given in (masked, list(masked), tuple(masked)):
+            self.refuses(ValueError, "faces: a masked array is not read", points, given)
+        for function in (dfs.subgraph, dfs.surface_topology):
+            with self.assertRaisesRegex(ValueError, "faces: face 1: the index 9223372036854775808 is too large"):
+                function(large)
+            with self.assertRaisesRegex(ValueError, "faces: a masked array is not read"):
+                function(masked)
 
     def test_arguments(self):
         for seed in (-1, 2 ** 32):
@@ -171,14 +193,22 @@ class Refusals(unittest.TestCase):
 class Control(unittest.TestCase):
     def test_progress(self):
         shares = []
-        dfs.delaunay3(random_points(20000), progress=shares.append)
+        dfs.delaunay3(random_points(400000), progress=shares.append)
         self.assertGreaterEqual(len(shares), 5)
         self.assertEqual(shares, sorted(shares))
         self.assertEqual((shares[0], shares[-1]), (0., 1.))
 
+    def test_progress_by_the_clock(self):
+        """Few points may take long, and many may take no time."""
+        slow, quick = [], []
+        dfs.delaunay3(skew_lines(4000), progress=slow.append)
+        self.assertGreaterEqual(len(slow), 5)
+        dfs.delaunay3(random_points(5000), progress=quick.append)
+        self.assertLess(len(quick), len(slow))
+
     def test_stop(self):
         with self.assertRaisesRegex(dfs.Stopped, "progress returned False"):
-            dfs.delaunay3(random_points(20000), progress=lambda share: share < 0.5)
+            dfs.delaunay3(random_points(400000), progress=lambda share: share == 0)
 
         def fail(share):
             raise LookupError("in the user's function")
@@ -195,6 +225,15 @@ class Control(unittest.TestCase):
             while time.monotonic() < begin + 60:
                 dfs.delaunay3(random_points(200000))
         self.assertLess(time.monotonic(), begin + 30)
+
+    def test_interrupt_between_few_points(self):
+        shares = []
+        killer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        with self.assertRaises(KeyboardInterrupt):
+            killer.start()
+            dfs.delaunay3(skew_lines(4000), progress=shares.append)
+            killer.join()
+        self.assertLess(shares[-1], 1)
 
     def test_other_threads_run(self):
         ticks, done = [], threading.Event()

@@ -9,12 +9,44 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <string>
 
 namespace python {
 
 namespace py = pybind11;
+
+// Says at once, and then every 50 ms, that it is time. It is asked before each point, of which one may
+// take a microsecond and another a millisecond; so the clock is looked at every 64 points at most, and
+// before each one as soon as a look came late.
+class Alarm_clock
+{
+  using Clock = std::chrono::steady_clock;
+
+public:
+  bool is_time()
+  {
+    if (--m_calls_before_look > 0)
+      return false;
+    const Clock::time_point now = Clock::now();
+    const bool is_late = now - m_last_look > std::chrono::milliseconds(1);
+    m_calls_between_looks = is_late ? 1 : (std::min)(2 * m_calls_between_looks, 64);
+    m_calls_before_look = m_calls_between_looks;
+    m_last_look = now;
+    if (m_has_rung && now - m_last_ring < std::chrono::milliseconds(50))
+      return false;
+    m_has_rung = true;
+    m_last_ring = now;
+    return true;
+  }
+
+private:
+  int m_calls_before_look = 1, m_calls_between_looks = 1;
+  bool m_has_rung = false;
+  Clock::time_point m_last_look, m_last_ring;
+};
 
 // Takes the interpreter lock now and then, for signals and for the user's function. What that
 // raises, KeyboardInterrupt too, goes through the package as an exception.
@@ -31,7 +63,8 @@ public:
 
   bool go_further()
   {
-    if (m_asked++ % 4096 != 0)
+    ++m_asked;
+    if (!m_clock.is_time())
       return true;
     const py::gil_scoped_acquire lock;
     if (PyErr_CheckSignals() != 0)
@@ -58,6 +91,7 @@ private:
 
   std::size_t m_number_of_points, m_asked = 0;
   const py::object& m_progress;
+  Alarm_clock m_clock;
   bool m_is_stopped = false;
 };
 

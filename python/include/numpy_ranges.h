@@ -115,6 +115,18 @@ inline std::string shape_of(const py::array& array)
   return std::string(py::str(array.attr("shape")));
 }
 
+// Refuses masked arrays, and rows that are some: NumPy would hand over what the mask hides.
+inline void refuse_mask(const std::string& name, const py::object& object)
+{
+  const py::object masked_array = py::module_::import("numpy.ma").attr("MaskedArray");
+  bool is_masked = py::isinstance(object, masked_array);
+  if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object))
+    for (const py::handle row : object)
+      is_masked = is_masked || py::isinstance(row, masked_array);
+  if (is_masked)
+    throw py::value_error(name + ": a masked array is not read; leave out what is masked");
+}
+
 // An array whose entries are `kind`s of 4 or 8 bytes; others are converted if they are of `kinds`.
 inline py::array array_of(const std::string& name, const py::object& object,
                           const std::string& kinds, const std::string& what, const char* converted)
@@ -135,6 +147,7 @@ inline py::array array_of(const std::string& name, const py::object& object,
 // Of shape (n, 3).
 inline py::array array_of_points(const py::object& object)
 {
+  refuse_mask("points", object);
   const py::array array = array_of("points", object, "fiu", "numbers", "float64");
   if (array.ndim() != 2 || array.shape(1) != 3)
     throw py::value_error("points: expected an array of shape (n, 3), got " + shape_of(array));
@@ -150,17 +163,31 @@ inline auto points_of(const py::array& array)
                        });
 }
 
+// Refuses what was at least 2^63 before it was converted.
+template <class View>
+void refuse_wrapped(const View& view, std::size_t rows, std::size_t columns)
+{
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < columns; ++j)
+      if (view(i, j) < 0)
+        throw py::value_error("faces: face " + std::to_string(i) + ": the index " +
+                              std::to_string(std::uint64_t(view(i, j))) + " is too large");
+}
+
 // Calls f(faces) with a range of ranges of indices.
 template <class F>
 auto with_faces(const py::object& object, const F& f)
 {
+  refuse_mask("faces", object);
   if (py::isinstance<py::array>(object)) {
     const py::array array = array_of("faces", object, "iu", "integers", "int64");
     if (array.ndim() != 2)
       throw py::value_error("faces: expected an array of shape (m, k), got " + shape_of(array));
     const Matrix_view<std::int64_t, std::int32_t> view(array);
-    const auto k = std::size_t(array.shape(1));
-    return f(Indexed_range(std::size_t(array.shape(0)), [=](std::size_t row) {
+    const auto n = std::size_t(array.shape(0)), k = std::size_t(array.shape(1));
+    if (py::array(object).dtype().kind() == 'u')
+      refuse_wrapped(view, n, k);
+    return f(Indexed_range(n, [=](std::size_t row) {
       return Indexed_range(k, [=](std::size_t column) { return view(row, column); });
     }));
   }

@@ -75,14 +75,15 @@ def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: b
     seed
         Decides the order of insertion, and with it the order of the simplices.
     progress
-        Is called now and then with the share of the points that are inserted, from 0 to 1. If it returns
-        False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and
+        Is called every 50 ms with the share of the points that are inserted, and at last with 1. If it
+        returns False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and
         Ctrl-C is seen, once the order of the points is made. The interpreter lock is released in between.
 
     Raises
     ------
     ValueError
-        If an array has the wrong shape, a coordinate is not a finite number, or an index or the seed is out of range.
+        If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index or the
+        seed is out of range.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError
