@@ -207,6 +207,51 @@ BOOST_AUTO_TEST_CASE(what_is_given_up)
   }
 }
 
+BOOST_AUTO_TEST_CASE(copies_and_what_was_moved_from)
+{
+  using Arrays = CGAL::Delaunay_3_arrays<>;
+  static_assert(std::is_nothrow_move_constructible<Arrays>::value, "");
+  static_assert(std::is_nothrow_move_assignable<Arrays>::value, "");
+  const std::vector<Point> points = grid(4, 4, 4);
+  const auto check_empty = [](const Arrays& arrays) {
+    BOOST_TEST(arrays.dimension() == -1);
+    BOOST_TEST(arrays.number_of_points() == 0u);
+    BOOST_TEST(arrays.number_of_vertices() == 0u);
+    BOOST_TEST(arrays.number_of_simplices() == 0u);
+    BOOST_TEST(arrays.number_of_cells() == 0u);
+    BOOST_TEST(arrays.stride() == Arrays().stride());
+    BOOST_TEST(arrays.is_infinite(0));
+  };
+  for (const int kind : {0, 1, 2}) { // neighbours beside the vertices, apart, none
+    Arrays arrays = delaunay_3_arrays(points);
+    if (kind == 1)
+      arrays.separate();
+    if (kind == 2)
+      arrays.drop_neighbors();
+    const std::size_t stride = arrays.stride(), cells = arrays.number_of_cells();
+    Arrays copy(arrays), assigned;
+    assigned = arrays;
+    Arrays moved(std::move(arrays));
+    check_empty(arrays); // NOLINT: that is what is tested
+    arrays = std::move(moved);
+    check_empty(moved);
+    BOOST_TEST((copy.vertices_data() != arrays.vertices_data()));
+    for (Arrays* const a : {&arrays, &copy, &assigned}) {
+      BOOST_TEST(a->stride() == stride);
+      BOOST_TEST(a->number_of_cells() == cells);
+      BOOST_TEST((a->neighbors_data() == nullptr) == (kind == 2));
+      if (kind < 2)
+        check_arrays(*a, points);
+      else
+        BOOST_TEST((a->vertices(cells - 1) == delaunay_3_arrays(points).vertices(cells - 1)));
+      a->drop_infinite_cells(); // and the others keep them
+    }
+  }
+  Arrays nothing, other(nothing);
+  other = std::move(nothing);
+  check_empty(other);
+}
+
 BOOST_AUTO_TEST_CASE(refusals_and_stops)
 {
   std::vector<Point> points = grid(4, 4, 4);
@@ -224,17 +269,4 @@ BOOST_AUTO_TEST_CASE(refusals_and_stops)
   BOOST_TEST(irregular.irregular.size() == 1u);
   points[5] = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
   BOOST_CHECK_THROW(delaunay_3_arrays(points), CGAL::Surface_input_error);
-}
-
-BOOST_AUTO_TEST_CASE(arrays_can_be_moved)
-{
-  using Arrays = CGAL::Delaunay_3_arrays<>;
-  static_assert(std::is_nothrow_move_constructible<Arrays>::value, "");
-  static_assert(!std::is_copy_constructible<Arrays>::value, "");
-  const std::vector<Point> points = grid(3, 3, 3);
-  Arrays arrays;
-  BOOST_TEST(arrays.number_of_points() == 0u);
-  arrays = delaunay_3_arrays(points);
-  const Arrays moved = std::move(arrays);
-  check_arrays(moved, points);
 }

@@ -13,6 +13,7 @@
 #include <CGAL/delaunay_3_arrays.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <random>
@@ -90,4 +91,29 @@ BOOST_AUTO_TEST_CASE(points_in_a_cube)
   BOOST_TEST(extra < 120);
   arrays.drop_neighbors();
   BOOST_TEST(memory("VmRSS") < kept - 90 * n);
+}
+
+// All of them are on the convex hull: there are two infinite cells for each.
+BOOST_AUTO_TEST_CASE(infinite_cells_of_separate_arrays)
+{
+  if (!forget_peak())
+    return;
+  std::mt19937_64 random(1);
+  std::vector<std::array<double, 3>> points(400000);
+  for (auto& p : points) {
+    for (double& x : p)
+      x = std::normal_distribution<double>()(random);
+    const double length = std::hypot(p[0], p[1], p[2]);
+    for (double& x : p)
+      x /= length;
+  }
+  CGAL::Delaunay_3_arrays<> arrays = CGAL::delaunay_3_arrays(points);
+  arrays.separate();
+  const std::size_t infinite = arrays.number_of_cells() - arrays.number_of_simplices();
+  BOOST_TEST_REQUIRE(infinite > points.size());
+  const std::size_t kept = memory("VmRSS");
+  arrays.drop_infinite_cells();
+  const double freed = (double(kept) - double(memory("VmRSS"))) / double(infinite);
+  BOOST_TEST_MESSAGE("given back: " << freed << " bytes per infinite cell");
+  BOOST_TEST(freed > 24); // of 32
 }

@@ -28,10 +28,13 @@
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/insert_surface_points_3.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <memory>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -105,6 +108,73 @@ void check_non_empty_of_all_dimensions()
       check_non_empty<CGAL::Plain_insertion_traits_3, Tr>(olds[k]);
     }
 }
+
+// Infos that CGAL's own insertion leaves alone, as it makes no copy of a vertex.
+struct Movable_info
+{
+  std::unique_ptr<int> held = std::make_unique<int>(0);
+  int& value() { return *held; }
+};
+struct List_info // std::is_copy_constructible says that it can be copied
+{
+  List_info() { held.push_back(std::make_unique<int>(0)); }
+  std::vector<std::unique_ptr<int>> held;
+  int& value() { return *held.front(); }
+};
+struct Copyable_info
+{
+  int held = 0;
+  int& value() { return held; }
+};
+struct Constant_info
+{
+  const std::shared_ptr<int> held = std::make_shared<int>(0);
+  int& value() { return *held; }
+};
+struct Immovable_info
+{
+  std::atomic<int> held{0};
+  std::atomic<int>& value() { return held; }
+};
+
+template <class Info, class... Location_policy>
+void check_info(bool infinite_vertex_keeps_it)
+{
+  using Vb = CGAL::Triangulation_vertex_base_with_info_3<Info, Epick>;
+  using Cb = CGAL::Delaunay_triangulation_cell_base_3<Epick>;
+  using Tr = CGAL::Delaunay_triangulation_3<Epick, CGAL::Triangulation_data_structure_3<Vb, Cb>,
+                                            Location_policy...>;
+  const auto& [points, faces] = torus();
+  Tr tr, stock;
+  stock.insert(points.begin(), points.end());
+  tr.infinite_vertex()->info().value() = 4711;
+  const std::vector<std::vector<int>> bad_faces = {{-1}};
+  BOOST_CHECK_THROW(insert_surface_points_3(tr, points, bad_faces), CGAL::Surface_input_error);
+  BOOST_TEST(tr.infinite_vertex()->info().value() == 4711);
+  insert_surface_points_3(tr, points, faces);
+  BOOST_TEST(tr.infinite_vertex()->info().value() == (infinite_vertex_keeps_it ? 4711 : 0));
+  BOOST_TEST(tr.number_of_cells() == stock.number_of_cells());
+  BOOST_TEST(tr.is_valid());
+}
+
+// The vertex base of a container that numbers its elements.
+template <class Vb = CGAL::Triangulation_vertex_base_3<Epick>>
+class Stamped_vertex_base : public Vb
+{
+public:
+  using Has_timestamp = CGAL::Tag_true;
+  template <class Tds>
+  struct Rebind_TDS
+  {
+    using Other = Stamped_vertex_base<typename Vb::template Rebind_TDS<Tds>::Other>;
+  };
+  using Vb::Vb;
+  std::size_t time_stamp() const { return m_time_stamp; }
+  void set_time_stamp(std::size_t time_stamp) { m_time_stamp = time_stamp; }
+
+private:
+  std::size_t m_time_stamp = std::size_t(-1);
+};
 
 // A mesh whose points are of MeshKernel, next to the stock triangulation of the converted points.
 template <class MeshKernel, class Kernel>
@@ -232,6 +302,31 @@ BOOST_AUTO_TEST_CASE(info_is_kept)
     v->info().value = int(i);
   for (auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
     BOOST_TEST((v->point() == surface.points[std::size_t(v->info().value)]));
+}
+
+// An empty triangulation is built aside, and no vertex is copied for that.
+BOOST_AUTO_TEST_CASE(infos_that_cannot_be_copied)
+{
+  check_info<Movable_info>(true);
+  check_info<List_info>(true);
+  check_info<Constant_info>(true);
+  check_info<Immovable_info>(false);
+  check_info<Copyable_info, CGAL::Fast_location>(true); // which CGAL makes only of such
+}
+
+// The infinite vertex gets its content from another, and not its number.
+BOOST_AUTO_TEST_CASE(time_stamps_stay_different)
+{
+  using Cb = CGAL::Delaunay_triangulation_cell_base_3<Epick>;
+  using Tds = CGAL::Triangulation_data_structure_3<Stamped_vertex_base<>, Cb>;
+  const auto& [points, faces] = torus();
+  CGAL::Delaunay_triangulation_3<Epick, Tds> tr;
+  tr.infinite_vertex()->set_time_stamp(7);
+  insert_surface_points_3(tr, points, faces);
+  std::set<std::size_t> time_stamps;
+  for (auto v = tr.all_vertices_begin(); v != tr.all_vertices_end(); ++v)
+    time_stamps.insert(v->time_stamp());
+  BOOST_TEST(time_stamps.size() == points.size() + 1);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/version.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
@@ -30,6 +31,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -126,4 +128,20 @@ BOOST_AUTO_TEST_CASE(soup_graph_and_refusal)
   BOOST_CHECK_THROW(CGAL::insert_surface_points_3(from_soup, points,
                                                   std::vector<std::array<int, 3>>{{0, 1, 300}}),
                     CGAL::Surface_input_error);
+}
+
+// A vertex base that no copy is made of: CGAL's own insertion makes none.
+BOOST_AUTO_TEST_CASE(info_that_cannot_be_copied)
+{
+  using Vb = CGAL::Triangulation_vertex_base_with_info_3<std::unique_ptr<int>, Kernel>;
+  using Cb = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
+  CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vb, Cb>> tr, stock;
+  const Mesh mesh = torus(30, 10);
+  tr.infinite_vertex()->info() = std::make_unique<int>(4711);
+  CGAL::insert_surface_vertices_3(tr, mesh);
+  stock.insert(mesh.points().begin(), mesh.points().end());
+  BOOST_TEST((tr == stock));
+  BOOST_TEST(tr.is_valid());
+  BOOST_TEST_REQUIRE(bool(tr.infinite_vertex()->info()));
+  BOOST_TEST(*tr.infinite_vertex()->info() == 4711);
 }

@@ -44,6 +44,8 @@ have one orientation, in dimension 0 there are no neighbours.
 
 \tparam Index a signed integer type of 32 or 64 bits
 
+It can be copied, and moved: what it was moved from is empty.
+
 <b>Memory</b>: 32 bytes per cell with `std::int32_t`, and 4 per point.
 */
 template <class Index = std::int32_t>
@@ -60,6 +62,25 @@ public:
   Delaunay_3_arrays() = default;
 
   /// \cond
+  Delaunay_3_arrays(const Delaunay_3_arrays& other)
+    : m_dimension(other.m_dimension)
+    , m_number_of_simplices(other.m_number_of_simplices)
+    , m_number_of_cells(other.m_number_of_cells)
+    , m_stride(other.m_stride)
+    , m_vertices(copied(other.m_vertices, m_stride * m_number_of_cells))
+    , m_neighbors(copied(other.m_neighbors, other.has_own_neighbors() ? 4 * m_number_of_cells : 0))
+    , m_has_neighbors(other.m_has_neighbors)
+    , m_vertices_of_points(other.m_vertices_of_points)
+  {
+  }
+  Delaunay_3_arrays(Delaunay_3_arrays&& other) noexcept { swap(other); }
+  Delaunay_3_arrays& operator=(Delaunay_3_arrays other) noexcept
+  {
+    swap(other);
+    return *this;
+  }
+  ~Delaunay_3_arrays() = default;
+
   using Entries = Delaunay_from_surface_3::internal::Page_array<Index>;
 
   // Each cell: four vertices, four neighbours.
@@ -126,7 +147,9 @@ public:
   /// returns the neighbours of all cells; null if they have been dropped.
   const Index* neighbors_data() const
   {
-    return m_has_neighbors ? (m_stride == 8 ? m_vertices.data() + 4 : m_neighbors.data()) : nullptr;
+    return has_own_neighbors() ? m_neighbors.data()
+           : m_has_neighbors   ? m_vertices.data() + 4
+                               : nullptr;
   }
 
   /// returns 8 at first, since vertices and neighbours of a cell lie side by side; 4 after
@@ -151,6 +174,7 @@ public:
           if (is_infinite(neighbors[c * m_stride + k]))
             neighbors[c * m_stride + k] = none;
     m_vertices.release(m_stride * m_number_of_cells, m_vertices.capacity());
+    m_neighbors.release(4 * m_number_of_cells, m_neighbors.capacity());
   }
 
   /// gives up the neighbours; the vertices become one array without gaps.
@@ -174,6 +198,29 @@ public:
   ///@}
 
 private:
+  static Entries copied(const Entries& entries, std::size_t n)
+  {
+    Entries copy;
+    copy.reserve(n, 0);
+    std::copy_n(entries.data(), n, copy.data());
+    return copy;
+  }
+
+  void swap(Delaunay_3_arrays& other) noexcept
+  {
+    std::swap(m_dimension, other.m_dimension);
+    std::swap(m_number_of_simplices, other.m_number_of_simplices);
+    std::swap(m_number_of_cells, other.m_number_of_cells);
+    std::swap(m_stride, other.m_stride);
+    m_vertices.swap(other.m_vertices);
+    m_neighbors.swap(other.m_neighbors);
+    std::swap(m_has_neighbors, other.m_has_neighbors);
+    m_vertices_of_points.swap(other.m_vertices_of_points);
+  }
+
+  // In an array of their own.
+  bool has_own_neighbors() const { return m_has_neighbors && m_stride == 4; }
+
   std::array<Index, 4> entries(const Index* data, std::size_t c) const
   {
     const Index* const e = data + c * m_stride;

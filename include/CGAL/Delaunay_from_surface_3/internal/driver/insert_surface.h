@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Asking_visitor.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Visitor_in_mode_of_caller.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/build_aside.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_plan.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/give_to_vertices.h>
@@ -173,8 +174,7 @@ insert_by_plan(Triangulation& tr, const Input& input, const Traits& traits, cons
 }
 
 // Inserts the points; at last `give` is given their vertices, by point. An empty triangulation is
-// built aside, as a copy that keeps its traits, its lock structure and what its infinite vertex
-// holds: it changes when nothing can fail any more.
+// built aside: it changes when nothing can fail any more.
 template <class Traits, class Triangulation, class Input, class Visitor, class Give>
 void insert_and_give(Triangulation& tr, const Input& input, const Traits& traits,
                      const Order_options& options, Visitor& visitor, const Give& give)
@@ -198,9 +198,9 @@ void insert_and_give(Triangulation& tr, const Input& input, const Traits& traits
   if (tr.number_of_vertices() > 0) {
     insert_into(tr, true);
   } else {
-    Triangulation aside(tr);
+    Triangulation aside = empty_like(tr);
     if (insert_into(aside, false))
-      tr.swap(aside);
+      take_place(aside, tr);
   }
 }
 
