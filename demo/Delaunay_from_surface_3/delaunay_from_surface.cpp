@@ -68,6 +68,10 @@ void note_what_is_odd(const Options& options, const Surface& surface, Messages& 
   if (surface.collapsed_triangles > 0)
     messages.note(options.input + ": triangles with two corners at one point, left out: " +
                   std::to_string(surface.collapsed_triangles));
+  if (surface.announced_points > surface.points.size())
+    messages.note(options.input + ": " + std::to_string(surface.announced_points) +
+                  " points are announced, and only " + std::to_string(surface.points.size()) +
+                  " are there");
   if (surface.faces.empty())
     messages.note(options.input + ": there are no faces, its points are taken alone");
   else if (!surface.is_manifold)

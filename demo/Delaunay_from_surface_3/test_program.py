@@ -138,6 +138,41 @@ class Surfaces(ProgramCase):
         self.write("mark.xyz", b"\xef\xbb\xbf0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n")
         self.works("mark.xyz", "--quiet", "--json", prints=[r'"finite cells": 1\b'])
 
+    def test_carriage_returns_alone(self):
+        """As systems had them whose editors are still around."""
+        self.write("mac.off", b"OFF # a comment\r4 2 0\r\r0 0 0\r1 0 0\r0 1 0\r0 0 1\r3 0 2 1\r3 0 1 3\r")
+        self.write("mac.obj", "\r".join(TETRAHEDRON).encode())
+        self.write("mac.xyz", b"0 0 0\r1 0 0\r0 1 0\r0 0 1")
+        for name in ("mac.off", "mac.obj", "mac.xyz"):
+            self.works(name, "--quiet", "--json", prints=[r'"finite cells": 1\b'])
+        self.write("short.off", b"OFF\r4 1 0\r0 0 0\r1 0 0\r")
+        self.refuses("short.off: cannot be read as .off: line 4: the file ends too early", "short.off")
+
+    def test_lines_of_obj_that_go_on(self):
+        self.write("long.obj", "# a comment does not go on \\", "v 0 0 \\", "0", "v 1 \\", " \\", "0 0", "v 0 1 0", "v 0 0 1",
+                   "f 1\\", "2\\", "3 4", "o name \\", "f 1 2 3")
+        crlf = (self.folder / "long.obj").read_bytes().replace(b"\n", b"\r\n")
+        self.write("crlf.obj", crlf)
+        self.write("end.obj", (self.folder / "long.obj").read_bytes() + b"f 1 2 3 \\")
+        for name, faces in (("long.obj", 1), ("crlf.obj", 1), ("end.obj", 2)):
+            self.works(name, "--quiet", "--json", prints=[rf'"surface faces": {faces}\b', r'"finite cells": 1\b'])
+        for wrong, message in (("v 1\\ 2 3", r"line 1: '1\\' is not a number"), ("v 1 \\\n2", "line 1: a vertex has too few"),
+                               ("v 1 2 \\\n3\nv 1 x", "line 3: 'x' is not a number")):
+            self.write("wrong.obj", wrong)
+            self.refuses(r"wrong.obj: cannot be read as .obj: " + message, "wrong.obj")
+        self.write("points.xyz", "0 0 0 \\", "1 0 0", "0 1 0", "0 0 1")  # elsewhere it is passed over
+        self.works("points.xyz", "--quiet", "--json", prints=[r'"finite cells": 1\b'])
+
+    def test_points_that_are_announced(self):
+        corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
+        alone = "note: points.pts: there are no faces, its points are taken alone\n"
+        self.write("points.pts", "2", *corners[:2], "3", *corners[2:])
+        self.works("points.pts", notes=r"note: points.pts: 5 points are announced, and only 4 are there\n" + alone)
+        self.write("points.pts", str(2 ** 64 - 2), "7", *corners)
+        self.works("points.pts", notes=rf"note: points.pts: {2 ** 64 - 1} points are announced, and only 4[^\n]*\n" + alone)
+        self.write("points.pts", "3", *corners)
+        self.works("points.pts", notes=alone)
+
     def test_collapsed_triangles(self):
         """Rounding has put two corners of a triangle at one point, and all three of another."""
         corners = {"1": "0 0 0", "2": "1 0 0", "3": "0 1 0", "4": "0 0 1"}
@@ -334,6 +369,44 @@ class Output(ProgramCase):
         self.assertTrue((self.folder / "link.mesh").is_symlink())
         self.assertEqual(part.read_text(), "a file of the user\n")
         self.assertEqual(sorted(self.files()), ["link.mesh", "older.mesh", "older.mesh.part"])
+
+    def test_a_link_to_nothing(self):
+        """The link stays, and what it names appears."""
+        (self.folder / "results").mkdir()
+        (self.folder / "link.mesh").symlink_to("other.mesh")
+        (self.folder / "other.mesh").symlink_to("results/torus.mesh")
+        self.works(TORUS, "--output", "link.mesh")
+        self.assertIn("MeshVersionFormatted", (self.folder / "results/torus.mesh").read_text())
+        self.assertTrue((self.folder / "link.mesh").is_symlink() and (self.folder / "other.mesh").is_symlink())
+        self.assertEqual([p.name for p in (self.folder / "results").iterdir()], ["torus.mesh"])
+        (self.folder / "nowhere.mesh").symlink_to("nowhere/torus.mesh")
+        (self.folder / "circle.mesh").symlink_to("circle.mesh")
+        self.refuses(r"nowhere\.mesh: cannot be written: No such file", TORUS, "--output", "nowhere.mesh")
+        self.refuses(r"circle\.mesh: cannot be written: Too many levels", TORUS, "--output", "circle.mesh")
+
+    def test_names_of_one_file(self):
+        """Nothing is overwritten that is read or written, by whatever name."""
+        self.write("torus.off", TORUS.read_text())
+        self.write("page.html", "three.js")
+        (self.folder / "link.vtu").symlink_to("torus.off")
+        (self.folder / "here").symlink_to(".")
+        (self.folder / "view.html").symlink_to("result.vtu")  # nothing yet
+        (self.folder / "node.html").symlink_to("result.node")
+        for message, *words in (
+                ("torus.off: '--output' would overwrite the surface", "-o", "torus.off", "--to", "vtu"),
+                ("./torus.off: '--output' would overwrite the surface", "-o", "./torus.off", "--to", "vtu"),
+                ("link.vtu: '--output' would overwrite the surface", "-o", "link.vtu"),
+                ("a.html: '--view' would overwrite the file of '--output'", "-o", "a.html", "--to", "vtu", "--view", "a.html"),
+                (".*a.html: '--view' would overwrite the file of '--output'", "-o", "a.html", "--to", "vtu", "--view",
+                 self.folder / "here/./here/a.html"),
+                ("view.html: '--view' would overwrite the file of '--output'", "-o", "result.vtu", "--view", "view.html"),
+                ("node.html: '--view' would overwrite the file of '--output'", "-o", "result.ele", "--view", "node.html"),
+                ("page.html: '--view' would overwrite the file of '--three-js'", "--view", "page.html")):
+            three_js = ["--three-js", "page.html"] if "--view" in words else []
+            self.refuses(message, "torus.off", *words, *three_js)
+        # The input is not even looked for.
+        self.refuses("missing.off: '--output' would overwrite the surface", "missing.off", "-o", "missing.off", "--to", "vtu")
+        self.works("torus.off", "-o", "torus.vtu", "--quiet")
 
     def test_what_it_refuses(self):
         self.refuses(r"torus\.stl: unknown extension", TORUS, "--output", "torus.stl")

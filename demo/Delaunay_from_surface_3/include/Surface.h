@@ -34,6 +34,7 @@ struct Surface
   Mesh mesh; // the same points and faces again, if they are a manifold
   bool is_manifold = false;
   std::size_t collapsed_triangles = 0; // were in the file, and are left out
+  std::size_t announced_points = 0;    // by the file; there may be fewer
 };
 
 // The default with many threads.

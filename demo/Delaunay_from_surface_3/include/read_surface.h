@@ -23,6 +23,7 @@ inline Surface read_surface(const std::string& file_name, const std::string& for
   surface.points = std::move(soup.points);
   surface.faces = std::move(soup.faces);
   surface.collapsed_triangles = soup.collapsed_triangles;
+  surface.announced_points = soup.announced_points;
   namespace PMP = CGAL::Polygon_mesh_processing;
   surface.is_manifold =
       !surface.faces.empty() && PMP::is_polygon_soup_a_polygon_mesh(surface.faces);

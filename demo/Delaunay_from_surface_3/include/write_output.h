@@ -11,6 +11,7 @@
 #include "why_no_inside.h"
 
 #include <Delaunay_from_surface_3_files/Output_file.h>
+#include <Delaunay_from_surface_3_files/same_file.h>
 
 #include <CGAL/Delaunay_from_surface_3/IO/write_gmsh.h>
 #include <CGAL/Delaunay_from_surface_3/IO/write_medit.h>
@@ -30,10 +31,44 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using Vertices = std::vector<Triangulation::Vertex_handle>;
+
+// The files that the tetrahedra go to; none for the standard output.
+inline std::vector<std::string> files_of_output(const Options& options)
+{
+  if (options.output.empty() || options.output == "-")
+    return {};
+  if (options.to != "tetgen")
+    return {options.output};
+  std::vector<std::string> names;
+  for (const char* const extension : {".node", ".ele", ".neigh"})
+    names.push_back(std::filesystem::path(options.output).replace_extension(extension).string());
+  return names;
+}
+
+// No file is written over another that is read or written, whatever they are called.
+inline void check_that_files_differ(const Options& options)
+{
+  std::vector<std::pair<std::string, std::string>> others; // what each is, and its name
+  if (options.input != "-")
+    others.emplace_back("the surface", options.input);
+  if (!options.view.empty())
+    others.emplace_back("the file of '--three-js'", options.three_js);
+  const auto add = [&](const std::string& option, const std::string& name) {
+    for (const auto& [what, other] : others)
+      if (files::are_same_file(name, other))
+        throw std::runtime_error(name + ": '" + option + "' would overwrite " + what);
+    others.emplace_back("the file of '" + option + "'", name);
+  };
+  for (const std::string& name : files_of_output(options))
+    add("--output", name);
+  if (!options.view.empty())
+    add("--view", options.view);
+}
 
 // The files that the tetrahedra go to. Whether they can be written is known before any work is
 // done.
@@ -43,17 +78,11 @@ public:
   explicit Output(const Options& options)
     : m_format(options.to)
   {
+    check_that_files_differ(options);
     if (!options.view.empty())
       m_view.emplace(options.view);
-    if (options.output.empty() || options.output == "-")
-      return;
-    if (m_format != "tetgen") {
-      m_files.emplace_back(options.output);
-      return;
-    }
-    for (const char* const extension : {".node", ".ele", ".neigh"})
-      m_files.emplace_back(
-          std::filesystem::path(options.output).replace_extension(extension).string());
+    for (const std::string& name : files_of_output(options))
+      m_files.emplace_back(name);
   }
 
   void write(const Triangulation& tr)

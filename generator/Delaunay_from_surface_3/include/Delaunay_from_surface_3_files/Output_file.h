@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_OUTPUT_FILE_H
 
 #include <Delaunay_from_surface_3_files/Remove_on_signal.h>
+#include <Delaunay_from_surface_3_files/same_file.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -26,12 +27,10 @@ class Output_file
 public:
   explicit Output_file(const std::string& name)
     : m_name(name)
-    , m_place(name)
   {
-    std::error_code error; // what cannot be asked for cannot be written
-    const bool is_there = std::filesystem::exists(m_place, error);
-    if (is_there)
-      m_place = std::filesystem::canonical(m_place, error); // a link stays, its file is replaced
+    std::error_code error;           // what cannot be asked for cannot be written
+    m_place = place_of(name, error); // a link stays, its file is replaced
+    const bool is_there = !error && std::filesystem::exists(m_place, error);
     if (error)
       fail(error.value());
     if (is_there) {

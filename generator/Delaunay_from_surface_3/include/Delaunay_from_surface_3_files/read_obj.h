@@ -32,7 +32,7 @@ inline std::size_t parse_obj_index(std::string_view word, std::size_t number_of_
 inline Polygon_soup read_obj(std::string_view text)
 {
   Polygon_soup soup;
-  Lines lines(text);
+  Lines lines(text, Lines::Backslash::CONTINUES);
   try {
     while (lines.next()) {
       const std::string_view keyword = lines.word();

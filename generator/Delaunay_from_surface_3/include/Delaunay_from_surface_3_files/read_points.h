@@ -8,13 +8,15 @@
 #include <Delaunay_from_surface_3_files/Lines.h>
 #include <Delaunay_from_surface_3_files/Polygon_soup.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string_view>
 
 namespace files {
 
 // Reads .xyz and .pts: a point in each line, three numbers. What stands behind them, normals,
 // intensities or colors, is passed over. A line with one word alone is the number of points that
-// follow, which Leica's .pts has; it is not believed.
+// follow, which Leica's .pts has; it is not believed, but kept.
 inline Polygon_soup read_points(std::string_view text)
 {
   Polygon_soup soup;
@@ -23,8 +25,11 @@ inline Polygon_soup read_points(std::string_view text)
     while (lines.next()) {
       std::string_view line = lines.line();
       const std::string_view first = next_word(line);
-      if (next_word(line).empty() && parse_index(first) != no_index)
+      const std::size_t number = next_word(line).empty() ? parse_index(first) : no_index;
+      if (number != no_index) {
+        soup.announced_points += (std::min)(number, no_index - soup.announced_points);
         continue;
+      }
       const auto x = read_coordinates(lines);
       soup.points.emplace_back(x[0], x[1], x[2]);
     }
