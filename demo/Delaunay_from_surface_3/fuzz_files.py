@@ -76,6 +76,8 @@ def seeds():
         ("ply", ply("<", "int", "ushort", "i3Hi")),
         ("obj", text(["# comment", "o name", *("v " + p for p in points), "vt 0 0", "vn 0 0 1",
                       *("f " + " ".join(f"{i + 1}/1/1" for i in f) for f in FACES), "f -1 -2 -3"])),
+        ("obj", text(["v " + p.replace(" ", " \\\n") for p in points] + ["f 1 \\\r", "2\\", "3"])),
+        ("off", text(["OFF", counts, *points, *faces]).replace(b"\n", b"\r")),
         ("obj", text(["v " + p for p in points])), ("xyz", text(["# comment", *(p + " 0 0 1" for p in points)])),
         ("pts", text([str(len(POINTS)), *(p + " -1200 255 0 0" for p in points), "2", *points[:2]])),
         ("stl", stl_text()),
@@ -102,7 +104,7 @@ def flip_bytes(data, random):
     data = bytearray(data)
     for _ in range(random.choice((1, 1, 1, 2, 5, 20))):
         if data:
-            data[random.randrange(len(data))] = random.choice((0, 10, 32, 45, 57, 127, 255, random.randrange(256)))
+            data[random.randrange(len(data))] = random.choice((0, 10, 13, 32, 45, 57, 92, 127, 255, random.randrange(256)))
     return bytes(data)
 
 
