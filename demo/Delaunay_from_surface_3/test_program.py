@@ -149,14 +149,15 @@ class Surfaces(ProgramCase):
         self.refuses("short.off: cannot be read as .off: line 4: the file ends too early", "short.off")
 
     def test_lines_of_obj_that_go_on(self):
-        self.write("long.obj", "# a comment does not go on \\", "v 0 0 \\", "0", "v 1 \\", " \\", "0 0", "v 0 1 0", "v 0 0 1",
-                   "f 1\\", "2\\", "3 4", "o name \\", "f 1 2 3")
+        self.write("long.obj", "# a comment does not go on \\", "v 0 0 \\", "0", "v 1 \\", " \\", "0 0", "v 0 1 0",
+                   "v 0 0 1", "f 1\\", "2\\", "3 4", "o name \\", "f 1 2 3")
         crlf = (self.folder / "long.obj").read_bytes().replace(b"\n", b"\r\n")
         self.write("crlf.obj", crlf)
         self.write("end.obj", (self.folder / "long.obj").read_bytes() + b"f 1 2 3 \\")
         for name, faces in (("long.obj", 1), ("crlf.obj", 1), ("end.obj", 2)):
             self.works(name, "--quiet", "--json", prints=[rf'"surface faces": {faces}\b', r'"finite cells": 1\b'])
-        for wrong, message in (("v 1\\ 2 3", r"line 1: '1\\' is not a number"), ("v 1 \\\n2", "line 1: a vertex has too few"),
+        for wrong, message in (("v 1\\ 2 3", r"line 1: '1\\' is not a number"),
+                               ("v 1 \\\n2", "line 1: a vertex has too few"),
                                ("v 1 2 \\\n3\nv 1 x", "line 3: 'x' is not a number")):
             self.write("wrong.obj", wrong)
             self.refuses(r"wrong.obj: cannot be read as .obj: " + message, "wrong.obj")

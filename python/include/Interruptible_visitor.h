@@ -18,9 +18,9 @@ namespace python {
 
 namespace py = pybind11;
 
-// Says at once, and then every 50 ms, that it is time. It is asked before each point, of which one may
-// take a microsecond and another a millisecond; so the clock is looked at every 64 points at most, and
-// before each one as soon as a look came late.
+// Says at once, and then every 50 ms, that it is time. It is asked before each point, of which one
+// may take a microsecond and another a millisecond: the clock is looked at for each point once a
+// look came late, and otherwise for ever fewer, up to every 64th.
 class Alarm_clock
 {
   using Clock = std::chrono::steady_clock;

@@ -15,8 +15,8 @@
 
 namespace files {
 
-// The lines of a text that hold more than blanks and a comment, which begins with '#'. They end with
-// a line feed or, in a text without any, with a carriage return.
+// The lines of a text that hold more than blanks and a comment, which begins with '#'. They end
+// with a line feed or, in a text without any, with a carriage return.
 class Lines
 {
 public:
@@ -88,7 +88,7 @@ private:
     return last != line.npos && line[last] == '\\' && line.find('#') == line.npos;
   }
 
-  // Does the word just read end with a backslash that is followed by the end of a line, or the text?
+  // Does the word just read end with a backslash, and a line or the text behind that?
   bool is_joint(std::string_view word) const
   {
     if (m_backslash != Backslash::CONTINUES || word.empty() || word.back() != '\\')

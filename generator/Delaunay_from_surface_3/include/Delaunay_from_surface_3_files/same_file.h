@@ -11,8 +11,8 @@
 
 namespace files {
 
-// The file that a name means, by way of all links, also if there is no such file yet: a link may lead
-// to nothing.
+// The file that a name means, by way of all links, also if there is no such file yet: a link may
+// lead to nothing.
 inline std::filesystem::path place_of(const std::string& name, std::error_code& error)
 {
   namespace fs = std::filesystem;

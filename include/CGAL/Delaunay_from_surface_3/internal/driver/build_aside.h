@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_BUILD_ASIDE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_BUILD_ASIDE_H
 
-// What is built aside takes the place of an empty triangulation: with its traits, its lock structure
-// and what its infinite vertex holds. That vertex is moved: what a vertex base holds need not be
-// copied, nor need it say so (a std::vector of what cannot be copied does not).
+// What is built aside takes the place of an empty triangulation: with its traits, its lock
+// structure and what its infinite vertex holds. That is moved: what a vertex base holds need not be
+// copied, nor say that it cannot be (a std::vector of what cannot does not).
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 
