@@ -80,6 +80,33 @@ inline Indexed_surface two_lines(std::size_t n)
   return surface;
 }
 
+/// Disjoint stars of 16 vertices: their hubs lie in turn on two lines askew, the 15 leaves of each,
+/// joined to a fan of triangles, anywhere in a ball. All hubs alone have a
+/// triangulation of quadratic size, all points do not. \pre `n >= 64`
+inline Indexed_surface skew_stars(std::size_t n, std::uint64_t seed)
+{
+  if (n < 64)
+    throw std::invalid_argument("skew stars need at least 64 vertices");
+  constexpr std::size_t leaves = 15;
+  const std::size_t stars = n / (leaves + 1);
+  Random random(seed);
+  Indexed_surface surface;
+  for (std::size_t k = 0; k < stars; ++k) {
+    const std::size_t hub = surface.points.size();
+    const double t = double(k) / double(stars - 1) - 0.5;
+    if (k % 2 == 0)
+      surface.points.emplace_back(t, 0.01 * t * t, -0.5);
+    else
+      surface.points.emplace_back(0.01 * t * t, t, 0.5);
+    for (std::size_t i = 1; i <= leaves; ++i) {
+      surface.points.push_back(CGAL::ORIGIN + random.in_ball());
+      if (i > 1)
+        surface.faces.push_back({hub, hub + i - 1, hub + i});
+    }
+  }
+  return surface;
+}
+
 /// A room: about `n` points of the six walls of a cube that bulge inwards, moved at random along
 /// them and denser in their middles, and one point in the middle of the room, in no face, the last.
 /// In the triangulation of all points it is a neighbour of about a quarter of them, but the cells

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 namespace surfaces {
@@ -77,6 +78,79 @@ inline Indexed_surface terrain(std::size_t n, std::uint64_t seed = 0)
       height += wave[3] * std::sin(wave[0] * x + wave[1] * y + wave[2]);
     return Indexed_surface::Point_3(x, y, height);
   });
+}
+
+namespace internal {
+
+// 1, 1, 2, 3, 5, …, up to the Fibonacci number that is nearest to n by ratio.
+inline std::vector<std::size_t> fibonacci_numbers(std::size_t n)
+{
+  std::vector<std::size_t> numbers = {1, 1};
+  while (numbers.back() < n)
+    numbers.push_back(numbers.end()[-2] + numbers.end()[-1]);
+  if (double(numbers.back()) * double(numbers.end()[-2]) > double(n) * double(n))
+    numbers.pop_back();
+  return numbers;
+}
+
+} // namespace internal
+
+/// A smooth torus (radii 1 and 0.4) whose points wind around it: of m, the Fibonacci number nearest
+/// to `n`, the i-th lies at the angles 2 pi i / m and 2 pi (i l mod m) / m, where l is the Fibonacci
+/// number before m. All points have the same neighbours, as far as the torus is flat.
+/// \pre `n >= 55`
+inline Indexed_surface winding_torus(std::size_t n)
+{
+  if (n < 55)
+    throw std::invalid_argument("a winding torus needs at least 55 vertices");
+  const std::vector<std::size_t> numbers = internal::fibonacci_numbers(n);
+  const std::size_t m = numbers.end()[-1], l = numbers.end()[-2];
+  const double pi = 3.14159265358979323846, tube = 0.4;
+  Indexed_surface surface;
+  for (std::size_t i = 0; i < m; ++i) {
+    const double a = 2 * pi * double(i) / double(m), b = 2 * pi * double(i * l % m) / double(m);
+    const double radius = 1 + tube * std::cos(b);
+    surface.points.emplace_back(radius * std::cos(a), radius * std::sin(a), tube * std::sin(b));
+  }
+  // So many points on, one is numbers[k] farther around the axis, and numbers[size - 2 - k] around the
+  // tube. Neighbours are three such steps in succession, of which two make the third.
+  const auto squared_length = [&](std::size_t k) {
+    const double x = double(numbers[k]), y = tube * double(numbers[numbers.size() - 2 - k]);
+    return x * x + y * y;
+  };
+  std::size_t k = 1;
+  while (squared_length(k + 2) < squared_length(k - 1))
+    ++k;
+  const std::size_t s = numbers[k], t = numbers[k - 1];
+  for (std::size_t i = 0; i < m; ++i) {
+    surface.faces.push_back({i, (i + s) % m, (i + s + t) % m});
+    surface.faces.push_back({i, (i + s + t) % m, (i + t) % m});
+  }
+  return surface;
+}
+
+/// About `n` points on a round tube of radius 1 and length 20, open at both ends: in rings, one
+/// exactly behind the other, so that each ring and each square of neighbours is cocircular up to
+/// rounding. \pre `n >= 60`
+inline Indexed_surface round_tube(std::size_t n)
+{
+  if (n < 60)
+    throw std::invalid_argument("a round tube needs at least 60 vertices");
+  const double pi = 3.14159265358979323846, length = 20;
+  const auto around = static_cast<std::size_t>(std::lround(std::sqrt(2 * pi / length * double(n))));
+  const std::size_t rings = n / around;
+  Indexed_surface surface;
+  for (std::size_t r = 0; r < rings; ++r)
+    for (std::size_t i = 0; i < around; ++i) {
+      const double a = 2 * pi * double(i) / double(around);
+      surface.points.emplace_back(std::cos(a), std::sin(a), length * double(r) / double(rings - 1));
+      if (r == 0)
+        continue;
+      const std::size_t j = (i + 1) % around, top = r * around, below = top - around;
+      surface.faces.push_back({below + i, below + j, top + j});
+      surface.faces.push_back({below + i, top + j, top + i});
+    }
+  return surface;
 }
 
 } // namespace surfaces

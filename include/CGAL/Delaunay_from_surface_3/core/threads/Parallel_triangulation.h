@@ -53,12 +53,13 @@ public:
   {
   }
 
-  // How many points a call of insert_round() should have, at least, for its workers to be worth
-  // their start.
+  // How many points a call of insert_round() should have: for its workers to be worth their start,
+  // but never more than are inserted, as the caller looks at what they cost between the calls.
   std::size_t size_of_piece(std::size_t inserted) const
   {
-    return inserted < m_rules.first_points ? m_rules.first_points - inserted
-                                           : (std::max)(32 * m_rules.chunk, inserted / 4);
+    if (inserted < m_rules.first_points) // one works
+      return (std::min)(m_rules.chunk, m_rules.first_points - inserted);
+    return (std::max)({m_rules.chunk, (std::min)(inserted, 32 * m_rules.chunk), inserted / 4});
   }
 
   // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker

@@ -7,6 +7,8 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -18,7 +20,8 @@ namespace internal {
 
 // How much work an order may make before another takes its place. No order that only looks at the
 // surface bounds the cells that insertions destroy; a random one does (Amenta, Choi, Rote 2003). So
-// the whole costs no more than the budget and one insertion in that order.
+// the whole costs no more than the budget, what is done between two looks at it, and one insertion
+// in that order.
 class Insertion_budget
 {
 public:
@@ -32,17 +35,24 @@ public:
   {
   }
 
+  // Walks have a threshold of their own: each may be exceeded for reasons that are none of the other's.
+  // A step of a walk makes one test; a destroyed cell makes two or three, and is replaced as well.
   bool is_exceeded(const Insertion_counts& counts, std::size_t inserted) const
   {
-    return work(counts) > m_cells_per_point * (double(inserted) + 1000);
+    const double most = cells_per_point(inserted) * (double(inserted) + 1000);
+    return double(counts.cells_destroyed) > most ||
+           double(counts.cells_tested_to_start) > steps_per_cell * most;
   }
 
 private:
-  // In destroyed cells. That three steps of a walk count as one is an estimate: a step makes one
-  // test, a destroyed cell two or three, and it is replaced as well.
-  static double work(const Insertion_counts& counts)
+  static constexpr double steps_per_cell = 2, many_points = 1e6;
+
+  // On smooth tori any order destroys a number of cells that grows with the logarithm of that of the
+  // points. Where there are many, another sixteenth is allowed for each doubling.
+  double cells_per_point(std::size_t inserted) const
   {
-    return double(counts.cells_destroyed) + double(counts.cells_tested_to_start) / 3;
+    const double doublings = std::log2((std::max)(double(inserted) / many_points, 1.));
+    return m_cells_per_point * (1 + doublings / 16);
   }
 
   double m_cells_per_point = std::numeric_limits<double>::infinity();

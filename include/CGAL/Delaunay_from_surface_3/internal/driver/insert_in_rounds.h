@@ -20,7 +20,8 @@ namespace internal {
 
 enum class Insertion_outcome { COMPLETE, STOPPED, OVER_BUDGET };
 
-// The points of a round. The target gets them in pieces, between which the budget is looked at.
+// The points of a round. The target gets them in pieces, between which the budget is looked at; not
+// when all are inserted, since what is done is kept.
 template <class Target, class Hints, class Visitor>
 Insertion_outcome insert_round(std::size_t first, std::size_t last, Target& target, Hints& hints,
                                Visitor& visitor, const Insertion_budget& budget)
@@ -29,7 +30,7 @@ Insertion_outcome insert_round(std::size_t first, std::size_t last, Target& targ
     const std::size_t next = (std::min)(last, first + target.size_of_piece(first));
     if (!target.insert_round(first, next, hints, visitor)) // 2b, 2c
       return Insertion_outcome::STOPPED;
-    if (budget.is_exceeded(target.counts(), next))
+    if (next < target.size() && budget.is_exceeded(target.counts(), next))
       return Insertion_outcome::OVER_BUDGET;
     first = next;
   }
