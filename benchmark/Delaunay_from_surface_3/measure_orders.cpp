@@ -4,13 +4,14 @@
 
 // Measures how the default keeps up with plain CGAL where an order of insertion can go wrong:
 // solids as CAD makes them, in three numberings and with coordinates rounded in four ways, and
-// surfaces that are degenerate, wrong or of quadratic size. Times in turn, and counts. Or only
-// counts, of nets drawn by other rules. Writes JSON.
+// surfaces that are degenerate, wrong or of quadratic size; or where walks can go astray. Times in
+// turn, and counts. Or only counts, of nets drawn by other rules. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/walk_cases.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
@@ -28,6 +29,7 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
@@ -43,6 +45,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -104,7 +107,7 @@ void for_other_surfaces(std::size_t n, const Measure& measure)
     measure({"two lines", "quadratic", computed, surfaces::two_lines(n)});
 }
 
-// As a mesh where it is one, else as a soup.
+// As a mesh where it is one, else as a soup; as points where there are no faces.
 class Insertion
 {
 public:
@@ -112,14 +115,17 @@ public:
     : m_surface(surface)
   {
     namespace PMP = CGAL::Polygon_mesh_processing;
-    m_is_mesh = PMP::is_polygon_soup_a_polygon_mesh(surface.faces);
+    m_is_mesh = !surface.faces.empty() && PMP::is_polygon_soup_a_polygon_mesh(surface.faces);
     if (m_is_mesh)
       m_mesh = surfaces::to_mesh<Mesh>(surface);
   }
 
   void by_default(Triangulation& tr, comparison::Take_counts& counts) const
   {
-    with(CGAL::Surface_insertion_traits_3(), tr, counts);
+    if (m_surface.faces.empty())
+      CGAL::insert_points_3(tr, m_surface.points, CGAL::parameters::visitor(std::ref(counts)));
+    else
+      with(CGAL::Surface_insertion_traits_3(), tr, counts);
   }
 
   template <class Traits>
@@ -232,6 +238,7 @@ struct Options
   std::size_t repetitions = 9;
   std::vector<std::size_t> blocks;
   std::string scan, output = "orders.json";
+  bool walks = false;
 };
 
 Options read_options(int argc, char** argv)
@@ -245,6 +252,8 @@ Options read_options(int argc, char** argv)
   add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn");
   add("blocks", po::value(&o.blocks)->multitoken()->value_name("N..."),
       "count only, with nets in blocks of so many vertices (1: by index)");
+  add("walks", po::bool_switch(&o.walks),
+      "where walks can go astray, in place of solids and other surfaces");
   add("scan", po::value(&o.scan)->value_name("FILE"), "a mesh that is refined to these sizes, too");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
   comparison::read_command_line(argc, argv, options);
@@ -262,6 +271,7 @@ try {
     report["repetitions"] = options.repetitions;
   else
     report["blocks"] = options.blocks;
+  report["walks"] = options.walks;
   report["results"] = Json::array();
   const Measure measure = [&](const Case& c) {
     Json result = options.blocks.empty() ? measure_case(c, options.repetitions)
@@ -270,6 +280,13 @@ try {
     report["results"].push_back(std::move(result));
   };
   for (const std::size_t n : options.sizes) {
+    if (options.walks) {
+      comparison::for_walk_cases(
+          n, seed, [&](const char* family, const std::string& kind, Indexed_surface surface) {
+            measure({family, kind, roundings[0], std::move(surface)});
+          });
+      continue;
+    }
     for_cad_solids(n, measure);
     for_other_surfaces(n, measure);
     if (!options.scan.empty())

@@ -6,11 +6,11 @@
 """Puts what measure_orders, check_meshes and count_instructions.py wrote as tables on the manual's page on orders; needs
 nothing but Python.
 
-  order_tables.py results/{orders,orders_200k,nets_200k,demo_meshes,small_meshes}.json --tables
-  order_tables.py results/{orders,orders_200k,nets_200k,demo_meshes,small_meshes}.json --manual Orders.txt [--check]
+  order_tables.py results/{orders,orders_200k,orders_walks,nets_200k,demo_meshes,small_meshes}.json --tables
+  order_tables.py results/{orders,orders_200k,orders_walks,nets_200k,demo_meshes,small_meshes}.json --manual Orders.txt [--check]
 
-Blocks: one table for each size, a summary of all, machine, and commands; the rules for nets; the meshes of libcgal-demo,
-by times, and the small ones by instructions.
+Blocks: one table for each size, a summary of all, machine, and commands; where walks can go astray; the rules for nets;
+the meshes of libcgal-demo, by times, and the small ones by instructions.
 """
 
 import math
@@ -68,6 +68,11 @@ def blocks_of_orders(reports, sizes):
     return blocks
 
 
+def blocks_of_walks(report):
+    rows = [[cell(v) for v in order_row(row)] for row in report["results"]]
+    return {"walks": table(ORDER_TITLES, rows, 2), "walks_command": commands_of(report)}
+
+
 def block_of_meshes(report, least_vertices):
     large = [r for r in report["meshes"] if r.get("ratio") and r["vertices"] >= least_vertices]
     rows = [[r["mesh"], r["vertices"], f'{r["ratio"]:.2f}'] for r in sorted(large, key=lambda r: r["ratio"])]
@@ -120,8 +125,10 @@ def blocks_of_instructions(report):
 
 def all_blocks(reports):
     """{name: text} of all that the manual shows."""
-    blocks = blocks_of_orders([r for r in reports if "repetitions" in r], (3000, 20000, 200000))
+    blocks = blocks_of_orders([r for r in reports if "repetitions" in r and not r.get("walks")], (3000, 20000, 200000))
     for report in reports:
+        if report.get("walks"):
+            blocks.update(blocks_of_walks(report))
         if "meshes" in report:
             blocks["meshes"] = block_of_meshes(report, 3000)
         if "blocks" in report:

@@ -106,8 +106,8 @@ def uniform_rounds(report):
 
 ORDERS = {"tracing": ["random, in rounds (the paper)", "trace"],
           "tracing-hilbert": ["the same rounds, each along a Hilbert curve", "trace"],
-          "geometric-traced": ["rounds that grow by 8, each along a Hilbert curve (BRIO)", "trace"],
-          "geometric-neighbor": ["rounds that grow by 8, each along a Hilbert curve (BRIO)", "nearest neighbour on F"],
+          "geometric-traced": ["rounds that grow by 8, each in a coherent order (BRIO)", "trace"],
+          "geometric-neighbor": ["rounds that grow by 8, each in a coherent order (BRIO)", "nearest neighbour on F"],
           "plain-order": ["BRIO, as %CGAL has it", "point inserted before"],
           "nets": ["nets of the surface", "point named by the nets"]}
 

@@ -54,6 +54,8 @@ Shapes (--vertices says about how many points to make):
   lattice         box with square holes, of any --genus, on the integer lattice
   thin-plate      two square lattices at distance --thickness
   torus           regular grid on a torus
+  winding-torus   a torus whose points wind around it, of a Fibonacci number
+  round-tube      rings, one behind the other
   marching-cubes  marching cubes on a smooth sum of random waves
   noise           marching cubes on nothing but noise
   terrain         hilly land with a boundary
@@ -78,6 +80,7 @@ Surfaces that mislead:
   star            a fan around vertex 0 that joins points of a thick sphere at random
   random-faces    points of a thick sphere, faces that join three of them at random
   two-lines       a band from line to line, which are askew: quadratically many cells
+  skew-stars      disjoint fans whose hubs lie on two lines askew, their leaves anywhere
   nearly-flat     random points of a square, off their plane by up to 1e-12
   room            six walls that bulge inwards, and a point in the middle that sees them all
 
@@ -177,6 +180,9 @@ Indexed_surface make_shape(const po::variables_map& options)
       {"star", [&] { return surfaces::star(n, seed); }},
       {"random-faces", [&] { return surfaces::faces_at_random(n, seed); }},
       {"two-lines", [&] { return surfaces::two_lines(n); }},
+      {"skew-stars", [&] { return surfaces::skew_stars(n, seed); }},
+      {"winding-torus", [&] { return surfaces::winding_torus(n); }},
+      {"round-tube", [&] { return surfaces::round_tube(n); }},
       {"marching-cubes",
        [&] {
          const auto side = static_cast<std::size_t>(std::lround(std::sqrt(double(n) / 4.2)));

@@ -267,6 +267,15 @@ BOOST_AUTO_TEST_CASE(plates_and_tori_on_grids)
   check_count(plate, 5000, 0.05);
   for (const Indexed_surface::Point_3& p : plate.points)
     BOOST_REQUIRE((p.z() == 0 || p.z() == 0.001));
+  const Indexed_surface tube = surfaces::round_tube(5000);
+  check_count(tube, 5000, 0.02);
+  BOOST_TEST(boundary_loops(manifold(tube)) == 2u);
+  for (const std::size_t n : {55, 4000, 5400}) { // 55, 4181 and 6765 points
+    const Indexed_surface winding = surfaces::winding_torus(n);
+    check_count(winding, n, 0.26);
+    check_closed(winding, 1);
+    check_all_points_differ(winding);
+  }
   const Indexed_surface torus = surfaces::grid_torus(5000);
   check_closed(torus, 1);
   check_count(torus, 5000, 0.02);
@@ -470,6 +479,10 @@ BOOST_AUTO_TEST_CASE(misleading_surfaces)
   BOOST_TEST(surfaces::faces_at_random(500, 1).faces.size() == 1000u);
   BOOST_TEST(surfaces::two_lines(500).points.size() == 500u);
   BOOST_TEST(surfaces::number_of_components(surfaces::two_lines(500)) == 1u);
+  const Indexed_surface stars = surfaces::skew_stars(500, 1);
+  BOOST_TEST(stars.points.size() == 496u);
+  BOOST_TEST(surfaces::number_of_components(stars) == 31u);
+  check_all_points_differ(stars);
   for (const Indexed_surface::Point_3& p : surfaces::nearly_flat(500, 1e-12, 1).points)
     BOOST_TEST(std::abs(p.z()) <= 1e-12);
   const Indexed_surface room = surfaces::room(500, 1);
@@ -479,4 +492,7 @@ BOOST_AUTO_TEST_CASE(misleading_surfaces)
   BOOST_CHECK_THROW(surfaces::star(2, 1), std::invalid_argument);
   BOOST_CHECK_THROW(surfaces::room(8, 1), std::invalid_argument);
   BOOST_CHECK_THROW(surfaces::two_lines(3), std::invalid_argument);
+  BOOST_CHECK_THROW(surfaces::winding_torus(54), std::invalid_argument);
+  BOOST_CHECK_THROW(surfaces::round_tube(59), std::invalid_argument);
+  BOOST_CHECK_THROW(surfaces::skew_stars(63, 1), std::invalid_argument);
 }

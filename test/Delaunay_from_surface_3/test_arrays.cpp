@@ -19,6 +19,7 @@
 #include <CGAL/delaunay_3_arrays.h>
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+#include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
@@ -85,18 +86,23 @@ using Starved_traits =
 
 } // namespace
 
+// What is finished when that is found is kept.
 BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
 {
-  const auto surface = surfaces::genus_surface(1, 2000, 0.05);
-  Reasons_visitor visitor;
-  const auto make_order = [&](const auto& points, const auto& plan, const auto&) {
-    const auto soup = DFS::internal::soup_graph(surface.faces, points.size());
-    return plan(points, tests::arrays::Kernel(), soup.graph, get(boost::vertex_index, soup.graph));
-  };
-  check_arrays(DFS::internal::arrays_of_points<Starved_traits, CGAL::Sequential_tag, std::int32_t>(
-                   surface.points, make_order, CGAL::parameters::visitor(std::ref(visitor))),
-               surface.points);
-  BOOST_TEST(visitor.orders_replaced == 1u);
+  for (const std::size_t n : {250, 2000}) {
+    const auto surface = surfaces::sphere(n, 0.05);
+    Reasons_visitor visitor;
+    const auto make_order = [&](const auto& points, const auto& plan, const auto&) {
+      const auto soup = DFS::internal::soup_graph(surface.faces, points.size());
+      return plan(points, tests::arrays::Kernel(), soup.graph,
+                  get(boost::vertex_index, soup.graph));
+    };
+    check_arrays(
+        DFS::internal::arrays_of_points<Starved_traits, CGAL::Sequential_tag, std::int32_t>(
+            surface.points, make_order, CGAL::parameters::visitor(std::ref(visitor))),
+        surface.points);
+    BOOST_TEST(visitor.orders_replaced == (n > 1000 ? 1u : 0u));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(surfaces_with_and_without_faces)

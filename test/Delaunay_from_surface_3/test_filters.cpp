@@ -136,9 +136,13 @@ void check_view(const Five& f, int sphere, Tallies& tallies)
   const double* const v[4] = {f[0].data(), f[1].data(), f[2].data(), f[3].data()};
   const Cell_view view = Filter::view(v, f[4].data());
   tallies.first.count(view.sphere, sphere);
-  for (unsigned k = 0; k < 4; ++k)
+  for (unsigned k = 0; k < 4; ++k) {
     tallies.facets.count(certified_sign(view.facets[k], view.facet_bound),
                          exact_orientation(f[4], f[k ^ 1], f[k ^ 2], f[k ^ 3]));
+    const double w = row(v[k], f[4].data()).w, push = view.facets[k] * w * w;
+    if (std::abs(view.pushes[k] - push) > 1e-12 * std::abs(push) + Filter_bounds::tiny)
+      BOOST_ERROR("a push is not its facet times a fourth power");
+  }
 }
 
 Sphere_signs signs_of(Sphere_filter, const double* const* v, const double* const* opposite,

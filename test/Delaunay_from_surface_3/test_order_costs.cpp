@@ -4,17 +4,23 @@
 
 // What the order of the default costs, in counts: on every family of surfaces it destroys few more
 // cells than plain CGAL's order does in the same kernel, and its starting places are not much worse
-// than the nearest neighbour on the surface that is already inserted.
+// than the nearest neighbour on the surface that is already inserted. Walks are short where cells are
+// huge and thin, and where points fill a thin box. And what the budget allows.
 
 #define BOOST_TEST_MODULE test_order_costs
 #include <boost/test/included/unit_test.hpp>
 
 #include "order_cases.h"
 
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
+#include <Delaunay_from_surface_3_surfaces/random.h>
+
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
@@ -25,6 +31,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
@@ -103,10 +110,10 @@ void check(const std::vector<tests::Order_case>& cases)
       if (a_case.is_quadratic)
         continue;
       BOOST_TEST(planned.tested_to_start <= 2 * neighbor.tested_to_start);
-      // The budget, in which three steps of a walk are a destroyed cell, leaves room for larger
-      // ones.
-      BOOST_TEST(planned.destroyed + planned.tested_to_start / 3 <=
-                 0.8 * double(DFS::Surface_net_rounds::cells_per_point));
+      // The budget leaves room for larger ones.
+      const double allowed = 0.8 * double(DFS::Surface_net_rounds::cells_per_point);
+      BOOST_TEST(planned.destroyed <= allowed);
+      BOOST_TEST(planned.tested_to_start <= allowed / 4);
     }
 }
 
@@ -120,4 +127,56 @@ BOOST_AUTO_TEST_CASE(cad_solids)
 BOOST_AUTO_TEST_CASE(structured_degenerate_and_misleading_surfaces)
 {
   check(tests::other_order_cases());
+}
+
+// Cells tested to start, per point.
+BOOST_AUTO_TEST_CASE(walks_on_a_smooth_torus)
+{
+  const surfaces::Indexed_surface surface = surfaces::winding_torus(46368);
+  const Index_graph graph = graph_of(surface);
+  const Cost nets = cost<DFS::Planned_hints_3>(
+      surface.points, graph, plan_of<DFS::Surface_net_rounds>(surface.points, graph));
+  const Cost rounds = cost<DFS::Previous_hint_3>(
+      surface.points, graph, plan_of<DFS::Geometric_rounds>(surface.points, graph));
+  BOOST_TEST_MESSAGE("tested to start: nets " << nets.tested_to_start << ", random rounds "
+                                              << rounds.tested_to_start);
+  BOOST_TEST(nets.tested_to_start < 6.);
+  BOOST_TEST(rounds.tested_to_start < 6.);
+}
+
+BOOST_AUTO_TEST_CASE(walks_of_points_in_thin_boxes)
+{
+  for (const bool is_flat : {false, true})
+    for (const double a : {1., 1e-2, 1e-3, 1e-4}) {
+      surfaces::Random random(3);
+      std::vector<Point> points;
+      for (int i = 0; i < 10000; ++i) {
+        const double x = random.uniform(0, 1), y = random.uniform(0, is_flat ? 1 : a);
+        points.emplace_back(x, y, random.uniform(0, a));
+      }
+      const Index_graph no_graph(points.size());
+      const Cost rounds = cost<DFS::Previous_hint_3>(
+          points, no_graph, plan_of<DFS::Geometric_rounds>(points, no_graph));
+      BOOST_TEST_MESSAGE((is_flat ? "slab 1 : 1 : " : "box 1 : a : a, a = ")
+                         << a << ": tested to start " << rounds.tested_to_start);
+      BOOST_TEST(rounds.tested_to_start < 4.);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_the_budget_allows)
+{
+  const DFS::internal::Insertion_budget budget(64), none;
+  for (const auto& [inserted, cells] :
+       {std::pair<std::size_t, std::size_t>(0, 64), {1000, 64}, {1000000, 64}, {4000000, 72}}) {
+    DFS::Insertion_counts counts;
+    counts.cells_destroyed = cells * (inserted + 1000);
+    counts.cells_tested_to_start = 2 * counts.cells_destroyed;
+    BOOST_TEST(!budget.is_exceeded(counts, inserted));
+    ++counts.cells_destroyed;
+    BOOST_TEST(budget.is_exceeded(counts, inserted));
+    BOOST_TEST(!none.is_exceeded(counts, inserted));
+    --counts.cells_destroyed;
+    ++counts.cells_tested_to_start;
+    BOOST_TEST(budget.is_exceeded(counts, inserted));
+  }
 }

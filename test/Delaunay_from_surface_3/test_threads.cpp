@@ -31,6 +31,7 @@
 #include <iterator>
 #include <map>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -45,7 +46,10 @@ using surfaces::Indexed_surface;
 struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   std::size_t threads = 0, stops_at = std::size_t(-1), asked = 0;
+  std::size_t asked_before_replaced = 0;
   bool throws = false;
+
+  void order_is_replaced(const std::string&) { asked_before_replaced = asked; }
 
   void insertion_begins(std::size_t number) { threads = number; }
   bool go_further()
@@ -153,6 +157,22 @@ BOOST_AUTO_TEST_CASE(points_alone)
       BOOST_TEST((tr == plain));
     });
   }
+}
+
+// The hubs come first, and a thousand of them have 250,000 cells.
+BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_found_early)
+{
+  const Indexed_surface surface = surfaces::skew_stars(36000, 1);
+  const Triangulation plain(surface.points.begin(), surface.points.end());
+  with_eight_threads([&] {
+    Triangulation tr;
+    Counting_visitor visitor;
+    CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces,
+                                                      CGAL::parameters::visitor(std::ref(visitor)));
+    BOOST_TEST((tr == plain));
+    BOOST_TEST(visitor.asked_before_replaced > 0u);
+    BOOST_TEST(visitor.asked_before_replaced < 1100u);
+  });
 }
 
 // Of equal points the one with the smallest index gives the info, whichever thread came first.

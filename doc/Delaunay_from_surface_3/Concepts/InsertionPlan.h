@@ -65,14 +65,15 @@ public:
   /// \name Budget
   ///
   /// A plan may have both of the following, or neither. They bound what an unlucky order can cost:
-  /// when the insertions have destroyed more cells than the budget allows (a step of a walk counts
-  /// for a third of a cell), those made so far are dropped and the work begins anew with
-  /// `fallback_plan()`. It is looked at between calls of `InsertionTarget_3::insert_round()`. A target
+  /// when the insertions have destroyed more cells than the budget allows, or tested twice as many on
+  /// their walks, those made so far are dropped and the work begins anew with `fallback_plan()`. It is
+  /// looked at between calls of `InsertionTarget_3::insert_round()`, while points are left. A target
   /// that counts nothing, as `Triangulation_target_3`, never exceeds it.
   /// @{
 
   /// how many cells the insertions may destroy for each point inserted, on average; as many as for a
-  /// thousand points come on top.
+  /// thousand points come on top. Of more than a million points another sixteenth is allowed for each
+  /// doubling.
   static constexpr std::size_t cells_per_point = unspecified_value;
 
   /// returns another `InsertionPlan`, made from the same seed.

@@ -121,7 +121,8 @@ inline Indexed_surface winding_torus(std::size_t n)
   std::size_t k = 1;
   while (squared_length(k + 2) < squared_length(k - 1))
     ++k;
-  const std::size_t s = numbers[k], t = numbers[k - 1];
+  const bool is_odd = k % 2 == 1; // successive numbers go around the tube in opposite directions
+  const std::size_t s = numbers[is_odd ? k : k - 1], t = numbers[is_odd ? k - 1 : k];
   for (std::size_t i = 0; i < m; ++i) {
     surface.faces.push_back({i, (i + s) % m, (i + s + t) % m});
     surface.faces.push_back({i, (i + s + t) % m, (i + t) % m});

@@ -9,9 +9,10 @@
 // point, any cell in conflict with it will do (as in HXT: Marot, Pellerin, Remacle 2019), and near
 // a good starting cell there is one nearly at once.
 //
-// Walks towards the point, through the facet that it seems farthest beyond, until a cell is in
-// conflict with it. The cell that contains the point is, unless the point is one of its vertices;
-// in a Delaunay triangulation no such walk runs in a circle. Cost: O(1) per cell.
+// Walks towards the point, through facets that it lies beyond (Compact_predicates.h says which),
+// until a cell is in conflict with it. The cell that contains the point is, unless the point is one
+// of its vertices; in a Delaunay triangulation no such walk runs in a circle, whichever facets it
+// takes. Cost: O(1) per cell.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
