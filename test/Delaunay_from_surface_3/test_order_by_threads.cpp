@@ -21,6 +21,7 @@
 #include <exception>
 #include <numeric>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -105,4 +106,15 @@ BOOST_AUTO_TEST_CASE(the_first_bad_face_is_named)
         graph_of(surface, executor), CGAL::Surface_input_error,
         [](const std::exception& e) { return std::string(e.what()).find("face 20000: ") == 0; });
   }
+}
+
+// What is not executed is no result.
+BOOST_AUTO_TEST_CASE(a_part_left_out_is_noticed)
+{
+  const Indexed_surface surface = surfaces::genus_surface(3, 60000, 0.1);
+  const tests::Forgetful_executor executor(2);
+  const auto order = order_of(surface, DFS::internal::Alone()).order;
+  BOOST_CHECK_THROW(graph_of(surface, executor), std::logic_error);
+  BOOST_CHECK_THROW(order_of(surface, executor), std::logic_error);
+  BOOST_CHECK_THROW(DFS::internal::permuted(order, order, executor), std::logic_error);
 }

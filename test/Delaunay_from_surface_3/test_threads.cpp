@@ -12,10 +12,14 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_points_3.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
+
+#include "cancelled_tasks.h"
+#include "check_arrays.h"
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
@@ -24,12 +28,19 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
+
+#include <atomic>
 #include <cfenv>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -296,6 +307,200 @@ BOOST_AUTO_TEST_CASE(in_the_loop_of_a_caller)
   });
   for (const Triangulation& tr : triangulations)
     BOOST_TEST((tr == plain));
+}
+
+namespace {
+
+// When a call's own group of tasks is cancelled.
+struct Moment
+{
+  const char* name;
+  bool is_before_call = false;
+  std::optional<std::size_t> face = std::nullopt; // that is read
+  std::optional<CGAL::Surface_insertion_phase> phase = std::nullopt;
+  std::optional<std::size_t> insertion = std::nullopt;
+};
+
+const Moment moments[] = {
+    {"before the call", true},
+    {"reading faces", false, 5000},
+    {"before the order", false, {}, CGAL::Surface_insertion_phase::PLAN},
+    {"before the subgraph", false, {}, CGAL::Surface_insertion_phase::SUBGRAPH},
+    {"first insertion", false, {}, {}, 0},
+    {"insertions by many", false, {}, {}, 2500},
+    {"before the export", false, {}, CGAL::Surface_insertion_phase::FINISH},
+    {"after the export", false, {}, CGAL::Surface_insertion_phase::DONE}};
+
+struct Cancelling_visitor : Counting_visitor
+{
+  const Moment& moment;
+  std::function<void()> cancel;
+
+  Cancelling_visitor(const Moment& m, std::function<void()> c)
+    : moment(m)
+    , cancel(std::move(c))
+  {
+  }
+  void phase_begins(CGAL::Surface_insertion_phase phase)
+  {
+    if (phase == moment.phase)
+      cancel();
+  }
+  bool go_further()
+  {
+    if (asked == moment.insertion)
+      cancel();
+    return Counting_visitor::go_further();
+  }
+};
+
+using Faces = decltype(Indexed_surface::faces);
+
+// Reads a face; one of them cancels.
+struct Read_face
+{
+  const Faces* faces;
+  const Moment* moment;
+  const std::function<void()>* cancel;
+
+  const Faces::value_type& operator()(std::size_t f) const
+  {
+    if (f == moment->face)
+      (*cancel)();
+    return (*faces)[f];
+  }
+};
+
+// What calls of all forms are to make of a surface; each says whether it was made.
+struct Calls
+{
+  const Indexed_surface& surface;
+  const Triangulation plain{surface.points.begin(), surface.points.end()};
+  const tests::arrays::Cells cells =
+      tests::arrays::cells_of(CGAL::delaunay_3_arrays(surface.points));
+
+  using Cancel = std::function<void()>;
+  using Call = std::function<bool(const Moment&, const Cancel&)>;
+
+  std::vector<std::pair<const char*, Call>> all() const
+  {
+    return {{"soup", [this](const Moment& m, const Cancel& c) { return soup(m, c); }},
+            {"points", [this](const Moment& m, const Cancel& c) { return points(m, c); }},
+            {"arrays of a soup",
+             [this](const Moment& m, const Cancel& c) {
+               return arrays(m, c, [&](const auto&... np) {
+                 return CGAL::delaunay_3_arrays<std::int32_t, CGAL::Parallel_tag>(
+                     surface.points, faces(m, c), np...);
+               });
+             }},
+            {"arrays of points", [this](const Moment& m, const Cancel& c) {
+               return arrays(m, c, [&](const auto&... np) {
+                 return CGAL::delaunay_3_arrays<std::int32_t, CGAL::Parallel_tag>(surface.points,
+                                                                                  np...);
+               });
+             }}};
+  }
+
+private:
+  using Face_iterator = boost::transform_iterator<Read_face, boost::counting_iterator<std::size_t>>;
+
+  CGAL::Iterator_range<Face_iterator> faces(const Moment& moment, const Cancel& cancel) const
+  {
+    const Read_face read{&surface.faces, &moment, &cancel};
+    return {Face_iterator(boost::counting_iterator<std::size_t>(0), read),
+            Face_iterator(boost::counting_iterator<std::size_t>(surface.faces.size()), read)};
+  }
+
+  bool soup(const Moment& moment, const Cancel& cancel) const
+  {
+    Triangulation tr;
+    Cancelling_visitor visitor(moment, cancel);
+    CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, faces(moment, cancel),
+                                                      CGAL::parameters::visitor(std::ref(visitor)));
+    return visitor.threads == 8 && tr == plain && tr.tds().is_valid();
+  }
+
+  bool points(const Moment& moment, const Cancel& cancel) const
+  {
+    Triangulation tr;
+    Cancelling_visitor visitor(moment, cancel);
+    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points,
+                                              CGAL::parameters::visitor(std::ref(visitor)));
+    return visitor.threads == 8 && tr == plain && tr.tds().is_valid();
+  }
+
+  template <class Make>
+  bool arrays(const Moment& moment, const Cancel& cancel, const Make& make) const
+  {
+    Cancelling_visitor visitor(moment, cancel);
+    const auto made = make(CGAL::parameters::visitor(std::ref(visitor)));
+    return visitor.threads == 8 && tests::arrays::cells_of(made) == cells;
+  }
+};
+
+} // namespace
+
+// Who cancels the group of tasks that a call is one of does not cancel the call's own tasks.
+BOOST_AUTO_TEST_CASE(in_a_cancelled_group)
+{
+  const Indexed_surface surface = surfaces::genus_surface(1, 9000, 0.1);
+  const Calls calls{surface};
+  for (const auto& [form, call] : calls.all())
+    for (const Moment& moment : moments)
+      for (const bool throws : {false, true}) {
+        bool is_right = false, arrives = false;
+        with_eight_threads([&, &call = call] {
+          const auto check = [&](const auto& cancel) {
+            if (moment.is_before_call)
+              cancel();
+            is_right = call(moment, cancel);
+          };
+          if (throws)
+            arrives = tests::call_beside_one_that_throws(check);
+          else
+            tests::call_in_group(check);
+        });
+        BOOST_TEST_CONTEXT(form << ", " << moment.name)
+        {
+          BOOST_TEST(is_right);
+          BOOST_TEST(arrives == throws);
+        }
+      }
+}
+
+// The lines of the manual's page on threads, where a call is to end with the group it is in.
+BOOST_AUTO_TEST_CASE(a_visitor_that_asks_for_cancellation)
+{
+  const Indexed_surface surface = surfaces::genus_surface(1, 12000, 0.1);
+  const auto& points = surface.points;
+  const auto& faces = surface.faces;
+  const auto goes_on = [](double) { return !tbb::is_current_task_group_canceling(); };
+  const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2);
+  tbb::task_arena(2).execute([&] {
+    Triangulation tr;
+    tests::call_in_group([&](const auto&) {
+      CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, points, faces,
+                                                        CGAL::parameters::visitor(goes_on));
+    });
+    BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
+
+    for (const double share : {0., .1, .17}) { // the last is when both threads work
+      tr.clear();
+      double told = -1;
+      tests::call_in_group([&](const auto& cancel) {
+        CGAL::insert_surface_points_3<CGAL::Parallel_tag>(
+            tr, points, faces, CGAL::parameters::visitor([&](double inserted) {
+              told = inserted;
+              if (inserted >= share)
+                cancel();
+              return goes_on(inserted);
+            }));
+      });
+      BOOST_TEST(tr.number_of_vertices() == 0u);
+      BOOST_TEST(told >= share);
+      BOOST_TEST(told < 1);
+    }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(several_callers_at_once)

@@ -12,6 +12,7 @@
 #include "parallel_case.h"
 
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 
 namespace {
@@ -54,6 +55,12 @@ BOOST_AUTO_TEST_CASE(workers_one_after_the_other_make_the_same)
       BOOST_TEST(many.clashes == 0u);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_worker_left_out_is_noticed)
+{
+  const auto points = tests::points_of("cube", 600, 7);
+  BOOST_CHECK_THROW(tests::insert_by_many(points, tests::Forgetful_executor(8)), std::logic_error);
 }
 
 // What the handshake promises, by another protocol: if this fails, too, the error is elsewhere.

@@ -51,6 +51,19 @@ public:
   }
 };
 
+// Leaves the last one out, as no executor may.
+class Forgetful_executor : public Thread_executor
+{
+public:
+  using Thread_executor::Thread_executor;
+
+  template <class Body>
+  void operator()(std::size_t number, const Body& body) const
+  {
+    Thread_executor::operator()(number - 1, body);
+  }
+};
+
 } // namespace tests
 
 #endif // DELAUNAY_FROM_SURFACE_3_TESTS_THREAD_EXECUTOR_H

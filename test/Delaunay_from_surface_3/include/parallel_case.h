@@ -144,12 +144,18 @@ struct Parallel_outcome
   std::size_t clashes, put_off;
 };
 
-// In rounds that double.
+struct Never_stop
+{
+  bool operator()() const { return true; }
+};
+
+// In rounds that double. `go_further` returns true.
 template <class Worker = DFS::internal::Insertion_worker<Id, Exact>,
-          class Executor = Thread_executor>
+          class Executor = Thread_executor, class GoFurther = Never_stop>
 Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
                                 const Executor& executor = Executor(),
-                                const DFS::internal::Parallel_rules& rules = {30, 8, 8})
+                                const DFS::internal::Parallel_rules& rules = {30, 8, 8},
+                                const GoFurther& go_further = GoFurther())
 {
   Subject subject(points);
   DFS::internal::Parallel_triangulation<Id, Exact, Executor, Worker> triangulation(
@@ -157,7 +163,7 @@ Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t first = 0, last = 30; first < points.size(); first = last, last *= 2) {
     last = (std::min)(last, points.size());
-    triangulation.insert_round(first, last, subject.vertex_of, hints, [] { return true; });
+    triangulation.insert_round(first, last, subject.vertex_of, hints, go_further);
   }
   triangulation.finish();
   return {DFS::internal::is_delaunay(subject.complex, subject.exact), subject.cells(),

@@ -8,8 +8,11 @@
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <exception>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -17,8 +20,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // An executor runs bodies: executor(n, body) calls body(0) in the thread that calls it, and
-// body(1), …, body(n-1) at the same time, or later, anywhere; it returns when all have returned.
-// They do not throw. This one is for a single thread.
+// body(1), …, body(n-1) at the same time, or later, anywhere; it returns when all have returned, or
+// throws. They do not throw. This one is for a single thread.
 struct Alone
 {
   std::size_t number_of_workers() const { return 1; }
@@ -38,15 +41,29 @@ std::size_t number_of_blocks(const Executor& executor, std::size_t n, std::size_
   return (std::max)(std::size_t(1), (std::min)(executor.number_of_workers(), n / least));
 }
 
+// Has body(0), …, body(n-1) called, each rounding to nearest; throws if one was left out.
+template <class Executor, class Body>
+void call_each(const Executor& executor, std::size_t n, const Body& body)
+{
+  std::atomic<std::size_t> calls(0);
+  executor(n, [&](std::size_t t) {
+    const Rounding_to_nearest rounding;
+    body(t);
+    calls.fetch_add(1, std::memory_order_relaxed); // the executor joins the threads
+  });
+  if (calls != n)
+    throw std::logic_error("of " + std::to_string(n) + " tasks " + std::to_string(calls) +
+                           " were executed");
+}
+
 // Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. When all are
 // done, throws what the first of those that threw has thrown.
 template <class Executor, class Body>
 void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks, const Body& body)
 {
   std::vector<std::exception_ptr> errors(blocks);
-  executor(blocks, [&](std::size_t b) {
+  call_each(executor, blocks, [&](std::size_t b) {
     try {
-      const Rounding_to_nearest rounding;
       const std::size_t size = n / blocks + 1;
       body((std::min)(n, b * size), (std::min)(n, (b + 1) * size), b);
     } catch (...) {

@@ -14,7 +14,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Segments.h>
-#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 
 #include <algorithm>
 #include <atomic>
@@ -75,7 +75,7 @@ public:
     for (bool is_first = true; is_first || round.is_full; is_first = false) {
       if (round.is_full.exchange(false))
         m_shared.grow();
-      m_executor(number, [&](std::size_t t) { work(round, t); });
+      call_each(m_executor, number, [&](std::size_t t) { work(round, t); });
       if (round.error)
         std::rethrow_exception(round.error);
       if (round.is_stopped)
@@ -144,7 +144,6 @@ private:
   void work(Round& round, std::size_t t)
   {
     try {
-      const Rounding_to_nearest rounding;
       while (!round.is_stopped && !round.is_full) {
         const Segments::Range chunk = round.segments.take(t, m_rules.chunk);
         if (chunk.first == chunk.second)

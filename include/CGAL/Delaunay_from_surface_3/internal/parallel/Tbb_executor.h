@@ -21,7 +21,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // Runs bodies as tasks of TBB, in the arena of the caller. They are isolated: while the caller
-// waits for them it takes no other task, such as one that called this package, too.
+// waits for them it takes no other task, such as one that called this package, too; and they belong
+// to a group of their own, since tasks that inherit the group of the caller are left out when that
+// is cancelled.
 class Tbb_executor
 {
 public:
@@ -42,7 +44,8 @@ public:
     if (number == 1)
       return body(0);
     tbb::this_task_arena::isolate([&] {
-      tbb::task_group others;
+      tbb::task_group_context group(tbb::task_group_context::isolated);
+      tbb::task_group others(group);
       for (std::size_t t = 1; t < number; ++t)
         others.run([&body, t] { body(t); });
       body(0);
