@@ -194,6 +194,7 @@ ordered_json measure(const Family& family, std::size_t repetitions)
       {"decided_by_stages_behind",
        {{"half_digit", double(stages[HALF_DIGIT]) / 1000},
         {"one_digit", double(stages[ONE_DIGIT]) / 1000},
+        {"balanced", double(stages[BALANCED]) / 1000},
         {"double_double", double(stages[DOUBLE_DOUBLE]) / 1000},
         {"two_digits", double(stages[TWO_DIGITS]) / 1000},
         {"kernel", double(stages[KERNEL]) / 1000}}},

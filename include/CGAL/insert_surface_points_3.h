@@ -6,6 +6,7 @@
 #define CGAL_INSERT_SURFACE_POINTS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/points_on_line.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
@@ -108,8 +109,12 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   return with_points_and_infos(tr, points, np, [&](const auto& converted, const auto& infos) {
-    Soup_graph soup = soup_graph(faces, converted.size(),
-                                 typename Executor_by_tag<ConcurrencyTag, Triangulation>::type());
+    constexpr bool is_told = is_given<CGAL_NP_CLASS, internal_np::visitor_t>;
+    Soup_graph soup =
+        !is_told && first_different_point(converted) == converted.size()
+            ? soup_graph_without_edges(faces, converted.size())
+            : soup_graph(faces, converted.size(),
+                         typename Executor_by_tag<ConcurrencyTag, Triangulation>::type());
     const Graph_of_faces<FaceRange> graph(std::move(soup.graph), faces);
     const Insertion_input input{converted,         graph,           Identity_index_map(),
                                 soup.irregularity, Identity_name(), infos};

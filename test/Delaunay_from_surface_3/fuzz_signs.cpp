@@ -26,7 +26,7 @@ namespace {
 
 using namespace fuzz;
 
-// As the kernel does it: a power of 2 that makes all coordinates at most 1 in absolute value.
+// As the kernel does it: a power of 2 that makes all coordinates less than 2^58 in absolute value.
 // Returns whether that is exact; where it is not, the kernel does not serve.
 bool scale(Points& points)
 {
@@ -39,8 +39,8 @@ bool scale(Points& points)
   bool is_exact = true;
   for (Coordinates& p : points)
     for (double& c : p) {
-      const double scaled = std::ldexp(c, -exponent);
-      is_exact = is_exact && std::ldexp(scaled, exponent) == c;
+      const double scaled = std::ldexp(c, 58 - exponent);
+      is_exact = is_exact && std::ldexp(scaled, exponent - 58) == c;
       c = scaled;
     }
   return is_exact;

@@ -134,22 +134,24 @@ BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes)
       check_equal(points);
     }
   }
-  std::vector<Point> far, flat, flatter, mixed;
+  std::vector<Point> far, flat, flatter, too_flat, mixed;
   CGAL::Random random(4);
   for (const Point& p : unit) {
     far.emplace_back(p.x() + 1e8, p.y() - 1e8, p.z() + 1e8);
     flat.emplace_back(p.x(), p.y(), 1e-250 * p.z());
-    flatter.emplace_back(p.x(), p.y(), 1e-310 * p.z()); // denormal: half of it need be no number
+    flatter.emplace_back(p.x(), p.y(), 1e-310 * p.z()); // denormal: half of it need be no number …
+    too_flat.emplace_back(1e20 * p.x(), p.y(), 1e-310 * p.z()); // … as it would be made here
     const double s = std::ldexp(1., random.get_int(-80, 80));
     mixed.emplace_back(s * p.x(), random.get_bool() ? 0. : -0., s * p.z());
     mixed.emplace_back(p.x(), s * p.y(), p.z());
   }
   check_equal(far);
   check_equal(flat);
+  check_equal(flatter);
   check_equal(mixed);
   Triangulation tr;
-  BOOST_TEST(reason_for_fallback(tr, flatter) == "the coordinates are of too different size");
-  BOOST_TEST((tr == Triangulation(flatter.begin(), flatter.end())));
+  BOOST_TEST(reason_for_fallback(tr, too_flat) == "the coordinates are of too different size");
+  BOOST_TEST((tr == Triangulation(too_flat.begin(), too_flat.end())));
 }
 
 BOOST_AUTO_TEST_CASE(large_cavities)

@@ -261,7 +261,8 @@ void check_beyond(const std::array<Record, 4>& f, Beyond_tallies& tallies)
   tallies.first.count(beyond_sign(row(v[0], p), row(v[1], p), row(v[2], p)), truth);
   tallies.flat.count(flat_beyond_sign(v, p), truth);
   const auto perturbed = [&] { return perturbed_beyond(f); };
-  tallies.exact.count(exact_beyond_sign(v, p), truth, perturbed);
+  tallies.exact.count(exact_beyond_sign(v, p, false), truth, perturbed);
+  tallies.exact.count(exact_beyond_sign(v, p, has_fused_products()), truth, perturbed);
   Exact_tally two_digits;
   two_digits.count(sign_from_two_digits<Exact_beyond>(v, p), truth, perturbed);
   tallies.exact.wrong += two_digits.wrong;
@@ -454,7 +455,7 @@ BOOST_AUTO_TEST_CASE(far_from_the_origin_and_mixed_scales)
         300);
 }
 
-// What the kernel sees of hostile points: scaled to at most 1 in absolute value.
+// What the kernel sees of hostile points: scaled to less than 2^58 in absolute value.
 std::vector<Record> scaled(const fuzz::Points& points)
 {
   double largest = 0;
@@ -465,8 +466,8 @@ std::vector<Record> scaled(const fuzz::Points& points)
   std::frexp(largest, &exponent);
   std::vector<Record> records;
   for (const fuzz::Coordinates& p : points)
-    records.push_back({std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent),
-                       std::ldexp(p[2], -exponent), unused});
+    records.push_back({std::ldexp(p[0], 58 - exponent), std::ldexp(p[1], 58 - exponent),
+                       std::ldexp(p[2], 58 - exponent), unused});
   return records;
 }
 

@@ -38,8 +38,9 @@ struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
 
 inline void report_counts(const Insertion_counts& counts, std::size_t points, Report& report)
 {
-  static const char* const stages[] = {"integers of 30 bits", "integers of 60 bits",
-                                       "double-double", "integers of 120 bits", "kernel"};
+  static const char* const stages[] = {"integers of 30 bits",  "integers of 60 bits",
+                                       "balanced doubles",     "double-double",
+                                       "integers of 120 bits", "kernel"};
   const double n = double(points);
   report.title("What the insertions into the compact triangulation did, per point");
   report("cells until a conflict", double(counts.cells_tested_to_start) / n, 3);

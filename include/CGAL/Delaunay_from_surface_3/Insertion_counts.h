@@ -20,6 +20,7 @@ power of 2.
 enum Exact_stage {
   HALF_DIGIT,            ///< integers of 30 bits.
   ONE_DIGIT,             ///< integers of 60 bits.
+  BALANCED,              ///< doubles, of points at very different distances.
   DOUBLE_DOUBLE,         ///< sums of two doubles, with a bound on their error.
   TWO_DIGITS,            ///< integers of 120 bits.
   KERNEL,                ///< the predicates of the geometric traits.

@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/flat_beyond_sign.h>
 
@@ -110,7 +111,7 @@ inline void check_neighbors(const std::string& name, const Sphere_signs& said,
                   truth[k]);
 }
 
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 __attribute__((target("avx2"))) inline Sphere_signs wide_signs(const Quintuple& q)
 {
   const Pointers v = Quintuple::pointers(q.v), opposite = Quintuple::pointers(q.opposite);
@@ -150,6 +151,17 @@ void check_widths(const std::string& name, const double* const* v, const double*
 }
 #endif
 
+// Balanced rows, also where nothing is to be gained by them.
+template <int N>
+void check_balanced(const std::string& name, const double* const* v, const double* p, int truth,
+                    Checked_signs& signs)
+{
+  const Balanced_signs<N> balanced(v, p);
+  signs.may_say(name + ", balanced doubles", balanced.in_doubles(), truth);
+  for (const bool is_fused : {false, has_fused_products()})
+    signs.may_say(name + ", balanced double doubles", balanced.in_double_doubles(is_fused), truth);
+}
+
 inline void check_exact(const std::string& name, const Exact_sign& said, int truth,
                         int perturbed_truth, Checked_signs& signs)
 {
@@ -182,10 +194,12 @@ inline void check_cell(Quintuple q, Checked_signs& signs)
   const std::array<int, 4> neighbors = signs_of_neighbors(q);
   check_neighbors("scalar", Sphere_filter::neighbors(v.data(), opposite.data(), p, 15), neighbors,
                   signs);
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_WIDE_FILTER
-  if (Wide_sphere_filter::is_supported()) {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  if (machine_has_vectors()) {
     check_view<Wide_sphere_filter>("wide", q, sphere, signs);
     check_neighbors("wide", wide_signs(q), neighbors, signs);
+    check_neighbors("wide, flat", Wide_sphere_filter::flat_signs(v.data(), opposite.data(), p),
+                    neighbors, signs);
   }
 #endif
   if (is_vertex(q, 4)) // found before any exact stage is asked
@@ -194,6 +208,7 @@ inline void check_cell(Quintuple q, Checked_signs& signs)
   signs.may_say("double doubles", close_sphere_sign({v.data(), p}), sphere);
   if (has_fused_products())
     signs.may_say("fused double doubles", fused_close_sphere_sign({v.data(), p}), sphere);
+  check_balanced<4>("sphere", v.data(), p, sphere, signs);
   for (const bool is_fused : {false, has_fused_products()})
     check_exact("exact sphere", exact_sphere_sign(v.data(), p, is_fused), sphere, perturbed, signs);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
@@ -214,8 +229,11 @@ inline void check_infinite_cell(const Quintuple& q, Checked_signs& signs)
       height != 0 ? height : perturbed_side_of_circle(q.v[0], q.v[1], q.v[2], q.p);
   signs.may_say("first filter, beyond", beyond_sign(row(v[0], p), row(v[1], p), row(v[2], p)),
                 height);
+  signs.may_say("beyond by columns", beyond_sign_by_columns(v.data(), p), height);
   signs.may_say("flat beyond", flat_beyond_sign(v.data(), p), circle);
-  check_exact("exact beyond", exact_beyond_sign(v.data(), p), circle, perturbed, signs);
+  check_balanced<3>("height", v.data(), p, -height, signs);
+  for (const bool is_fused : {false, has_fused_products()})
+    check_exact("exact beyond", exact_beyond_sign(v.data(), p, is_fused), circle, perturbed, signs);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
   check_widths<Exact_beyond>("beyond", v.data(), p, circle, perturbed, signs);
 #endif

@@ -133,6 +133,52 @@ inline Points sizes_within_a_filters_reach(Random& r, std::size_t n)
   return by_coordinate(n, [&] { return std::ldexp(r.signed_unit(), r.between(-range, range)); });
 }
 
+// Flat or thin along the axes: each coordinate times a power of 2 of its own.
+inline Points flat_along_axes(Random& r, std::size_t n)
+{
+  Points points = r.one_in(3) ? lattice(r, n) : r.one_in(2) ? sphere(r, n) : cube(r, n);
+  Coordinates factors;
+  for (double& f : factors)
+    f = std::ldexp(1., -int(r.one_in(2) ? 0 : r.between(0, r.one_in(2) ? 80 : 400)));
+  const std::size_t axis = r.below(3); // a lattice with noise, as a sheet that was turned back
+  const double noise = r.one_in(2) ? 0 : std::ldexp(1., -r.between(20, 200));
+  for (Coordinates& p : points) {
+    for (std::size_t c = 0; c < 3; ++c)
+      p[c] *= factors[c];
+    p[axis] = noise == 0 ? p[axis] : noise * r.signed_unit();
+  }
+  return points;
+}
+
+// The same in any direction, up to rounding.
+inline Points flat_and_turned(Random& r, std::size_t n)
+{
+  Points points = flat_along_axes(r, n);
+  const double a = r.unit(), b = r.unit();
+  for (Coordinates& p : points) {
+    const double x = std::cos(a) * p[0] - std::sin(a) * p[1],
+                 y = std::sin(a) * p[0] + std::cos(a) * p[1];
+    p = {x, std::cos(b) * y - std::sin(b) * p[2], std::sin(b) * y + std::cos(b) * p[2]};
+  }
+  return points;
+}
+
+// Some points, or one coordinate of them, 2^k times as large; or a mark in its place.
+inline Points some_far_away(Random& r, std::size_t n)
+{
+  Points points = r.one_in(3) ? lattice(r, n) : sphere(r, n);
+  const int k = r.between(10, r.one_in(2) ? 150 : 1000);
+  const std::size_t share = 1 + r.below(20), axis = r.below(3), kind = r.below(3);
+  for (Coordinates& p : points)
+    if (r.one_in(share)) {
+      const int e = r.one_in(4) ? -k : k;
+      for (std::size_t c = 0; c < 3; ++c)
+        if (kind == 0 || c == axis)
+          p[c] = kind == 2 ? std::ldexp(1., k) : std::ldexp(p[c], e);
+    }
+  return points;
+}
+
 // --- lattices ----------------------------------------------------------------------------------
 
 inline Points tenths(Random& r, std::size_t n)

@@ -185,6 +185,7 @@ Json counts_of_kernel(const Mesh& mesh, unsigned int seed)
     using namespace CGAL::Delaunay_from_surface_3;
     return Json{{"half_digit", per_point(decided[HALF_DIGIT])},
                 {"one_digit", per_point(decided[ONE_DIGIT])},
+                {"balanced", per_point(decided[BALANCED])},
                 {"double_double", per_point(decided[DOUBLE_DOUBLE])},
                 {"two_digits", per_point(decided[TWO_DIGITS])},
                 {"kernel", per_point(decided[KERNEL])}};

@@ -11,9 +11,11 @@
 //
 //   stage           what it decides                                  cost  header
 //   first filter    signs farther from 0 than doubles err              15  Sphere_filter.h
+//   by columns      the same where points lie in a flat box             -  Column_sizes.h
 //   flat circle     infinite cells in planes across an axis             -  flat_beyond_sign.h
 //   HALF_DIGIT      differences as integers of 30 bits, 0 included     80  exact_signs.h
 //   ONE_DIGIT       the same of 60 bits                               135  exact_signs.h
+//   BALANCED        doubles, of points at very different distances      -  balanced_signs.h
 //   DOUBLE_DOUBLE   farther from 0 than sums of two doubles err       240  Double_double.h
 //   TWO_DIGITS      integers of 120 bits, 0 included                  440  exact_signs.h
 //   KERNEL          all that is left                                 2500  Perturbed_predicates.h
@@ -72,21 +74,7 @@ public:
     for (unsigned k = 1; k < 4; ++k)
       if (view.pushes[k] < view.pushes[farthest])
         farthest = k;
-    if (view.facets[farthest] < -view.facet_bound)
-      return farthest;
-    for (unsigned k = 0; k < 4; ++k) // of tiny coordinates the pushes underflow first
-      if (view.facets[k] < -view.facet_bound)
-        return k;
-    for (unsigned k = 0; k < 4; ++k)
-      if (view.facets[k] <= view.facet_bound && orientation(cell, k, p) < 0)
-        return k;
-    CGAL_error_msg("a cell that contains a point must be in conflict with it");
-  }
-
-  int orientation(const Cell& cell, unsigned k, Id p) const
-  {
-    return m_exact.orientation(coordinates(p), coordinates(cell.v[k ^ 1]),
-                               coordinates(cell.v[k ^ 2]), coordinates(cell.v[k ^ 3]));
+    return view.facets[farthest] < -view.facet_bound ? farthest : close_facet(cell, view, p);
   }
 
   // Of an infinite cell: 1 if p is beyond its finite facet, -1 if before, 0 if not decided.
@@ -103,10 +91,25 @@ public:
     const double* const q = coordinates(p);
     if (const int flat = flat_beyond_sign(v, q))
       return flat > 0;
-    const Exact_sign exact = exact_beyond_sign(v, q);
+    if (const int sign = beyond_sign_by_columns(v, q))
+      return sign > 0;
+    const Exact_sign exact = exact_beyond_sign(v, q, m_is_fused);
     ++m_counts.facet_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
     return exact.sign != 0 ? exact.sign > 0 : m_exact.is_beyond(v[0], v[1], v[2], q);
+  }
+
+  // Whether p and the finite cell lie in a box that is flat and parallel to axes.
+  bool is_flat(const Cell& cell, Id p) const
+  {
+    const double* const q = coordinates(p);
+    return column_sizes(cell, q).are_flat();
+  }
+
+  // What the view of a finite cell left open.
+  bool is_in_sphere_of_view(const Cell& cell, Id p)
+  {
+    return is_flat(cell, p) ? is_in_conflict(cell, p) : is_in_close_sphere(cell, p);
   }
 
   // What the first filter left open.
@@ -135,6 +138,35 @@ public:
   }
 
 private:
+  // Of tiny coordinates the pushes underflow first; where the cell is flat, the bound is too large.
+  unsigned close_facet(const Cell& cell, const Cell_view& view, Id p) const
+  {
+    const double* const q = coordinates(p);
+    const double bound = (std::min)(view.facet_bound, column_sizes(cell, q).bound_of_three());
+    for (unsigned k = 0; k < 4; ++k)
+      if (view.facets[k] < -bound)
+        return k;
+    for (unsigned k = 0; k < 4; ++k)
+      if (view.facets[k] <= bound && orientation(cell, k, q) < 0)
+        return k;
+    CGAL_error_msg("a cell that contains a point must be in conflict with it");
+  }
+
+  Column_sizes column_sizes(const Cell& cell, const double* q) const
+  {
+    return Column_sizes(row(coordinates(Complex::first_vertex(cell)), q),
+                        row(coordinates(cell.v[1]), q), row(coordinates(cell.v[2]), q),
+                        row(coordinates(cell.v[3]), q));
+  }
+
+  int orientation(const Cell& cell, unsigned k, const double* q) const
+  {
+    const double* const v[3] = {coordinates(cell.v[k ^ 1]), coordinates(cell.v[k ^ 2]),
+                                coordinates(cell.v[k ^ 3])};
+    const int sign = close_orientation(v, q, m_is_fused);
+    return sign != 0 ? sign : int(m_exact.orientation(q, v[0], v[1], v[2]));
+  }
+
   const double* coordinates(Id v) const { return m_complex.vertex(v).coordinates; }
 
   const Exact& m_exact;

@@ -71,6 +71,30 @@ struct Fused_products
   }
 };
 
+// The first where the user's compiler says so.
+#if defined(__FMA__) || defined(__aarch64__)
+using Portable_products = Fused_products;
+#else
+using Portable_products = Split_products;
+#endif
+
+// Before functions that are called if the machine has fma.
+#if defined(__GNUC__) && defined(__x86_64__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_WITH_FMA __attribute__((target("fma"))) inline
+using Machine_products = Fused_products;
+inline bool has_fused_products()
+{
+  return __builtin_cpu_supports("fma");
+}
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_WITH_FMA inline
+using Machine_products = Portable_products;
+inline bool has_fused_products()
+{
+  return false;
+}
+#endif
+
 // The differences of N vertices and p, row by row; each is exactly high + low (Knuth 1969).
 template <int N>
 struct Exact_differences
@@ -153,36 +177,14 @@ close_sphere_sign_with(const Exact_differences<4>& differences)
 // Of a positively oriented cell.
 inline int close_sphere_sign(const Exact_differences<4>& differences)
 {
-#if defined(__FMA__) || defined(__aarch64__)
-  return close_sphere_sign_with<Fused_products>(differences);
-#else
-  return close_sphere_sign_with<Split_products>(differences);
-#endif
+  return close_sphere_sign_with<Portable_products>(differences);
 }
 
-#if defined(__GNUC__) && defined(__x86_64__)
-// The same, to be called if the machine has fma.
-__attribute__((target("fma"))) inline int
+CGAL_DELAUNAY_FROM_SURFACE_3_WITH_FMA int
 fused_close_sphere_sign(const Exact_differences<4>& differences)
 {
-  return close_sphere_sign_with<Fused_products>(differences);
+  return close_sphere_sign_with<Machine_products>(differences);
 }
-
-inline bool has_fused_products()
-{
-  return __builtin_cpu_supports("fma");
-}
-#else
-inline int fused_close_sphere_sign(const Exact_differences<4>& differences)
-{
-  return close_sphere_sign(differences);
-}
-
-inline bool has_fused_products()
-{
-  return false;
-}
-#endif
 
 } // namespace internal
 } // namespace Delaunay_from_surface_3

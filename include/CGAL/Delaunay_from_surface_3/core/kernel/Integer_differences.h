@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fixed_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/powers_of_2.h>
 
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
 
@@ -26,14 +27,6 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-inline double power_of_2(std::uint64_t biased_exponent)
-{
-  const std::uint64_t bits = biased_exponent << 52;
-  double power;
-  std::memcpy(&power, &bits, sizeof(power));
-  return power;
-}
 
 // The differences of N vertices and p, times a power of 2, in digits of 60 bits.
 template <int N>
@@ -50,9 +43,7 @@ public:
     CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
     for (int k = 0; k < size; ++k)
       largest = (std::max)(largest, std::abs(differences.high[k]));
-    std::uint64_t exponent;
-    std::memcpy(&exponent, &largest, sizeof(largest));
-    exponent >>= 52; // the largest is less than 2^(exponent - 1022)
+    const std::uint64_t exponent = biased_exponent(largest);
     m_can_be_scaled = exponent > digit_bits && exponent < 1023 + digit_bits;
     if (!m_can_be_scaled)
       return;
@@ -65,7 +56,8 @@ public:
       set_first_digits(!are_zero(differences.low));
   }
 
-  // Whether the numbers are not so small that the power would overflow.
+  // Whether the numbers are not so small that the power would overflow, nor so large that it would
+  // be less than 1: then the least of them could be lost.
   bool can_be_scaled() const { return m_can_be_scaled; }
   // Whether one digit is enough, and, if so, whether its upper half is.
   bool has_one_digit() const { return m_has_one_digit; }

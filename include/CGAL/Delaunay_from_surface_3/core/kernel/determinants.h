@@ -28,6 +28,13 @@ namespace internal {
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE inline
 #endif
 
+// Code that is seldom reached shall not take registers from what is often.
+#if defined(__GNUC__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_APART __attribute__((noinline)) inline
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_APART inline
+#endif
+
 // Before loops over the few numbers of a test, which the compiler shall write out.
 #if defined(__clang__)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("unroll")

@@ -16,7 +16,12 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fixed_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Integer_differences.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -57,6 +62,63 @@ int perturbed_sign(const double* const* vertices, const double* p, const Sign_of
   }
 }
 
+// Whether distances between the points, or the edges of their box, differ so much that the bound of
+// close_sphere_sign() is of little use.
+template <int N>
+bool are_unbalanced(const Exact_differences<N>& differences)
+{
+  constexpr double share = 1. / 1024;
+  const double* const d = differences.high;
+  double edges[3] = {}, longest = 0, shortest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < N; ++k) {
+    const Row<double> r(d[3 * k], d[3 * k + 1], d[3 * k + 2]);
+    edges[0] = (std::max)(edges[0], std::abs(r.x));
+    edges[1] = (std::max)(edges[1], std::abs(r.y));
+    edges[2] = (std::max)(edges[2], std::abs(r.z));
+    longest = (std::max)(longest, r.w);
+    shortest = (std::min)(shortest, r.w);
+    for (int j = 0; j < k; ++j)
+      shortest = (std::min)(shortest,
+                            Row<double>(r.x - d[3 * j], r.y - d[3 * j + 1], r.z - d[3 * j + 2]).w);
+  }
+  const double least = (std::min)((std::min)(edges[0], edges[1]), edges[2]);
+  return shortest < share * share * longest || least * least < share * share * longest;
+}
+
+// The stages in numbers that are rounded.
+template <int N>
+Exact_sign balanced_sign(const double* const* vertices, const double* p, bool is_fused)
+{
+  const Balanced_signs<N> signs(vertices, p);
+  if (const int sign = signs.in_doubles())
+    return {sign, false, BALANCED};
+  return {signs.in_double_doubles(is_fused), false, DOUBLE_DOUBLE};
+}
+
+inline Exact_sign rounded_sphere_sign(const Exact_differences<4>& differences,
+                                      const double* const* vertices, const double* p, bool is_fused)
+{
+  if (are_unbalanced(differences))
+    return balanced_sign<4>(vertices, p, is_fused);
+  return {is_fused ? fused_close_sphere_sign(differences) : close_sphere_sign(differences), false,
+          DOUBLE_DOUBLE};
+}
+
+inline Exact_sign rounded_beyond_sign(const Exact_differences<3>& differences,
+                                      const double* const* vertices, const double* p, bool is_fused)
+{
+  if (!are_unbalanced(differences)) // two digits are cheap here
+    return {0, false, DOUBLE_DOUBLE};
+  const Exact_sign height = balanced_sign<3>(vertices, p, is_fused);
+  return {-height.sign, false, height.stage};
+}
+
+// Positive if the cell (p, a, b, c) of p and the three vertices is; 0: not decided.
+inline int close_orientation(const double* const* vertices, const double* p, bool is_fused)
+{
+  return balanced_sign<3>(vertices, p, is_fused).sign;
+}
+
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
 
 struct Exact_sphere
@@ -74,9 +136,10 @@ struct Exact_sphere
             stage};
   }
 
-  static int filtered_sign(const Exact_differences<4>& differences, bool is_fused)
+  static Exact_sign rounded(const Exact_differences<4>& differences, const double* const* vertices,
+                            const double* p, bool is_fused)
   {
-    return is_fused ? fused_close_sphere_sign(differences) : close_sphere_sign(differences);
+    return rounded_sphere_sign(differences, vertices, p, is_fused);
   }
 };
 
@@ -103,8 +166,11 @@ struct Exact_beyond
             true, stage};
   }
 
-  // Two digits are cheap here.
-  static int filtered_sign(const Exact_differences<3>&, bool) { return 0; }
+  static Exact_sign rounded(const Exact_differences<3>& differences, const double* const* vertices,
+                            const double* p, bool is_fused)
+  {
+    return rounded_beyond_sign(differences, vertices, p, is_fused);
+  }
 };
 
 template <class Determinant>
@@ -125,8 +191,9 @@ Exact_sign exact_sign(const double* const* vertices, const double* p, bool is_fu
     differences.set_rows(rows);
     return Determinant::sign(rows, ONE_DIGIT, vertices, p);
   }
-  if (const int sign = Determinant::filtered_sign(exact_differences, is_fused))
-    return {sign, false, DOUBLE_DOUBLE};
+  const Exact_sign rounded = Determinant::rounded(exact_differences, vertices, p, is_fused);
+  if (rounded.sign != 0)
+    return rounded;
   Row<Fixed_integer<4>> rows[n];
   if (!differences.set_rows(rows))
     return {0, false, KERNEL};
@@ -140,23 +207,25 @@ inline Exact_sign exact_sphere_sign(const double* const* vertices, const double*
 }
 
 // Of an infinite cell, given by its three finite vertices.
-inline Exact_sign exact_beyond_sign(const double* const* vertices, const double* p)
+inline Exact_sign exact_beyond_sign(const double* const* vertices, const double* p, bool is_fused)
 {
-  return exact_sign<Exact_beyond>(vertices, p, false);
+  return exact_sign<Exact_beyond>(vertices, p, is_fused);
 }
 
 #else
 
 inline Exact_sign exact_sphere_sign(const double* const* vertices, const double* p, bool is_fused)
 {
-  const Exact_differences<4> differences(vertices, p);
-  const int sign = is_fused ? fused_close_sphere_sign(differences) : close_sphere_sign(differences);
-  return {sign, false, sign != 0 ? DOUBLE_DOUBLE : KERNEL};
+  const Exact_sign rounded =
+      rounded_sphere_sign(Exact_differences<4>(vertices, p), vertices, p, is_fused);
+  return {rounded.sign, false, rounded.sign != 0 ? rounded.stage : KERNEL};
 }
 
-inline Exact_sign exact_beyond_sign(const double* const*, const double*)
+inline Exact_sign exact_beyond_sign(const double* const* vertices, const double* p, bool is_fused)
 {
-  return {0, false, KERNEL};
+  const Exact_sign rounded =
+      rounded_beyond_sign(Exact_differences<3>(vertices, p), vertices, p, is_fused);
+  return {rounded.sign, false, rounded.sign != 0 ? rounded.stage : KERNEL};
 }
 
 #endif

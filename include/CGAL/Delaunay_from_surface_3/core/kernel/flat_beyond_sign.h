@@ -9,10 +9,14 @@
 // points. There the test against an infinite cell is that against a circle in a plane, in two
 // coordinates.
 //
-// A determinant of rows (x, y, w) is a sum of 6 products x y w; each goes through at most 11
+// A determinant of rows (s, t, w) is a sum of 6 products s t w; each goes through at most 11
 // roundings, 1 + 1 + 4 of them in its factors. Where m bounds all w the products sum up to at most
 // 3 m^2 in absolute value, so the error is at most 33 u m^2, and a bit: less than 40 u m^2 with
 // u = 2^-53. In the same way that of the area is less than 20 u m.
+//
+// Where that leaves something open, there are the bounds by columns: with S, T and W their largest,
+// 66 u S T W and a bit, less than 80 u S T W; the area has 6 products of 6 roundings, less than
+// 40 u S T. Underflow: as in Sphere_filter.h and Column_sizes.h.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 
@@ -32,6 +36,17 @@ inline int axis_across(const double* const* vertices, const double* p)
   return axis;
 }
 
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int
+circle_sign_by_columns(double area, double value, const Row<double> (&rows)[3], int axis)
+{
+  const Column_sizes sizes(rows[0], rows[1], rows[2]);
+  const double edges[3] = {sizes.x, sizes.y, sizes.z};
+  const double box = Filter_bounds::unit * (edges[(axis + 1) % 3] * edges[(axis + 2) % 3]);
+  const double m = largest_square(rows[0], rows[1], rows[2]);
+  return certified_sign(area, 40 * box + Column_sizes::tiny) *
+         certified_sign(value, 80 * box * m + Column_sizes::tiny);
+}
+
 // If p and the facet (a, b, c) of the convex hull lie in a plane orthogonal to an axis: 1 if p is
 // inside the facet's circle, -1 if it is outside. 0: not decided.
 inline int flat_beyond_sign(const double* const* vertices, const double* p)
@@ -42,10 +57,11 @@ inline int flat_beyond_sign(const double* const* vertices, const double* p)
   constexpr double Row<double>::*columns[3] = {&Row<double>::x, &Row<double>::y, &Row<double>::z};
   const Row<double> rows[3] = {row(vertices[0], p), row(vertices[1], p), row(vertices[2], p)};
   const Circle_cofactors<double> cofactors(rows, columns[(axis + 1) % 3], columns[(axis + 2) % 3]);
-  const double m = largest_square(rows[0], rows[1], rows[2]);
-  return certified_sign(cofactors.area, 20 * Filter_bounds::unit * m + Filter_bounds::tiny) *
-         certified_sign(cofactors.lifted(rows),
-                        40 * Filter_bounds::unit * m * m + Filter_bounds::tiny);
+  const double m = largest_square(rows[0], rows[1], rows[2]), value = cofactors.lifted(rows);
+  const int sign =
+      certified_sign(cofactors.area, 20 * Filter_bounds::unit * m + Filter_bounds::tiny) *
+      certified_sign(value, 40 * Filter_bounds::unit * m * m + Filter_bounds::tiny);
+  return sign != 0 || value == 0 ? sign : circle_sign_by_columns(cofactors.area, value, rows, axis);
 }
 
 } // namespace internal

@@ -23,6 +23,15 @@ struct Starting_simplex
   bool is_found;
 };
 
+// Do four points lie in a plane across an axis? Most of those that lie in one plane do.
+inline bool share_a_coordinate(const double* a, const double* b, const double* c, const double* d)
+{
+  for (int i = 0; i < 3; ++i)
+    if (a[i] == b[i] && a[i] == c[i] && a[i] == d[i])
+      return true;
+  return false;
+}
+
 // The first such points among n; `point(i)` gives the coordinates of the i-th. Exact; O(n) at
 // worst, a few tests as a rule.
 template <class Predicates, class PointOf>
@@ -35,6 +44,8 @@ Starting_simplex starting_simplex(const Predicates& predicates, std::size_t n, c
   while (c < n && predicates.are_collinear(point(0), point(b), point(c)))
     ++c;
   for (std::size_t d = c + 1; d < n; ++d) {
+    if (share_a_coordinate(point(0), point(b), point(c), point(d)))
+      continue;
     const int o = predicates.orientation(point(0), point(b), point(c), point(d));
     if (o != 0)
       return {o > 0 ? std::array<std::size_t, 4>{0, b, c, d}

@@ -17,9 +17,11 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The power of 2 that makes the largest coordinate in absolute value at least 1/2 and less than 1,
-// as near as the range of numbers allows. It multiplies all coordinates exactly; if there are some
-// that it would make too small for that, returns 0. All coordinates must be doubles. Linear.
+// The power of 2 that makes the largest coordinate in absolute value at least 2^57 and less than
+// 2^58, as near as the range of numbers allows: as large as it can be for differences to be less
+// than 2^59 (Integer_differences.h, balanced_signs.h), so that few cells are so small that products
+// of their coordinates underflow. It multiplies all coordinates exactly; if there are some that it
+// would make too small for that, returns 0. All coordinates must be doubles. Linear.
 template <class Point>
 double exact_scale(const std::vector<Point>& points)
 {
@@ -34,7 +36,7 @@ double exact_scale(const std::vector<Point>& points)
   }
   int exponent = 0;
   std::frexp(largest, &exponent);
-  const double scale = std::ldexp(1., (std::min)(-exponent, 1000));
+  const double scale = std::ldexp(1., (std::min)(58 - exponent, 1000));
   return least * scale > (std::numeric_limits<double>::min)() ? scale : 0;
 }
 

@@ -22,6 +22,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_into_target.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/make_order.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/points_on_line.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
@@ -111,6 +112,21 @@ Insertion_order order_of(const Plan& make_plan, const Triangulation& tr,
   return make_order(executor, make_plan, points, tr.geom_traits(), graph, index_map);
 }
 
+// Are the points such that no order need be made for CGAL's insertion? Not where a visitor is asked
+// in that order.
+template <class Target, class Triangulation, class Visitor>
+bool is_left_to_cgal(const Triangulation& tr,
+                     const std::vector<typename Triangulation::Point>& points,
+                     const Visitor_in_mode_of_caller<Visitor>&)
+{
+  using Point = typename Triangulation::Point;
+  if constexpr (!Target::serves_everything && !accepts_points<Visitor, Point>())
+    if constexpr (Target::serves_geom_traits())
+      return tr.number_of_vertices() == 0 && are_on_one_line(tr.geom_traits(), points);
+  (void)tr, (void)points;
+  return false;
+}
+
 // Order, T, and the points in that order.
 template <class Target, class Hints, class Traits, class Triangulation, class Plan, class Input,
           class Visitor>
@@ -121,8 +137,12 @@ plan_insertion(const Triangulation& tr, const Input& input, const Traits& traits
   using Phase = Surface_insertion_phase;
   Planned_points<typename Triangulation::Point> planned;
   visitor.phase_begins(Phase::PLAN);
-  planned.plan =
-      order_of<Target>(make_plan, tr, input.points, input.graph, input.index_map, planned.obstacle);
+  if (is_left_to_cgal<Target>(tr, input.points, visitor)) {
+    planned.obstacle = "the points lie in one plane";
+    planned.plan = order_along_line(input.points);
+  } else
+    planned.plan = order_of<Target>(make_plan, tr, input.points, input.graph, input.index_map,
+                                    planned.obstacle);
   planned.places = check_plan(planned.plan, input.points.size());
   planned.points = permuted(input.points, planned.plan.order, typename Executor_of<Target>::type());
   if constexpr (Has_budget<Plan>::value)

@@ -153,6 +153,16 @@ std::size_t keep_one_of_each(Lists<Index>& lists, const Executor& executor)
   return more_than_twice;
 }
 
+// No edges, where nobody is told what the faces are like and no order is made of them. Linear.
+template <class FaceRange>
+Soup_graph soup_graph_without_edges(const FaceRange& faces, std::size_t number_of_points)
+{
+  std::size_t f = 0;
+  for (const auto& face : faces)
+    check_face(face, f++, number_of_points);
+  return {Lower_neighbor_graph(number_of_points), std::nullopt};
+}
+
 // The edges of the faces as a graph on the points; without edges if there are more sides than
 // numbers of 32 bits. Linear: the sides of the faces are sorted by counting. Several threads read
 // faces in random access.

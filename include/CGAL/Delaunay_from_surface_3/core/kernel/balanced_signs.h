@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_BALANCED_SIGNS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_BALANCED_SIGNS_H
+
+// Signs of points at distances of very different size, or in a box that is nearly flat: by a
+// determinant of other rows, which has the same sign, with a bound on its own error.
+//
+// The determinant of the rows (1, x, y, z, w) of five points changes its sign where two of them
+// change places; so any of them may be the origin. A row may be subtracted from another: let D be
+// the edge that joins a point to its parent in a tree with the origin o as root. Then w differs by
+//   w = D · F,  F = (point - o) + (parent - o).
+// And rows and columns may be multiplied by powers of 2: each row so that the largest of D is at
+// least 2^59 and less than 2^60, and the column w so that the largest |point - o| is. Coordinates
+// are at most 2^58, so these powers are at least 1, and nothing is lost but where a power would be
+// too large for a double.
+//
+// In doubles a product goes through 3 + (1 + 2 + 3) + 8 = 17 roundings: 18 u S is on the safe side
+// (Bounded_number.h). In sums of two doubles differences are exact, and it goes through 1 + 3 + 8 =
+// 12 of less than 2^-100 (Double_double.h): so 2^-96 S is. What underflows, 2^-1074 each time and
+// less than 2^10 times, meets factors of less than 2^184: less than 2^-880 altogether.
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Bounded_number.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Shortest_tree.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/powers_of_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+struct Bounded_doubles
+{
+  using Number = double;
+  static constexpr double error = 18 * Filter_bounds::unit;
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Number difference(double a, double b,
+                                                                      double scale)
+  {
+    return (a - b) * scale;
+  }
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double high(Number d) { return d; }
+};
+
+template <class Products>
+struct Bounded_double_doubles
+{
+  using Number = Double_double<Products>;
+  static constexpr double error = 0x1p-96;
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Number difference(double a, double b,
+                                                                      double scale)
+  {
+    const double high = a - b, minus_b = high - a;
+    const double low = (a - (high - minus_b)) - (b + minus_b);
+    return {high * scale, low * scale};
+  }
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double high(const Number& d) { return d.high; }
+};
+
+// The power of 2 that brings the largest coordinate of a - b to at least 2^59 and less than 2^60,
+// as near as the range of numbers allows.
+inline double power_to_60_bits(const double* a, const double* b)
+{
+  const double largest =
+      (std::max)((std::max)(std::abs(a[0] - b[0]), std::abs(a[1] - b[1])), std::abs(a[2] - b[2]));
+  return power_of_2((std::min)(1022 + 60 + 1023 - biased_exponent(largest), std::uint64_t(2023)));
+}
+
+// The powers, for all numbers.
+template <int N>
+struct Balancing_scales
+{
+  double rows[N], w;
+
+  explicit Balancing_scales(const Shortest_tree<N>& tree)
+    : w(0x1p1000)
+  {
+    for (int k = 0; k < N; ++k) {
+      rows[k] = power_to_60_bits(tree.point(k), tree.parent(k));
+      w = (std::min)(w, power_to_60_bits(tree.point(k), tree.root()));
+    }
+  }
+};
+
+template <class Numbers, int N>
+struct Balanced_rows
+{
+  using Bounded = Bounded_number<typename Numbers::Number>;
+  Row<Bounded> r[N];
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Balanced_rows(const Shortest_tree<N>& tree,
+                                                           const Balancing_scales<N>& scales)
+  {
+    for (int k = 0; k < N; ++k) {
+      const double *const a = tree.point(k), *const b = tree.parent(k), *const o = tree.root();
+      r[k].x = difference(a[0], b[0], scales.rows[k]);
+      r[k].y = difference(a[1], b[1], scales.rows[k]);
+      r[k].z = difference(a[2], b[2], scales.rows[k]);
+      if (N == 4) // else nothing is lifted
+        r[k].w = r[k].x * sum(a[0], b[0], o[0], scales.w) +
+                 r[k].y * sum(a[1], b[1], o[1], scales.w) +
+                 r[k].z * sum(a[2], b[2], o[2], scales.w);
+    }
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign() const
+  {
+    if constexpr (N == 4)
+      return sign_of(
+          Sphere_cofactors<Bounded>(r[0], r[1], r[2], r[3]).lifted(r[0], r[1], r[2], r[3]));
+    else
+      return sign_of(determinant_of(r[0], r[1], r[2]));
+  }
+
+private:
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Bounded difference(double a, double b,
+                                                                       double scale)
+  {
+    const auto d = Numbers::difference(a, b, scale);
+    return {d, std::abs(Numbers::high(d))};
+  }
+  // (a - o) + (b - o)
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Bounded sum(double a, double b, double o,
+                                                                double scale)
+  {
+    return difference(a, o, scale) + difference(b, o, scale);
+  }
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static int sign_of(const Bounded& d)
+  {
+    return certified_sign(Numbers::high(d.value), Numbers::error * d.size + 0x1p-880);
+  }
+};
+
+// The signs of N vertices and p, as those of the determinants of their rows (determinants.h); 0
+// where they are not decided.
+template <int N>
+class Balanced_signs
+{
+public:
+  Balanced_signs(const double* const* vertices, const double* p)
+    : m_tree(vertices, p)
+    , m_scales(m_tree)
+  {
+  }
+
+  int in_doubles() const { return with<Bounded_doubles>(); }
+  int in_double_doubles(bool is_fused) const
+  {
+    return is_fused ? in_fused_double_doubles() : with<Bounded_double_doubles<Portable_products>>();
+  }
+
+private:
+  CGAL_DELAUNAY_FROM_SURFACE_3_WITH_FMA int in_fused_double_doubles() const
+  {
+    return with<Bounded_double_doubles<Machine_products>>();
+  }
+
+  template <class Numbers>
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int with() const
+  {
+    const int sign = Balanced_rows<Numbers, N>(m_tree, m_scales).sign();
+    return m_tree.is_odd() ? -sign : sign;
+  }
+
+  Shortest_tree<N> m_tree;
+  Balancing_scales<N> m_scales;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_BALANCED_SIGNS_H

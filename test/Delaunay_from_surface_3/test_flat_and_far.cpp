@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Coordinates of very different size, along an axis or in some of the points, and points on a line:
+// equal to plain CGAL's, by the cheap stages of the predicates, and not by an order that is of no
+// use.
+
+#define BOOST_TEST_MODULE test_flat_and_far
+#include <boost/test/included/unit_test.hpp>
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/insert_points_3.h>
+#include <CGAL/insert_points_along_graph_3.h>
+#include <CGAL/insert_surface_points_3.h>
+#include <Delaunay_from_surface_3_surfaces/degenerate.h>
+#include <Delaunay_from_surface_3_surfaces/edit.h>
+#include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
+
+#include "points_and_graphs.h"
+
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
+
+namespace {
+
+struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  DFS::Insertion_counts counts;
+  std::string reason;
+
+  template <class Target, class Hints>
+  void insertion_ends(const Target& target, const Hints&)
+  {
+    counts = target.counts();
+  }
+  void target_is_replaced(const std::string& r) { reason = r; }
+};
+
+// What was left open by floating point, and by all but the kernel, of one point on average.
+struct Left_open
+{
+  double by_filters, by_stages;
+};
+
+Left_open left_open(const DFS::Insertion_counts& counts, std::size_t n)
+{
+  const auto sum = [](const std::size_t* stages) {
+    return std::accumulate(stages, stages + DFS::NUMBER_OF_EXACT_STAGES, std::size_t(0));
+  };
+  return {
+      double(sum(counts.sphere_tests_by_stage) + sum(counts.facet_tests_by_stage)) / double(n),
+      double(counts.sphere_tests_by_stage[DFS::KERNEL] + counts.facet_tests_by_stage[DFS::KERNEL]) /
+          double(n)};
+}
+
+// With the faces, and the points alone.
+std::vector<Left_open> insert_and_compare(const surfaces::Indexed_surface& surface)
+{
+  const Triangulation expected(surface.points.begin(), surface.points.end());
+  std::vector<Left_open> open;
+  for (const bool has_faces : {true, false}) {
+    Counting_visitor visitor;
+    const auto np = CGAL::parameters::visitor(std::ref(visitor));
+    Triangulation tr;
+    if (has_faces)
+      CGAL::insert_surface_points_3(tr, surface.points, surface.faces, np);
+    else
+      CGAL::insert_points_3(tr, surface.points, np);
+    BOOST_TEST(visitor.reason == "");
+    BOOST_TEST((tr == expected));
+    open.push_back(left_open(visitor.counts, surface.points.size()));
+  }
+  return open;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(flat_sheets)
+{
+  for (const int k : {38, 40, 45, 52, 66, 80, 92, 120, 160})
+    for (const Left_open& open : insert_and_compare(surfaces::noisy_sheet(1000, k, 1)))
+      BOOST_TEST_CONTEXT("noise of 2^-" << k)
+      {
+        BOOST_TEST(open.by_filters < 1);
+        BOOST_TEST(open.by_stages < .7);
+      }
+  for (const Left_open& open : insert_and_compare(surfaces::dented_sheet(1000, 1e-17)))
+    BOOST_TEST(open.by_stages < .1);
+}
+
+BOOST_AUTO_TEST_CASE(thin_tubes)
+{
+  for (const Left_open& open : insert_and_compare(surfaces::thin_tube(1000, 60)))
+    BOOST_TEST(open.by_stages < 6);
+}
+
+BOOST_AUTO_TEST_CASE(far_points)
+{
+  for (const int k : {60, 100, 123, 200, 500, 996})
+    for (const Left_open& open : insert_and_compare(surfaces::far_points(1000, k, 1)))
+      BOOST_TEST_CONTEXT("every tenth point 2^" << k << " times as far away")
+      {
+        BOOST_TEST(open.by_stages < .1);
+      }
+  for (const Left_open& open : insert_and_compare(surfaces::sentinels(1000, 123, 1)))
+    BOOST_TEST(open.by_stages < .1);
+}
+
+// The same in other numberings and sizes.
+BOOST_AUTO_TEST_CASE(all_families)
+{
+  for (const surfaces::Flat_or_far_family& family : surfaces::flat_and_far_families())
+    for (const std::size_t n : {60, 300})
+      BOOST_TEST_CONTEXT(family.name << ", " << family.kind << ", " << n << " points")
+      {
+        surfaces::Indexed_surface surface = family.make(n, n);
+        surfaces::shuffle(surface, n);
+        insert_and_compare(surface);
+      }
+}
+
+// --- points on a line ----------------------------------------------------------------------------
+
+// How often an order was made.
+struct Counted_rounds : DFS::Geometric_rounds
+{
+  static inline std::size_t calls = 0;
+  using DFS::Geometric_rounds::Geometric_rounds;
+
+  template <class... Arguments>
+  DFS::Insertion_order operator()(const Arguments&... arguments) const
+  {
+    ++calls;
+    return DFS::Geometric_rounds::operator()(arguments...);
+  }
+};
+
+using Counted_traits =
+    CGAL::Surface_insertion_policies_3<DFS::Full_graph, Counted_rounds, DFS::Planned_hints_3,
+                                       DFS::Compact_delaunay_3>;
+
+static std::size_t orders_made(const std::vector<Point>& points)
+{
+  Counting_visitor visitor;
+  std::vector<std::pair<std::size_t, Triangulation::Vertex_handle>> vertices;
+  Triangulation tr;
+  Counted_rounds::calls = 0;
+  CGAL::insert_points_along_graph_3(
+      tr, points, tests::Graph(points.size()), Counted_traits(),
+      CGAL::parameters::visitor(std::ref(visitor))
+          .vertex_to_vertex_output_iterator(std::back_inserter(vertices)));
+  BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
+  BOOST_TEST(tr.is_valid());
+  BOOST_TEST((visitor.reason == "" || visitor.reason == "the points lie in one plane"));
+  BOOST_TEST(vertices.size() == points.size());
+  for (const auto& [i, v] : vertices)
+    BOOST_TEST((v->point() == points[i]));
+  return Counted_rounds::calls;
+}
+
+BOOST_AUTO_TEST_CASE(no_order_is_made_of_points_on_a_line)
+{
+  std::vector<Point> points(500, Point(.1, .2, .3));
+  BOOST_TEST(orders_made(points) == 0u);
+  points[400] = Point(1, 2, 3);
+  BOOST_TEST(orders_made(points) == 0u);
+  points[450] = Point(1, 2, 4);
+  BOOST_TEST(orders_made(points) == 1u); // in a plane
+  surfaces::Indexed_surface line = surfaces::collinear(500);
+  surfaces::shuffle(line, 1);
+  line.points.insert(line.points.end(), line.points.begin(), line.points.begin() + 100);
+  BOOST_TEST(orders_made(line.points) == 0u);
+  for (Point& p : line.points)
+    p = Point(p.x(), 7, -0.);
+  BOOST_TEST(orders_made(line.points) == 0u);
+  BOOST_TEST(orders_made({}) == 0u);
+  BOOST_TEST(orders_made({Point(1, 1, 1)}) == 0u);
+}
+
+// The faces of points at one place are still looked at.
+BOOST_AUTO_TEST_CASE(faces_of_equal_points)
+{
+  surfaces::Indexed_surface surface = surfaces::all_equal(100);
+  Triangulation tr;
+  BOOST_TEST(CGAL::insert_surface_points_3(tr, surface.points, surface.faces) == 1);
+  surface.faces.push_back({0, 1, surface.points.size()});
+  Triangulation untouched;
+  BOOST_CHECK_THROW(CGAL::insert_surface_points_3(untouched, surface.points, surface.faces),
+                    CGAL::Surface_input_error);
+  BOOST_TEST(untouched.number_of_vertices() == 0u);
+}
