@@ -95,8 +95,7 @@ Delaunay_3_arrays<Index> arrays_of_points(const PointRange& points, const MakeOr
 
 returns the Delaunay triangulation of points as arrays of numbers: its cells are those of a
 `Delaunay_triangulation_3<Exact_predicates_inexact_constructions_kernel>` after `insert(first,
-last)`. No triangulation of CGAL's is made, unless the points lie in a plane or their coordinates
-are of too different size; the visitor is then told that the target is replaced.
+last)`. No triangulation of CGAL's is made, also where the points lie in a plane or on a line.
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 

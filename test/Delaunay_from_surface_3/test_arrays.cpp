@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(every_dimension)
       BOOST_TEST(arrays.dimension() == dimensions[k]);
       if (k < 4)
         BOOST_TEST(arrays.number_of_simplices() == simplices[k]);
-      BOOST_TEST(visitor.replaced.size() == std::size_t(dimensions[k] < 3));
+      BOOST_TEST(visitor.replaced.empty());
     }
 }
 
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(coordinates_of_too_different_size)
   std::vector<Point> points = grid(3, 3, 3);
   points.emplace_back(1e-200, 1e-250, 1e300);
   points.emplace_back(1e300, 1e-300, 5e-324);
-  BOOST_TEST(check_points(points).replaced.size() == 1u);
+  BOOST_TEST(check_points(points).replaced.empty());
 }
 
 BOOST_AUTO_TEST_CASE(points_of_any_kind)

@@ -55,6 +55,12 @@ class Arrows(unittest.TestCase):
         }), (1, "Delaunay_from_surface_3/plan/Order.h:2: sideways, from plan to trace: "
                 "Delaunay_from_surface_3/trace/Hints_3.h\n"))
 
+    def test_another_library(self):
+        self.assertEqual(self.check_tree({f"{PACKAGE}/core/kernel/Cell.h": "CGAL/enum.h",
+                                          f"{PACKAGE}/internal/compact/Export.h": "CGAL/enum.h"}),
+                         (1, "Delaunay_from_surface_3/core/kernel/Cell.h:2: core kernel names another library's "
+                             "header: CGAL/enum.h\n"))
+
     def test_no_room(self):
         self.assertEqual(self.check_tree({f"{PACKAGE}/attic/Old.h": None}),
                          (1, "Delaunay_from_surface_3/attic/Old.h: stands in no room\n"))

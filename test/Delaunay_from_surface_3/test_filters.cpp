@@ -9,12 +9,13 @@
 #define BOOST_TEST_MODULE test_filters
 #include <boost/test/included/unit_test.hpp>
 
+#include "Perturbed_predicates.h"
 #include "hostile_points.h"
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/flat_beyond_sign.h>
 
@@ -80,10 +81,6 @@ struct Exact_tally
   {
     ++tests;
     ++stages[sign.stage];
-    if (sign.stage == KERNEL) {
-      wrong += sign.sign != 0;
-      return;
-    }
     perturbed += sign.is_perturbed;
     wrong += sign.is_perturbed != (truth == 0);
     wrong += sign.sign != (truth != 0 ? truth : perturbed_sign());
@@ -116,7 +113,7 @@ int perturbed_beyond(const std::array<Record, 4>& f)
       predicates.is_beyond(f[0].data(), f[1].data(), f[2].data(), f[3].data()));
 }
 
-// The predicate with two digits, also where one would do.
+// The predicate with two digits, also where one would do; with any number where two do not do.
 template <class Determinant>
 Exact_sign sign_from_two_digits(const double* const* v, const double* p)
 {
@@ -127,7 +124,7 @@ Exact_sign sign_from_two_digits(const double* const* v, const double* p)
   if (differences.can_be_scaled() && differences.set_rows(rows))
     return Determinant::sign(rows, TWO_DIGITS, v, p);
 #endif
-  return {0, false, KERNEL};
+  return wide_sign<Determinant>(v, p);
 }
 
 template <class Filter>
@@ -375,7 +372,7 @@ BOOST_AUTO_TEST_CASE(lattices_with_other_steps_on_each_axis)
     else if (thin > 1e-10)
       BOOST_TEST(t.exact.stages[DOUBLE_DOUBLE] > 0u);
     else
-      BOOST_TEST(t.exact.stages[KERNEL] > 0u);
+      BOOST_TEST(t.exact.stages[ANY_WIDTH] > 0u);
 #endif
   }
 }
@@ -508,6 +505,54 @@ BOOST_AUTO_TEST_CASE(hostile_categories)
 #endif
 }
 
+// What the kernel asks of points that no power of 2 scales exactly: any doubles.
+BOOST_AUTO_TEST_CASE(any_width)
+{
+  fuzz::Random random(12);
+  std::size_t zeros = 0, perturbed = 0;
+  for (const fuzz::Category& category : fuzz::categories) {
+    BOOST_TEST_INFO_SCOPE(category.name);
+    std::size_t wrong = 0;
+    for (int i = 0; i < 40; ++i) {
+      const fuzz::Points points = hostile_points(category, random, 12);
+      if (points.size() < 5)
+        continue;
+      Five f;
+      for (std::size_t k = 0; k < 5; ++k) {
+        const double z = random.one_in(4) ? std::ldexp(points[k][2], -900) : points[k][2];
+        f[k] = {points[k][0], points[k][1], z, unused};
+      }
+      const double *a = f[0].data(), *b = f[1].data(), *c = f[2].data(), *d = f[3].data(),
+                   *p = f[4].data();
+      const double* v[4] = {a, b, c, d};
+      const int side = exact_orientation(f[0], f[1], f[2], f[3]);
+      wrong += orientation(a, b, c, d) != side;
+      zeros += side == 0;
+      wrong += are_collinear(a, b, c) != CGAL::collinear(exact(f[0]), exact(f[1]), exact(f[2]));
+      wrong += compare_distance(p, a, b) !=
+               int(CGAL::compare_distance_to_point(exact(f[4]), exact(f[0]), exact(f[1])));
+      const auto is_vertex = [&](int n) {
+        return std::any_of(v, v + n, [&](const double* q) { return is_same_place(q, p); });
+      };
+      if (!are_collinear(a, b, c) && !is_vertex(3)) {
+        const Exact_sign said = wide_sign<Exact_beyond>(v, p);
+        wrong += said.sign != perturbed_beyond({f[0], f[1], f[2], f[4]});
+        perturbed += said.is_perturbed;
+      }
+      if (side < 0)
+        std::swap(f[0], f[1]); // to which v leads
+      if (side != 0 && !is_vertex(4)) {
+        const Exact_sign said = wide_sign<Exact_sphere>(v, p);
+        wrong += said.sign != perturbed_sphere(f);
+        perturbed += said.is_perturbed;
+      }
+    }
+    BOOST_TEST(wrong == 0u);
+  }
+  BOOST_TEST(zeros > 0u);
+  BOOST_TEST(perturbed > 0u);
+}
+
 BOOST_AUTO_TEST_CASE(perturbation_in_all_orders)
 {
   CGAL::Random random(5);
@@ -598,6 +643,41 @@ void check_width()
     BOOST_TEST(sign_of(circle.area) == expected_circle.area.sign());
     BOOST_TEST(sign_of(circle.lifted(rows)) == expected_circle.lifted(big).sign());
   }
+  BOOST_TEST(zeros > 0u);
+}
+
+// Of doubles of all exponents, a few of which are the same.
+BOOST_AUTO_TEST_CASE(integers_of_any_width)
+{
+  fuzz::Random random(13);
+  const auto number = [&]() -> double {
+    const double sign = random.one_in(2) ? 1 : -1;
+    const auto bits = double(random.bits() >> (11 + random.below(53)));
+    return sign * std::ldexp(bits, int(random.below(random.one_in(2) ? 60 : 2040)) - 1074);
+  };
+  const auto big = [](double d) -> Plain_big { // times 2^1074
+    int exponent = 0;
+    const double fraction = std::frexp(d, &exponent);
+    const Plain_big bits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+    const int shift = exponent - 53 + 1074;
+    return shift >= 0 ? Plain_big(bits << shift) : Plain_big(bits / (Plain_big(1) << -shift));
+  };
+  std::size_t zeros = 0, wrong = 0;
+  for (int i = 0; i < 3000; ++i) {
+    double d[4] = {number(), number(), number(), number()};
+    for (double& x : d)
+      x = random.one_in(3) ? d[random.below(4)] : x;
+    Wide_integer w[4];
+    Plain_big b[4];
+    for (int k = 0; k < 4; ++k)
+      w[k] = Wide_integer(d[k], -1074), b[k] = big(d[k]);
+    const Plain_big minor = b[0] * b[1] - b[2] * b[3];
+    zeros += minor.sign() == 0;
+    wrong += sign_of(w[0] * w[1] - w[2] * w[3]) != minor.sign();
+    wrong += sign_of((w[0] + w[1]) * (w[2] - w[3]) + w[0]) !=
+             Plain_big((b[0] + b[1]) * (b[2] - b[3]) + b[0]).sign();
+  }
+  BOOST_TEST(wrong == 0u);
   BOOST_TEST(zeros > 0u);
 }
 

@@ -66,10 +66,10 @@ Left_open left_open(const DFS::Insertion_counts& counts, std::size_t n)
   const auto sum = [](const std::size_t* stages) {
     return std::accumulate(stages, stages + DFS::NUMBER_OF_EXACT_STAGES, std::size_t(0));
   };
-  return {
-      double(sum(counts.sphere_tests_by_stage) + sum(counts.facet_tests_by_stage)) / double(n),
-      double(counts.sphere_tests_by_stage[DFS::KERNEL] + counts.facet_tests_by_stage[DFS::KERNEL]) /
-          double(n)};
+  return {double(sum(counts.sphere_tests_by_stage) + sum(counts.facet_tests_by_stage)) / double(n),
+          double(counts.sphere_tests_by_stage[DFS::ANY_WIDTH] +
+                 counts.facet_tests_by_stage[DFS::ANY_WIDTH]) /
+              double(n)};
 }
 
 // With the faces, and the points alone.

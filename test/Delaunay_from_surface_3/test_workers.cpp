@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_worker_left_out_is_noticed)
 // What the handshake promises, by another protocol: if this fails, too, the error is elsewhere.
 BOOST_AUTO_TEST_CASE(workers_that_own_cells_make_the_same)
 {
-  using Worker = tests::Owning_worker<tests::Id, tests::Exact>;
+  using Worker = tests::Owning_worker<tests::Id>;
   for (const char* kind : kinds) {
     const auto points = tests::points_of(kind, std::string(kind) == "moment curve" ? 200 : 1000, 5);
     const auto many = tests::insert_by_many<Worker>(points);
@@ -99,9 +99,9 @@ BOOST_AUTO_TEST_CASE(stop_leaves_a_triangulation)
   const auto points = tests::points_of("sphere", 2000, 3);
   for (const int stops_at : {0, 1, 100, 500}) {
     tests::Subject subject(points);
-    CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Id, tests::Exact,
+    CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Id,
                                                                     tests::Thread_executor>
-        triangulation(subject.exact, subject.complex, tests::Thread_executor(4), {30, 8, 8});
+        triangulation(subject.complex, tests::Thread_executor(4), {30, 8, 8});
     const tests::Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
     int asked = 0;
     const auto go_further = [&] { return asked++ < stops_at; };

@@ -8,6 +8,7 @@
 #include "Options.h"
 #include "Report.h"
 #include "Surface.h"
+#include "arrays_of_triangulation.h"
 #include "why_no_inside.h"
 
 #include <Delaunay_from_surface_3_files/Output_file.h>
@@ -18,7 +19,6 @@
 #include <CGAL/Delaunay_from_surface_3/IO/write_tetgen.h>
 #include <CGAL/Delaunay_from_surface_3/IO/write_vtk.h>
 #include <CGAL/Delaunay_from_surface_3/IO/write_vtu.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/arrays_of_triangulation.h>
 
 #include <CGAL/IO/io.h>
 #include <CGAL/Side_of_triangle_mesh.h>
@@ -169,8 +169,7 @@ inline std::vector<double> insides(const DFS::Simplices_3& s, const Mesh& mesh)
 inline DFS::Simplices_3 chosen_simplices(const Options& options, const Surface& surface,
                                          const Triangulation& tr, const Vertices& vertices)
 {
-  const auto arrays =
-      DFS::internal::arrays_of_triangulation<std::int32_t>(tr, vertices, options.to == "tetgen");
+  const auto arrays = arrays_of_triangulation<std::int32_t>(tr, vertices, options.to == "tetgen");
   DFS::Simplices_3 simplices = DFS::simplices_of(surface.points, arrays);
   if (options.to == "tetgen" && simplices.dimension < 3)
     throw std::runtime_error(options.output +

@@ -119,7 +119,7 @@ inline std::vector<std::size_t> triangles_of(const Surface& surface)
 inline View make_view(const Surface& surface, const Triangulation& tr, const Vertices& vertices,
                       const DFS::Insertion_order& order)
 {
-  const auto arrays = DFS::internal::arrays_of_triangulation<std::int32_t>(tr, vertices, false);
+  const auto arrays = arrays_of_triangulation<std::int32_t>(tr, vertices, false);
   const DFS::Simplices_3 simplices = DFS::simplices_of(surface.points, arrays);
   std::vector<std::uint32_t> numbers(surface.points.size());
   for (std::size_t k = 0; k < simplices.input_indices.size(); ++k)

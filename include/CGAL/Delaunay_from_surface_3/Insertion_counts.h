@@ -23,7 +23,7 @@ enum Exact_stage {
   BALANCED,              ///< doubles, of points at very different distances.
   DOUBLE_DOUBLE,         ///< sums of two doubles, with a bound on their error.
   TWO_DIGITS,            ///< integers of 120 bits.
-  KERNEL,                ///< the predicates of the geometric traits.
+  ANY_WIDTH,             ///< integers of any width.
   NUMBER_OF_EXACT_STAGES ///< how many there are.
 };
 

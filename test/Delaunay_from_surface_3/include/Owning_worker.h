@@ -22,20 +22,19 @@ namespace tests {
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 
-template <class Id, class Exact>
+template <class Id>
 class Owning_worker
 {
   using Complex = DFS::internal::Compact_complex<Id>;
   using Cell = typename Complex::Cell;
-  using Predicates = DFS::internal::Compact_predicates<Id, Exact>;
+  using Predicates = DFS::internal::Compact_predicates<Id>;
   using Read = DFS::internal::Read_announced<Id>;
   using Write = DFS::internal::Write_announced<Id>;
   using Insertion_try = DFS::internal::Insertion_try;
 
 public:
-  Owning_worker(const Exact& exact, DFS::internal::Shared_complex<Id>& shared, unsigned number)
-    : m_exact(exact)
-    , m_shared(shared)
+  Owning_worker(DFS::internal::Shared_complex<Id>& shared, unsigned number)
+    : m_shared(shared)
     , m_own(std::uint8_t(number + 1))
     , m_fill_star(Write(shared.complex().vertices_end()))
   {
@@ -58,7 +57,7 @@ private:
 
   Insertion_try try_to_insert(Id p, Id start, Id& present, std::size_t most_cells)
   {
-    Predicates predicates(m_exact, m_shared.complex(), m_zone.counts);
+    Predicates predicates(m_shared.complex(), m_zone.counts);
     Read read(most_cells);
     const auto location = DFS::internal::Walk_to_conflict<DFS::internal::Sphere_filter, Read&>()(
         m_shared.complex(), predicates, p, start, read);
@@ -154,7 +153,6 @@ private:
     return (expected & ~in_zone) == m_own;
   }
 
-  const Exact& m_exact;
   DFS::internal::Shared_complex<Id>& m_shared;
   const std::uint8_t m_own;
   DFS::internal::Conflict_zone<Id> m_zone;

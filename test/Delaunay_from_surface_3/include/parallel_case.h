@@ -9,10 +9,8 @@
 
 #include "Thread_executor.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_delaunay.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 
@@ -30,7 +28,6 @@ namespace tests {
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using Coordinates = std::array<double, 3>;
-using Exact = DFS::internal::Perturbed_predicates<CGAL::Epick>;
 using Id = std::uint32_t;
 using Complex = DFS::internal::Compact_complex<Id>;
 
@@ -88,7 +85,6 @@ struct Start_at_half
 
 struct Subject
 {
-  Exact exact{CGAL::Epick()};
   Complex complex;
   std::vector<Id> vertex_of;
   Id any_vertex = 0;
@@ -97,7 +93,7 @@ struct Subject
     : complex(points.size(), [&](std::size_t i) { return points[i]; })
     , vertex_of(points.size(), 0)
   {
-    any_vertex = DFS::internal::start_complex(exact, complex, vertex_of);
+    any_vertex = DFS::internal::start_complex(complex, vertex_of);
   }
 
   // The finite and infinite cells, each point by the smallest number of its duplicates.
@@ -123,7 +119,7 @@ struct Subject
 inline std::vector<std::array<Id, 4>> cells_by_one(const std::vector<Coordinates>& points)
 {
   Subject subject(points);
-  DFS::internal::Compact_triangulation<Id, Exact> triangulation(subject.exact, subject.complex);
+  DFS::internal::Compact_triangulation<Id> triangulation(subject.complex);
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (subject.vertex_of[i] != 0)
@@ -150,23 +146,23 @@ struct Never_stop
 };
 
 // In rounds that double. `go_further` returns true.
-template <class Worker = DFS::internal::Insertion_worker<Id, Exact>,
-          class Executor = Thread_executor, class GoFurther = Never_stop>
+template <class Worker = DFS::internal::Insertion_worker<Id>, class Executor = Thread_executor,
+          class GoFurther = Never_stop>
 Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
                                 const Executor& executor = Executor(),
                                 const DFS::internal::Parallel_rules& rules = {30, 8, 8},
                                 const GoFurther& go_further = GoFurther())
 {
   Subject subject(points);
-  DFS::internal::Parallel_triangulation<Id, Exact, Executor, Worker> triangulation(
-      subject.exact, subject.complex, executor, rules);
+  DFS::internal::Parallel_triangulation<Id, Executor, Worker> triangulation(subject.complex,
+                                                                            executor, rules);
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t first = 0, last = 30; first < points.size(); first = last, last *= 2) {
     last = (std::min)(last, points.size());
     triangulation.insert_round(first, last, subject.vertex_of, hints, go_further);
   }
   triangulation.finish();
-  return {DFS::internal::is_delaunay(subject.complex, subject.exact), subject.cells(),
+  return {DFS::internal::is_delaunay(subject.complex), subject.cells(),
           triangulation.counts().clashes, triangulation.counts().put_off};
 }
 

@@ -188,12 +188,12 @@ Json counts_of_kernel(const Mesh& mesh, unsigned int seed)
                 {"balanced", per_point(decided[BALANCED])},
                 {"double_double", per_point(decided[DOUBLE_DOUBLE])},
                 {"two_digits", per_point(decided[TWO_DIGITS])},
-                {"kernel", per_point(decided[KERNEL])}};
+                {"kernel", per_point(decided[ANY_WIDTH])}};
   };
   // What the first filter left open, and what all of them did.
   const auto& decided = counts.sphere_tests_by_stage;
   const std::size_t open = std::accumulate(std::begin(decided), std::end(decided), std::size_t(0));
-  const std::size_t last = decided[CGAL::Delaunay_from_surface_3::KERNEL];
+  const std::size_t last = decided[CGAL::Delaunay_from_surface_3::ANY_WIDTH];
   return {{"kernel",
            {{"cells_tested_to_start", per_point(counts.cells_tested_to_start)},
             {"sphere_tests", per_point(counts.sphere_tests)},

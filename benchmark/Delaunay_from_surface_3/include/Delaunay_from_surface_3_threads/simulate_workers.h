@@ -12,7 +12,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
@@ -34,8 +33,7 @@ class Simulation
   using Id = std::uint32_t;
   using Point = CGAL::Epick::Point_3;
   using Complex = CGAL::Delaunay_from_surface_3::internal::Compact_complex<Id>;
-  using Exact = CGAL::Delaunay_from_surface_3::internal::Perturbed_predicates<CGAL::Epick>;
-  using Worker = CGAL::Delaunay_from_surface_3::internal::Insertion_worker<Id, Exact>;
+  using Worker = CGAL::Delaunay_from_surface_3::internal::Insertion_worker<Id>;
   using Try = CGAL::Delaunay_from_surface_3::internal::Insertion_try;
 
 public:
@@ -50,11 +48,10 @@ public:
     , m_shared(m_complex, workers)
     , m_vertex_of(points.size(), 0)
   {
-    m_any_vertex =
-        CGAL::Delaunay_from_surface_3::internal::start_complex(m_exact, m_complex, m_vertex_of);
+    m_any_vertex = CGAL::Delaunay_from_surface_3::internal::start_complex(m_complex, m_vertex_of);
     m_shared.make_room(24 * points.size()); // it cannot grow while zones are announced
     for (unsigned t = 0; t < workers; ++t)
-      m_workers.push_back(std::make_unique<Worker>(m_exact, m_shared, t));
+      m_workers.push_back(std::make_unique<Worker>(m_shared, t));
   }
 
   // Inserts all points; returns for each round the number of insertions that were rolled back.
@@ -145,7 +142,6 @@ private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   const CGAL::Delaunay_from_surface_3::Insertion_order& m_plan;
-  Exact m_exact{CGAL::Epick()};
   Complex m_complex;
   CGAL::Delaunay_from_surface_3::internal::Shared_complex<Id> m_shared;
   std::vector<Id> m_vertex_of;

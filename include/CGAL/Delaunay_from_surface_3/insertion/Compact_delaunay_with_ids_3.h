@@ -14,7 +14,6 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_triangulation.h>
-#include <CGAL/Delaunay_from_surface_3/internal/compact/Perturbed_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/Scaled_points.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
@@ -42,8 +41,8 @@ namespace Delaunay_from_surface_3 {
 
 inserts points into a compact triangulation of its own and writes that into the user's empty
 triangulation when it is finished; any vertex and cell base will do. The result equals that of
-CGAL's own insertion on every input: signs that floating point cannot certify come from the exact
-predicates of the geometric traits and CGAL's symbolic perturbation.
+CGAL's own insertion on every input: signs that floating point cannot certify come from integers
+that are as wide as need be, and CGAL's symbolic perturbation.
 
 It serves geometric traits with exact predicates, such as
 `Exact_predicates_inexact_constructions_kernel`, `Exact_predicates_exact_constructions_kernel` and
@@ -65,12 +64,10 @@ template <class Triangulation, class Id, class Executor = internal::Alone>
 class Compact_delaunay_with_ids_3
 {
   using Geom_traits = typename Triangulation::Geom_traits;
-  using Predicates = internal::Perturbed_predicates_on_doubles<Geom_traits>;
   using Complex = internal::Compact_complex<Id>;
   static constexpr bool is_parallel = !std::is_base_of<internal::Alone, Executor>::value;
-  using Kernel =
-      std::conditional_t<is_parallel, internal::Parallel_triangulation<Id, Predicates, Executor>,
-                         internal::Compact_triangulation<Id, Predicates>>;
+  using Kernel = std::conditional_t<is_parallel, internal::Parallel_triangulation<Id, Executor>,
+                                    internal::Compact_triangulation<Id>>;
 
 public:
   using Point = typename Triangulation::Point;     ///< the points inserted.
@@ -110,16 +107,17 @@ public:
                               const Executor& executor = Executor())
     : m_tr(tr)
     , m_points(points)
-    , m_exact(tr.geom_traits())
     , m_scaled_points(points)
     , m_obstacle(obstacle_of_input())
     , m_complex(m_obstacle ? 0 : points.size(), m_scaled_points)
     , m_executor(executor)
-    , m_kernel(m_exact, m_complex, m_executor)
+    , m_kernel(m_complex, m_executor)
     , m_vertices(points.size(), Vertex())
   {
-    if (!m_obstacle)
-      m_any_vertex = internal::start_complex(m_exact, m_complex, m_vertices);
+    if (!m_obstacle) {
+      m_complex.keep_own_coordinates(m_scaled_points.own_coordinates());
+      m_any_vertex = internal::start_complex(m_complex, m_vertices);
+    }
     if (!m_obstacle && m_any_vertex == Vertex())
       m_obstacle = "the points lie in one plane";
   }
@@ -252,7 +250,7 @@ protected:
   void finish_insertions()
   {
     m_kernel.finish();
-    CGAL_expensive_postcondition(internal::is_delaunay(m_complex, m_exact));
+    CGAL_expensive_postcondition(internal::is_delaunay(m_complex));
   }
   /// \endcond
 
@@ -280,7 +278,6 @@ private:
 
   Triangulation& m_tr;
   const std::vector<Point>& m_points;
-  Predicates m_exact;
   internal::Scaled_points<Point> m_scaled_points;
   std::optional<std::string> m_obstacle;
   Complex m_complex;

@@ -17,7 +17,8 @@
 //
 // Coordinates are at most 2^58 in absolute value, so differences are at most 2^59 and w at most 3
 // 2^118. What underflows, 2^-1075 each time and less than 2^7 times, meets factors of less than
-// 2^181: less than `tiny` altogether.
+// 2^181: less than `tiny` altogether. Where coordinates themselves were rounded, by at most 2^-1075
+// (Compact_complex.h), that is nothing beside columns of at least `least`.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 
@@ -33,9 +34,10 @@ constexpr double unit_of_double = 1. / 9007199254740992.; // 2^-53
 struct Column_sizes
 {
   static constexpr double tiny = 1e-264; // more than 2^-880
+  static constexpr double least = 0x1p-1000;
   static constexpr double four = 450, three = 55;
 
-  double x = 0, y = 0, z = 0;
+  double x = least, y = least, z = least;
 
   template <class... Rows>
   explicit Column_sizes(const Rows&... rows)

@@ -12,6 +12,9 @@
 // coordinates are there from the beginning; 0 is the infinite vertex. Numbers of duplicates stay
 // unused.
 //
+// Coordinates are those of the points times a power of 2. If some are so small that this rounds them,
+// the complex keeps the points' own, too; those are what exact predicates see.
+//
 // Invariants: vertices of a cell are in positive orientation (with the infinite vertex in the place
 // of a point beyond the hull); the infinite vertex is only ever the last of a cell. A link names a
 // neighbour and, in its two lowest bits, which of the neighbour's facets is shared: 4 · cell +
@@ -27,6 +30,7 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -82,6 +86,19 @@ public:
       const std::array<double, 3> p = coordinates(i);
       m_vertices[vertex_of_point(i)] = {{p[0], p[1], p[2]}, 0, 0};
     }
+  }
+
+  // The coordinates of the points before they were scaled, if that rounded any.
+  void keep_own_coordinates(std::vector<std::array<double, 3>>&& coordinates)
+  {
+    m_own_coordinates = std::move(coordinates);
+  }
+  bool is_rounded() const { return !m_own_coordinates.empty(); }
+
+  // Of a finite vertex, but for a power of 2 that all have in common.
+  const double* exact_coordinates(Id v) const
+  {
+    return is_rounded() ? m_own_coordinates[point_of_vertex(v)].data() : vertex(v).coordinates;
   }
 
   static Id vertex_of_point(std::size_t i) { return Id(i + 1); }
@@ -208,6 +225,7 @@ private:
 
   Page_array<Cell> m_cells;
   Page_array<Vertex> m_vertices;
+  std::vector<std::array<double, 3>> m_own_coordinates;
   std::size_t m_cells_end = 0;
   std::size_t m_number_of_vertices;
 };

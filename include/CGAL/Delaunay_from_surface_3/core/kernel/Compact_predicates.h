@@ -18,17 +18,17 @@
 //   BALANCED        doubles, of points at very different distances      -  balanced_signs.h
 //   DOUBLE_DOUBLE   farther from 0 than sums of two doubles err       240  Double_double.h
 //   TWO_DIGITS      integers of 120 bits, 0 included                  440  exact_signs.h
-//   KERNEL          all that is left                                 2500  Perturbed_predicates.h
+//   ANY_WIDTH       all that is left                                    -  Wide_integer.h
 //
 // Where the sign is 0, the stage goes on with CGAL's perturbation.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/flat_beyond_sign.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Delaunay_from_surface_3/support/fail.h>
 
 #include <algorithm>
 
@@ -36,19 +36,17 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The predicates of one insertion. Exact: as Perturbed_predicates. The new point is a vertex p, in
-// no cell yet.
-template <class Id, class Exact>
+// The predicates of one insertion. The new point is a vertex p, in no cell yet.
+template <class Id>
 class Compact_predicates
 {
   using Complex = Compact_complex<Id>;
   using Cell = Compact_cell<Id>;
 
 public:
-  // Keeps references to all three.
-  Compact_predicates(const Exact& exact, const Complex& complex, Insertion_counts& counts)
-    : m_exact(exact)
-    , m_complex(complex)
+  // Keeps references to both.
+  Compact_predicates(const Complex& complex, Insertion_counts& counts)
+    : m_complex(complex)
     , m_counts(counts)
   {
   }
@@ -58,9 +56,9 @@ public:
   // The vertex of the cell that has the coordinates of p, or 0.
   Id vertex_at(const Cell& cell, Id p) const
   {
-    const double* const q = coordinates(p);
+    const double* const q = m_complex.exact_coordinates(p);
     for (const Id v : cell.v)
-      if (v != Complex::infinite && std::equal(q, q + 3, coordinates(v)))
+      if (v != Complex::infinite && std::equal(q, q + 3, m_complex.exact_coordinates(v)))
         return v;
     return 0;
   }
@@ -86,24 +84,26 @@ public:
 
   bool is_beyond_exactly(const Cell& cell, Id p)
   {
-    const double* const v[3] = {coordinates(Complex::first_vertex(cell)), coordinates(cell.v[1]),
-                                coordinates(cell.v[2])};
-    const double* const q = coordinates(p);
-    if (const int flat = flat_beyond_sign(v, q))
-      return flat > 0;
-    if (const int sign = beyond_sign_by_columns(v, q))
-      return sign > 0;
-    const Exact_sign exact = exact_beyond_sign(v, q, m_is_fused);
+    const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
+    const double* const v[3] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2])};
+    const double* const q = at(p);
+    if (!m_complex.is_rounded()) {
+      if (const int flat = flat_beyond_sign(v, q))
+        return flat > 0;
+      if (const int sign = beyond_sign_by_columns(v, q))
+        return sign > 0;
+    }
+    const Exact_sign exact = m_complex.is_rounded() ? wide_sign<Exact_beyond>(v, q)
+                                                    : exact_beyond_sign(v, q, m_is_fused);
     ++m_counts.facet_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
-    return exact.sign != 0 ? exact.sign > 0 : m_exact.is_beyond(v[0], v[1], v[2], q);
+    return exact.sign > 0;
   }
 
   // Whether p and the finite cell lie in a box that is flat and parallel to axes.
   bool is_flat(const Cell& cell, Id p) const
   {
-    const double* const q = coordinates(p);
-    return column_sizes(cell, q).are_flat();
+    return !m_complex.is_rounded() && column_sizes(cell, coordinates(p)).are_flat();
   }
 
   // What the view of a finite cell left open.
@@ -115,13 +115,15 @@ public:
   // What the first filter left open.
   bool is_in_close_sphere(const Cell& cell, Id p)
   {
-    const double* const v[4] = {coordinates(Complex::first_vertex(cell)), coordinates(cell.v[1]),
-                                coordinates(cell.v[2]), coordinates(cell.v[3])};
-    const double* const q = coordinates(p);
-    const Exact_sign exact = exact_sphere_sign(v, q, m_is_fused);
+    const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
+    const double* const v[4] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2]),
+                                at(cell.v[3])};
+    const double* const q = at(p);
+    const Exact_sign exact = m_complex.is_rounded() ? wide_sign<Exact_sphere>(v, q)
+                                                    : exact_sphere_sign(v, q, m_is_fused);
     ++m_counts.sphere_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
-    return exact.sign != 0 ? exact.sign > 0 : m_exact.is_in_sphere(v[0], v[1], v[2], v[3], q);
+    return exact.sign > 0;
   }
 
   // The same for any cell, with all filters.
@@ -147,9 +149,9 @@ private:
       if (view.facets[k] < -bound)
         return k;
     for (unsigned k = 0; k < 4; ++k)
-      if (view.facets[k] <= bound && orientation(cell, k, q) < 0)
+      if (view.facets[k] <= bound && is_beyond_facet(cell, k, p))
         return k;
-    CGAL_error_msg("a cell that contains a point must be in conflict with it");
+    fail("a cell that contains a point must be in conflict with it");
   }
 
   Column_sizes column_sizes(const Cell& cell, const double* q) const
@@ -159,17 +161,17 @@ private:
                         row(coordinates(cell.v[3]), q));
   }
 
-  int orientation(const Cell& cell, unsigned k, const double* q) const
+  bool is_beyond_facet(const Cell& cell, unsigned k, Id p) const
   {
-    const double* const v[3] = {coordinates(cell.v[k ^ 1]), coordinates(cell.v[k ^ 2]),
-                                coordinates(cell.v[k ^ 3])};
-    const int sign = close_orientation(v, q, m_is_fused);
-    return sign != 0 ? sign : int(m_exact.orientation(q, v[0], v[1], v[2]));
+    const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
+    const double* const v[3] = {at(cell.v[k ^ 1]), at(cell.v[k ^ 2]), at(cell.v[k ^ 3])};
+    const double* const q = at(p);
+    const int sign = m_complex.is_rounded() ? 0 : close_orientation(v, q, m_is_fused);
+    return (sign != 0 ? sign : orientation(q, v[0], v[1], v[2])) < 0;
   }
 
   const double* coordinates(Id v) const { return m_complex.vertex(v).coordinates; }
 
-  const Exact& m_exact;
   const Complex& m_complex;
   Insertion_counts& m_counts;
   const bool m_is_fused = has_fused_products();

@@ -27,33 +27,32 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Id: an unsigned type for the numbers. Exact: as Perturbed_predicates.
-template <class Id, class Exact>
+// Id: an unsigned type for the numbers.
+template <class Id>
 class Compact_triangulation
 {
   using Complex = Compact_complex<Id>;
-  using Predicates = Compact_predicates<Id, Exact>;
+  using Predicates = Compact_predicates<Id>;
 
 public:
   using Location = Compact_location<Id>;
 
-  // Of the vertices of `complex`, which has started. Keeps references.
-  Compact_triangulation(const Exact& exact, Complex& complex, const Alone& = Alone())
-    : m_exact(exact)
-    , m_complex(complex)
+  // Of the vertices of `complex`, which has started. Keeps a reference.
+  explicit Compact_triangulation(Complex& complex, const Alone& = Alone())
+    : m_complex(complex)
   {
   }
 
   // Where vertex p, in no cell yet, goes, from cell `start`. Counted, or not.
   Location locate(Id p, Id start)
   {
-    Predicates predicates(m_exact, m_complex, m_zone.counts);
+    Predicates predicates(m_complex, m_zone.counts);
     return walk(predicates, p, start);
   }
   Location locate(Id p, Id start) const
   {
     Insertion_counts uncounted;
-    Predicates predicates(m_exact, m_complex, uncounted);
+    Predicates predicates(m_complex, uncounted);
     return walk(predicates, p, start);
   }
 
@@ -72,7 +71,7 @@ public:
   Id insert_if(Id p, Id cell, const Before& before, const Accepts& accepts)
   {
     dig(p, cell);
-    const Id nearest = nearest_vertex_of_zone(m_complex, m_exact, m_zone, p);
+    const Id nearest = nearest_vertex_of_zone(m_complex, m_zone, p);
     if (!accepts(nearest)) {
       m_zone.revive(m_complex);
       return nearest;
@@ -100,7 +99,7 @@ private:
 
   void dig(Id p, Id cell)
   {
-    Predicates predicates(m_exact, m_complex, m_zone.counts);
+    Predicates predicates(m_complex, m_zone.counts);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
     if (m_is_wide) {
       Dig_conflict_zone<Widest_explore_neighbors<Id>>()(m_complex, predicates, m_zone, p, cell);
@@ -117,7 +116,6 @@ private:
     m_fill_star(m_complex, m_zone, p);
   }
 
-  const Exact& m_exact;
   Complex& m_complex;
   Conflict_zone<Id> m_zone;
   Fill_star<Id> m_fill_star;

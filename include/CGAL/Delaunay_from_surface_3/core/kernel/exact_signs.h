@@ -5,17 +5,17 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_EXACT_SIGNS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_EXACT_SIGNS_H
 
-// The exact stages: signs of the determinants in integers of fixed width, and CGAL's perturbation
-// where they are 0.
+// The exact stages: signs of the determinants in integers, and CGAL's perturbation where they are 0.
 //
 // The differences v - p are integers times a power of 2. Where these have few bits (30, 60 or 120,
-// see Integer_differences.h) the signs follow from products of integers; what has more is left
-// open.
+// see Integer_differences.h) the signs follow from products of integers of fixed width; what has
+// more, and all on machines without integers of 128 bits, from integers of any width.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fixed_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Integer_differences.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 
@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// sign: 1 or -1, perturbed where the determinant is 0; 0: not decided.
+// sign: 1 or -1, perturbed where the determinant is 0.
 struct Exact_sign
 {
   int sign;
@@ -119,17 +119,15 @@ inline int close_orientation(const double* const* vertices, const double* p, boo
   return balanced_sign<3>(vertices, p, is_fused).sign;
 }
 
-#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
-
 struct Exact_sphere
 {
   static constexpr int size = 4;
 
-  template <int Halves>
-  static Exact_sign sign(const Row<Fixed_integer<Halves>>* r, Exact_stage stage,
-                         const double* const* vertices, const double* p)
+  template <class Number>
+  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const double* const* vertices,
+                         const double* p)
   {
-    const Sphere_cofactors<Fixed_integer<Halves>> cofactors(r[0], r[1], r[2], r[3]);
+    const Sphere_cofactors<Number> cofactors(r[0], r[1], r[2], r[3]);
     if (const int sign = sign_of(cofactors.lifted(r[0], r[1], r[2], r[3])))
       return {sign, false, stage};
     return {perturbed_sign<4>(vertices, p, [&](int k) { return sign_of(cofactors.of[k]); }), true,
@@ -147,14 +145,14 @@ struct Exact_beyond
 {
   static constexpr int size = 3;
 
-  template <int Halves>
-  static Exact_sign sign(const Row<Fixed_integer<Halves>>* r, Exact_stage stage,
-                         const double* const* vertices, const double* p)
+  template <class Number>
+  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const double* const* vertices,
+                         const double* p)
   {
     if (const int height = sign_of(determinant_of(r[0], r[1], r[2])))
       return {-height, false, stage};
-    using R = Row<Fixed_integer<Halves>>;
-    Circle_cofactors<Fixed_integer<Halves>> cofactors(r, &R::x, &R::y);
+    using R = Row<Number>;
+    Circle_cofactors<Number> cofactors(r, &R::x, &R::y);
     if (sign_of(cofactors.area) == 0)
       cofactors = {r, &R::y, &R::z};
     if (sign_of(cofactors.area) == 0)
@@ -174,13 +172,22 @@ struct Exact_beyond
 };
 
 template <class Determinant>
+Exact_sign wide_sign(const double* const* vertices, const double* p)
+{
+  const Wide_differences<Determinant::size> differences(vertices, p);
+  return Determinant::sign(differences.rows, ANY_WIDTH, vertices, p);
+}
+
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
+
+template <class Determinant>
 Exact_sign exact_sign(const double* const* vertices, const double* p, bool is_fused)
 {
   constexpr int n = Determinant::size;
   const Exact_differences<n> exact_differences(vertices, p);
   const Integer_differences<n> differences(exact_differences);
   if (!differences.can_be_scaled())
-    return {0, false, KERNEL};
+    return wide_sign<Determinant>(vertices, p);
   if (differences.has_one_digit() && differences.has_half_a_digit()) {
     Row<Fixed_integer<1>> rows[n];
     differences.set_rows(rows);
@@ -196,9 +203,21 @@ Exact_sign exact_sign(const double* const* vertices, const double* p, bool is_fu
     return rounded;
   Row<Fixed_integer<4>> rows[n];
   if (!differences.set_rows(rows))
-    return {0, false, KERNEL};
+    return wide_sign<Determinant>(vertices, p);
   return Determinant::sign(rows, TWO_DIGITS, vertices, p);
 }
+
+#else
+
+template <class Determinant>
+Exact_sign exact_sign(const double* const* vertices, const double* p, bool is_fused)
+{
+  const Exact_differences<Determinant::size> differences(vertices, p);
+  const Exact_sign rounded = Determinant::rounded(differences, vertices, p, is_fused);
+  return rounded.sign != 0 ? rounded : wide_sign<Determinant>(vertices, p);
+}
+
+#endif
 
 // Of a positively oriented cell.
 inline Exact_sign exact_sphere_sign(const double* const* vertices, const double* p, bool is_fused)
@@ -211,24 +230,6 @@ inline Exact_sign exact_beyond_sign(const double* const* vertices, const double*
 {
   return exact_sign<Exact_beyond>(vertices, p, is_fused);
 }
-
-#else
-
-inline Exact_sign exact_sphere_sign(const double* const* vertices, const double* p, bool is_fused)
-{
-  const Exact_sign rounded =
-      rounded_sphere_sign(Exact_differences<4>(vertices, p), vertices, p, is_fused);
-  return {rounded.sign, false, rounded.sign != 0 ? rounded.stage : KERNEL};
-}
-
-inline Exact_sign exact_beyond_sign(const double* const* vertices, const double* p, bool is_fused)
-{
-  const Exact_sign rounded =
-      rounded_beyond_sign(Exact_differences<3>(vertices, p), vertices, p, is_fused);
-  return {rounded.sign, false, rounded.sign != 0 ? rounded.stage : KERNEL};
-}
-
-#endif
 
 } // namespace internal
 } // namespace Delaunay_from_surface_3

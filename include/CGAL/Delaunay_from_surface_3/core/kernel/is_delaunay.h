@@ -15,15 +15,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // Are links and vertices right, and is no cell in conflict with the vertex across a facet? Linear.
-// Exact: as Perturbed_predicates.
-template <class Id, class Exact>
-bool is_delaunay(const Compact_complex<Id>& complex, const Exact& exact)
+template <class Id>
+bool is_delaunay(const Compact_complex<Id>& complex)
 {
   using Complex = Compact_complex<Id>;
   if (!complex.is_valid())
     return false;
   Insertion_counts uncounted;
-  Compact_predicates<Id, Exact> predicates(exact, complex, uncounted);
+  Compact_predicates<Id> predicates(complex, uncounted);
   for (std::size_t c = 0; c < complex.cells_end(); ++c) {
     const Compact_cell<Id>& cell = complex.cell(c);
     for (unsigned k = 0; !Complex::is_dead(cell) && k < 4; ++k) {

@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -44,10 +45,9 @@ Id nearest_vertex_of_cell(const Compact_complex<Id>& complex, Id p, Id cell)
 }
 
 // Is v nearer to p than w, exactly? If both are equally near, the lexicographically smaller one is.
-template <class Exact>
-bool is_nearer_exactly(const Exact& exact, const double* p, const double* v, const double* w)
+inline bool is_nearer_exactly(const double* p, const double* v, const double* w)
 {
-  const int c = exact.compare_distance(p, v, w);
+  const int c = compare_distance(p, v, w);
   return c != 0 ? c < 0 : std::lexicographical_compare(v, v + 3, w, w + 3);
 }
 
@@ -55,9 +55,8 @@ bool is_nearer_exactly(const Exact& exact, const double* p, const double* v, con
 // the ball whose diameter leads from p to it is empty, so that it will be a neighbour of p. Those
 // at the same distance are there too.
 // Cost: O(facets); few distances are so close that they are compared exactly.
-template <class Id, class Exact>
-Id nearest_vertex_of_zone(const Compact_complex<Id>& complex, const Exact& exact,
-                          const Conflict_zone<Id>& zone, Id p)
+template <class Id>
+Id nearest_vertex_of_zone(const Compact_complex<Id>& complex, const Conflict_zone<Id>& zone, Id p)
 {
   // Sums of three squares of differences, in doubles: the errors of two of them, and what can be
   // lost where squares underflow.
@@ -74,7 +73,8 @@ Id nearest_vertex_of_zone(const Compact_complex<Id>& complex, const Exact& exact
       const double bound = relative * (distance + least) + absolute;
       if (nearest == complex.infinite || distance < least - bound ||
           (distance <= least + bound &&
-           is_nearer_exactly(exact, point, q, complex.vertex(nearest).coordinates))) {
+           is_nearer_exactly(complex.exact_coordinates(p), complex.exact_coordinates(v),
+                             complex.exact_coordinates(nearest)))) {
         nearest = v;
         least = distance;
       }

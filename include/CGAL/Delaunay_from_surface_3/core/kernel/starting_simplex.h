@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_STARTING_SIMPLEX_H
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 
 #include <algorithm>
 #include <array>
@@ -16,11 +17,12 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Four points that do not lie in one plane, positively oriented.
+// Points none of which lies in the span of those before it: the first d + 1 of `points`, where d is
+// the dimension of all; four are positively oriented.
 struct Starting_simplex
 {
   std::array<std::size_t, 4> points;
-  bool is_found;
+  int dimension; // -1: there are no points
 };
 
 // Do four points lie in a plane across an axis? Most of those that lie in one plane do.
@@ -34,37 +36,37 @@ inline bool share_a_coordinate(const double* a, const double* b, const double* c
 
 // The first such points among n; `point(i)` gives the coordinates of the i-th. Exact; O(n) at
 // worst, a few tests as a rule.
-template <class Predicates, class PointOf>
-Starting_simplex starting_simplex(const Predicates& predicates, std::size_t n, const PointOf& point)
+template <class PointOf>
+Starting_simplex starting_simplex(std::size_t n, const PointOf& point)
 {
   std::size_t b = 1;
   while (b < n && std::equal(point(0), point(0) + 3, point(b)))
     ++b;
   std::size_t c = b + 1;
-  while (c < n && predicates.are_collinear(point(0), point(b), point(c)))
+  while (c < n && are_collinear(point(0), point(b), point(c)))
     ++c;
   for (std::size_t d = c + 1; d < n; ++d) {
     if (share_a_coordinate(point(0), point(b), point(c), point(d)))
       continue;
-    const int o = predicates.orientation(point(0), point(b), point(c), point(d));
+    const int o = orientation(point(0), point(b), point(c), point(d));
     if (o != 0)
       return {o > 0 ? std::array<std::size_t, 4>{0, b, c, d}
                     : std::array<std::size_t, 4>{b, 0, c, d},
-              true};
+              3};
   }
-  return {{}, false};
+  return {{0, b, c, 0}, n == 0 ? -1 : int(b < n) + int(c < n)};
 }
 
 // Starts a complex with such points, and notes them in vertex_of, by point. Returns one of these
 // vertices; 0 if the points lie in one plane.
-template <class Exact, class Id>
-Id start_complex(const Exact& exact, Compact_complex<Id>& complex, std::vector<Id>& vertex_of)
+template <class Id>
+Id start_complex(Compact_complex<Id>& complex, std::vector<Id>& vertex_of)
 {
   using Complex = Compact_complex<Id>;
-  const auto simplex = starting_simplex(exact, vertex_of.size(), [&](std::size_t i) {
-    return complex.vertex(Complex::vertex_of_point(i)).coordinates;
+  const auto simplex = starting_simplex(vertex_of.size(), [&](std::size_t i) {
+    return complex.exact_coordinates(Complex::vertex_of_point(i));
   });
-  if (!simplex.is_found)
+  if (simplex.dimension < 3)
     return 0;
   std::array<Id, 4> v;
   for (std::size_t k = 0; k < 4; ++k)

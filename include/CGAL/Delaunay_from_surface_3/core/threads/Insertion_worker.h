@@ -67,18 +67,17 @@ enum class Insertion_try {
   NO_CELLS // there are no fresh cells any more; nothing was written
 };
 
-template <class Id, class Exact, class Protocol = Handshake>
+template <class Id, class Protocol = Handshake>
 class Insertion_worker
 {
   using Complex = Compact_complex<Id>;
-  using Predicates = Compact_predicates<Id, Exact>;
+  using Predicates = Compact_predicates<Id>;
   using Location = Compact_location<Id>;
 
 public:
   // The worker with this number, of those that `shared` has lanes for.
-  Insertion_worker(const Exact& exact, Shared_complex<Id>& shared, unsigned number)
-    : m_exact(exact)
-    , m_shared(shared)
+  Insertion_worker(Shared_complex<Id>& shared, unsigned number)
+    : m_shared(shared)
     , m_number(number)
     , m_fill_star(Write_announced<Id>(shared.complex().vertices_end()))
   {
@@ -96,7 +95,7 @@ public:
   // The first half: finds the zone and announces it; DONE: as far as that goes.
   Insertion_try announce(Id p, Id start, Id& present, std::size_t most_cells)
   {
-    Predicates predicates(m_exact, m_shared.complex(), m_zone.counts);
+    Predicates predicates(m_shared.complex(), m_zone.counts);
     Read_announced<Id> read(most_cells);
     const Location location = walk(predicates, p, start, read);
     if (read.is_lost())
@@ -199,7 +198,6 @@ private:
       release(m_zone.cells[k]);
   }
 
-  const Exact& m_exact;
   Shared_complex<Id>& m_shared;
   const unsigned m_number;
   Announced_zone<Id> m_zone;

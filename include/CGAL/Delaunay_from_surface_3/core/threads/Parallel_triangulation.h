@@ -37,17 +37,16 @@ struct Parallel_rules
 };
 
 // Executor: see blocks.h. Worker: how one inserts a point beside others; tests have others.
-template <class Id, class Exact, class Executor, class Worker = Insertion_worker<Id, Exact>>
+template <class Id, class Executor, class Worker = Insertion_worker<Id>>
 class Parallel_triangulation
 {
   using Complex = Compact_complex<Id>;
 
 public:
   // Of the vertices of `complex`, which has started. Keeps references.
-  Parallel_triangulation(const Exact& exact, Complex& complex, const Executor& executor,
+  Parallel_triangulation(Complex& complex, const Executor& executor,
                          const Parallel_rules& rules = Parallel_rules())
-    : m_exact(exact)
-    , m_shared(complex, executor.number_of_workers())
+    : m_shared(complex, executor.number_of_workers())
     , m_executor(executor)
     , m_rules(rules)
   {
@@ -136,7 +135,7 @@ private:
     number = (std::min)(number, points / m_rules.points_per_worker);
     number = inserted < m_rules.first_points || number == 0 ? 1 : number;
     while (m_workers.size() < number)
-      m_workers.push_back(std::make_unique<Worker>(m_exact, m_shared, unsigned(m_workers.size())));
+      m_workers.push_back(std::make_unique<Worker>(m_shared, unsigned(m_workers.size())));
     return number;
   }
 
@@ -229,7 +228,6 @@ private:
   // A walk that takes longer may go round in circles, in a triangulation that changes under it.
   static constexpr std::size_t most_cells_of_walk = 10000;
 
-  const Exact& m_exact;
   Shared_complex<Id> m_shared;
   const Executor m_executor;
   const Parallel_rules m_rules;

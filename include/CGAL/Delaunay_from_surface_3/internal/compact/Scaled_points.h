@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_SCALED_POINTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_SCALED_POINTS_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/compact/exact_scale.h>
+#include <CGAL/Delaunay_from_surface_3/internal/compact/power_of_scale.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 
 #include <array>
@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The coordinates of points as doubles, multiplied by a power of 2, exactly; or why there are none.
+// The coordinates of points as doubles, multiplied by a power of 2; or why there are none.
 template <class Point>
 class Scaled_points
 {
@@ -27,7 +27,7 @@ public:
   explicit Scaled_points(const std::vector<Point>& points)
     : m_points(points)
     , m_not_double(first_not_double(points))
-    , m_scale(m_not_double == points.size() ? exact_scale(points) : 0)
+    , m_scale(m_not_double == points.size() ? power_of_scale(points) : Power_of_scale{1, true})
   {
   }
 
@@ -35,8 +35,6 @@ public:
   {
     if (m_not_double < m_points.size())
       return "a coordinate of point " + std::to_string(m_not_double) + " is not a double";
-    if (m_scale == 0)
-      return "the coordinates are of too different size";
     return std::nullopt;
   }
 
@@ -44,13 +42,23 @@ public:
   std::array<double, 3> operator()(std::size_t i) const
   {
     const std::array<double, 3> p = *double_coordinates(m_points[i]);
-    return {p[0] * m_scale, p[1] * m_scale, p[2] * m_scale};
+    return {p[0] * m_scale.factor, p[1] * m_scale.factor, p[2] * m_scale.factor};
+  }
+
+  // Those of all points as they are, if the product has rounded any; else nothing.
+  std::vector<std::array<double, 3>> own_coordinates() const
+  {
+    std::vector<std::array<double, 3>> own;
+    own.reserve(m_scale.is_exact ? 0 : m_points.size());
+    for (std::size_t i = 0; !m_scale.is_exact && i < m_points.size(); ++i)
+      own.push_back(*double_coordinates(m_points[i]));
+    return own;
   }
 
 private:
   const std::vector<Point>& m_points;
   std::size_t m_not_double; // the first such point, or the number of points
-  double m_scale;           // 0: there is none
+  Power_of_scale m_scale;
 };
 
 } // namespace internal

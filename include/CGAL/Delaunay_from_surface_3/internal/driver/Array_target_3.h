@@ -8,8 +8,10 @@
 // The compact triangulation whose own cells become the arrays, in their place.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/flat_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/partition_cells.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,6 +37,29 @@ public:
   // Nothing is written into a triangulation.
   void finish() { this->finish_insertions(); }
 
+  // Of all points: which of them, by place, are a simplex of largest dimension.
+  Starting_simplex simplex()
+  {
+    return starting_simplex(this->size(), [&](std::size_t i) { return coordinates_of_place(i); });
+  }
+
+  // Of the point at a place.
+  const double* coordinates_of_place(std::size_t i)
+  {
+    return this->complex().exact_coordinates(Compact_complex<Id>::vertex_of_point(i));
+  }
+
+  // The triangles at the last point, which is none of `order`: the apex off the plane of the others.
+  Arrays take_arrays_at_apex(const std::vector<std::size_t>& order)
+  {
+    std::vector<Index> names = names_of_vertices(order);
+    names.push_back(Arrays::none);
+    typename Arrays::Entries rows;
+    const auto [finite, all] =
+        triangles_at(this->complex(), this->vertex(order.size()), names, rows);
+    return Arrays(2, finite, all, std::move(rows), vertices_of_points(order, names));
+  }
+
   // order[k] is the index of the point at place k. To be called last.
   Arrays take_arrays(const std::vector<std::size_t>& order)
   {
@@ -43,11 +68,8 @@ public:
     const Numbers_of_cells numbers = partition_cells(complex);
     const std::vector<Index> names = names_of_vertices(order);
     rename(complex.cells(), complex.cells() + numbers.all, names);
-    std::vector<Index> vertices_of_points(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-      vertices_of_points[order[k]] = names[this->vertex(k)];
     return Arrays(3, numbers.finite, numbers.all, typename Arrays::Entries(complex.take_cells()),
-                  std::move(vertices_of_points));
+                  vertices_of_points(order, names));
   }
 
 private:
@@ -60,6 +82,16 @@ private:
       name = name == Arrays::none ? Index(order[k]) : (std::min)(name, Index(order[k]));
     }
     return names; // that of the infinite vertex, 0, is none
+  }
+
+  // By point: the name of its vertex.
+  std::vector<Index> vertices_of_points(const std::vector<std::size_t>& order,
+                                        const std::vector<Index>& names) const
+  {
+    std::vector<Index> vertices(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+      vertices[order[k]] = names[this->vertex(k)];
+    return vertices;
   }
 
   // Ids of vertices become indices of points, and links the numbers of neighbours.

@@ -14,15 +14,15 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Array_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/arrays_of_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_in_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -49,21 +49,33 @@ Insertion_outcome insert_by_order(Target& target, const Budgeted_order& order, V
   return insert_in_rounds(order.plan.round_ends, target, hints, visitor, order.budget);
 }
 
-// Into CGAL's triangulation, and from there.
-template <class Traits, class Index, class Visitor>
-Insertion_outcome insert_into_arrays_by_cgal(const std::vector<Array_point>& points,
-                                             const Budgeted_order& order, Visitor& visitor,
-                                             Delaunay_3_arrays<Index>& arrays)
+// Points on a line, or at one place: they are sorted, at once.
+template <class Hints, class Target, class Index, class Visitor>
+Insertion_outcome insert_on_line(Target& target, const Budgeted_order& order, Visitor& visitor,
+                                 Delaunay_3_arrays<Index>& arrays)
 {
-  using Target = Triangulation_target_3<Array_triangulation>;
-  using Hints = typename Traits::template Insertion_hints_3<Target, Index_graph>;
-  Array_triangulation tr;
-  Target target(tr, points);
-  const Insertion_outcome outcome = insert_by_order<Hints>(target, order, visitor);
-  if (outcome == Insertion_outcome::COMPLETE)
-    arrays = arrays_of_triangulation<Index>(
-        tr, permuted(target.take_vertices(), inverse(order.plan.order)));
-  return outcome;
+  visitor.insertion_begins(1);
+  if (!order.plan.order.empty() && !visitor.go_further())
+    return Insertion_outcome::STOPPED;
+  const std::vector<std::size_t> places = inverse(order.plan.order);
+  arrays = arrays_on_line<Index>(places.size(), [&](std::size_t i) {
+    const double* const p = target.coordinates_of_place(places[i]);
+    return std::array<double, 3>{p[0], p[1], p[2]};
+  });
+  const Index_graph no_subgraph;
+  visitor.insertion_ends(target, Hints(target, no_subgraph, order.plan));
+  visitor.phase_begins(Surface_insertion_phase::FINISH);
+  return Insertion_outcome::COMPLETE;
+}
+
+// The points to insert so that arrays come of them: in a plane, the apex too (flat_arrays.h).
+inline Array_point apex_of(const Starting_simplex& simplex, const std::vector<Array_point>& points)
+{
+  std::array<double, 3> p[3];
+  for (std::size_t k = 0; k < 3; ++k)
+    p[k] = *double_coordinates(points[simplex.points[k]]);
+  const auto apex = apex_of_plane(p[0].data(), p[1].data(), p[2].data());
+  return Array_point(apex[0], apex[1], apex[2]);
 }
 
 // `points` in the order of insertion. Says in `arrays` what it made, if it is complete.
@@ -76,13 +88,18 @@ Insertion_outcome insert_into_arrays(std::vector<Array_point> points, const Budg
   Array_triangulation empty;
   Target target(empty, points);
   if (target.obstacle()) {
-    visitor.target_is_replaced(*target.obstacle());
-    return insert_into_arrays_by_cgal<Traits>(points, order, visitor, arrays);
+    const Starting_simplex simplex = target.simplex();
+    if (simplex.dimension < 2)
+      return insert_on_line<Hints>(target, order, visitor, arrays);
+    points.push_back(apex_of(simplex, points));
+    return insert_into_arrays<Traits, Executor>(std::move(points), order, visitor, arrays);
   }
+  const bool has_apex = points.size() > order.plan.order.size();
   std::vector<Array_point>().swap(points);
   const Insertion_outcome outcome = insert_by_order<Hints>(target, order, visitor);
   if (outcome == Insertion_outcome::COMPLETE)
-    arrays = target.take_arrays(order.plan.order);
+    arrays = has_apex ? target.take_arrays_at_apex(order.plan.order)
+                      : target.take_arrays(order.plan.order);
   return outcome;
 }
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_PERTURBED_PREDICATES_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_PERTURBED_PREDICATES_H
+#ifndef DELAUNAY_FROM_SURFACE_3_TESTS_PERTURBED_PREDICATES_H
+#define DELAUNAY_FROM_SURFACE_3_TESTS_PERTURBED_PREDICATES_H
 
 // The last stage of the predicates: the kernel's own exact ones, and CGAL's symbolic perturbation
 // where these say "on the sphere". The perturbation depends on the points only, not on the order of
@@ -112,4 +112,4 @@ private:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_PERTURBED_PREDICATES_H
+#endif // DELAUNAY_FROM_SURFACE_3_TESTS_PERTURBED_PREDICATES_H

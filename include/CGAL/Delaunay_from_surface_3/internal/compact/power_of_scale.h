@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXACT_SCALE_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXACT_SCALE_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_POWER_OF_SCALE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_POWER_OF_SCALE_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 
@@ -20,10 +20,15 @@ namespace internal {
 // The power of 2 that makes the largest coordinate in absolute value at least 2^57 and less than
 // 2^58, as near as the range of numbers allows: as large as it can be for differences to be less
 // than 2^59 (Integer_differences.h, balanced_signs.h), so that few cells are so small that products
-// of their coordinates underflow. It multiplies all coordinates exactly; if there are some that it
-// would make too small for that, returns 0. All coordinates must be doubles. Linear.
+// of their coordinates underflow. All coordinates must be doubles. Linear.
+struct Power_of_scale
+{
+  double factor;
+  bool is_exact; // no coordinate becomes so small that it is rounded
+};
+
 template <class Point>
-double exact_scale(const std::vector<Point>& points)
+Power_of_scale power_of_scale(const std::vector<Point>& points)
 {
   double largest = 0, least = (std::numeric_limits<double>::max)();
   for (const Point& p : points) {
@@ -37,11 +42,11 @@ double exact_scale(const std::vector<Point>& points)
   int exponent = 0;
   std::frexp(largest, &exponent);
   const double scale = std::ldexp(1., (std::min)(58 - exponent, 1000));
-  return least * scale > (std::numeric_limits<double>::min)() ? scale : 0;
+  return {scale, least * scale > (std::numeric_limits<double>::min)()};
 }
 
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_EXACT_SCALE_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_POWER_OF_SCALE_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ARRAYS_OF_TRIANGULATION_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ARRAYS_OF_TRIANGULATION_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_ARRAYS_OF_TRIANGULATION_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_ARRAYS_OF_TRIANGULATION_H
 
 // The arrays of a triangulation of CGAL's, of any dimension. Linear expected: handles are hashed.
 
@@ -16,10 +16,6 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace internal {
 
 // Changes the order of a cell's entries such that entry k of d + 1 comes last, and the orientation
 // stays.
@@ -61,7 +57,7 @@ class Numbered_triangulation
 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Cell_handle = typename Triangulation::Cell_handle;
-  using Arrays = Delaunay_3_arrays<Index>;
+  using Arrays = CGAL::Delaunay_3_arrays<Index>;
 
 public:
   // `vertices` are those of all points.
@@ -135,12 +131,12 @@ private:
 
 // vertices[i] is that of point i. Neighbours take most of the time: they can be left out.
 template <class Index, class Triangulation>
-Delaunay_3_arrays<Index>
+CGAL::Delaunay_3_arrays<Index>
 arrays_of_triangulation(const Triangulation& tr,
                         const std::vector<typename Triangulation::Vertex_handle>& vertices,
                         bool has_neighbors = true)
 {
-  Delaunay_3_arrays<Index> arrays;
+  CGAL::Delaunay_3_arrays<Index> arrays;
   if (!vertices.empty())
     arrays = Numbered_triangulation<Triangulation, Index>(tr, vertices, has_neighbors).arrays();
   if (!has_neighbors)
@@ -148,8 +144,4 @@ arrays_of_triangulation(const Triangulation& tr,
   return arrays;
 }
 
-} // namespace internal
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ARRAYS_OF_TRIANGULATION_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_ARRAYS_OF_TRIANGULATION_H

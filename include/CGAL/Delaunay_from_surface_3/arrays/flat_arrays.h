@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FLAT_ARRAYS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FLAT_ARRAYS_H
+
+// The arrays of points that lie in one plane, on one line, or at one place.
+//
+// In a plane: one point more, the apex, off the plane. The sphere through a triangle and the apex
+// cuts the plane in the circle of the triangle, so the cells at the apex are the triangles of the
+// Delaunay triangulation in the plane, infinite ones included, each with the apex on top. CGAL's
+// perturbation of points on one circle is the same in both: raising the apex changes no sign, as the
+// other four points of a test lie in one plane. So nothing need be known of planes by the kernel.
+
+#include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// A point off the plane of a, b and c, which are not collinear: a, moved by about the size of the
+// triangle, along the axis to which the plane seems most nearly orthogonal.
+inline std::array<double, 3> apex_of_plane(const double* a, const double* b, const double* c)
+{
+  std::array<double, 3> areas; // across the axes: what is not 0 exactly will do
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t s = (k + 1) % 3, t = (k + 2) % 3;
+    const double p[3] = {a[s], a[t], 0}, q[3] = {b[s], b[t], 0}, r[3] = {c[s], c[t], 0};
+    const Row<double> u = row(q, p), v = row(r, p);
+    areas[k] = are_collinear(p, q, r) ? -1 : std::abs(u.x * v.y - u.y * v.x);
+    size = (std::max)({size, std::abs(b[k] / 2 - a[k] / 2), std::abs(c[k] / 2 - a[k] / 2)});
+  }
+  std::array<double, 3> apex = {a[0], a[1], a[2]};
+  double& x = apex[std::size_t(std::max_element(areas.begin(), areas.end()) - areas.begin())];
+  const double moved = x < 0 ? x + size : x - size; // towards 0: it stays finite
+  x = moved != x ? moved : x != 0 ? x / 2 : 1;
+  return apex;
+}
+
+// The triangles at the apex, which is a vertex of `complex`, as rows of eight entries: three vertices by
+// `names`, three neighbours; the infinite ones last. Returns how many are finite, and how many there
+// are.
+template <class Index, class Id>
+std::pair<std::size_t, std::size_t> triangles_at(const Compact_complex<Id>& complex, Id apex,
+                                                 const std::vector<Index>& names,
+                                                 Page_array<Index>& rows)
+{
+  using Complex = Compact_complex<Id>;
+  const auto place_of_apex = [&](std::size_t c) { // 4: none
+    const Id* const v = complex.cell(c).v;
+    return Complex::is_dead(complex.cell(c)) ? std::ptrdiff_t(4) : std::find(v, v + 4, apex) - v;
+  };
+  std::vector<Index> numbers(complex.cells_end(), -1);
+  std::size_t finite = 0, all = 0;
+  for (const bool is_infinite : {false, true}) {
+    for (std::size_t c = 0; c < complex.cells_end(); ++c)
+      if (place_of_apex(c) < 4 && Complex::is_infinite(complex.cell(c)) == is_infinite)
+        numbers[c] = Index(all++);
+    finite = is_infinite ? finite : all;
+  }
+  rows.reserve(8 * all, 0);
+  std::fill(rows.data(), rows.data() + 8 * all, Index(-1));
+  for (std::size_t c = 0; c < complex.cells_end(); ++c)
+    if (numbers[c] >= 0) {
+      Index* const row = rows.data() + 8 * std::size_t(numbers[c]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const unsigned corner = facet_corners[place_of_apex(c)][k];
+        row[k] = names[complex.cell(c).v[corner]];
+        row[4 + k] = numbers[complex.cell(c).links[corner] >> 2];
+      }
+    }
+  return {finite, all};
+}
+
+// The segments between points in `line`, indices that ascend along a line, as rows of eight: the
+// segments first, then the infinite one at each end.
+template <class Index>
+Page_array<Index> segments_of(const std::vector<Index>& line)
+{
+  const std::size_t n = line.size();
+  Page_array<Index> rows;
+  rows.reserve(8 * (n + 1), 0);
+  std::fill(rows.data(), rows.data() + 8 * (n + 1), Index(-1));
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    Index* const row = rows.data() + 8 * k;
+    row[0] = line[k], row[1] = line[k + 1];
+    row[4] = k + 2 < n ? Index(k + 1) : Index(n);
+    row[5] = k > 0 ? Index(k - 1) : Index(n - 1);
+  }
+  Index* const first = rows.data() + 8 * (n - 1); // before the first point, and after the last
+  Index* const last = first + 8;
+  first[0] = line.front(), first[4] = Index(n), first[5] = 0;
+  last[0] = line.back(), last[4] = Index(n - 1), last[5] = Index(n - 2);
+  return rows;
+}
+
+// The arrays of n points on a line, or at one place; `point(i)` leads to the coordinates of the i-th.
+template <class Index, class PointOf>
+Delaunay_3_arrays<Index> arrays_on_line(std::size_t n, const PointOf& point)
+{
+  using Arrays = Delaunay_3_arrays<Index>;
+  std::vector<Index> sorted(n);
+  std::iota(sorted.begin(), sorted.end(), Index(0));
+  std::sort(sorted.begin(), sorted.end(), [&](Index i, Index j) {
+    const auto p = point(std::size_t(i)), q = point(std::size_t(j));
+    return p != q ? p < q : i < j;
+  });
+  std::vector<Index> line, vertices_of_points(n);
+  for (const Index i : sorted) {
+    if (line.empty() || point(std::size_t(line.back())) != point(std::size_t(i)))
+      line.push_back(i);
+    vertices_of_points[std::size_t(i)] = line.back();
+  }
+  if (line.size() > 1)
+    return Arrays(1, line.size() - 1, line.size() + 1, segments_of(line),
+                  std::move(vertices_of_points));
+  if (line.empty())
+    return Arrays();
+  Page_array<Index> rows; // a vertex, and the infinite one
+  rows.reserve(16, 0);
+  std::fill(rows.data(), rows.data() + 16, Arrays::none);
+  rows[0] = line.front();
+  rows[4] = 1, rows[12] = 0;
+  return Arrays(0, 1, 2, std::move(rows), std::move(vertices_of_points));
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FLAT_ARRAYS_H

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FAIL_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FAIL_H
+
+#include <stdexcept>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// What cannot happen has happened: an invariant is broken. Throws, also where assertions are off.
+[[noreturn]] inline void fail(const char* invariant)
+{
+  throw std::logic_error(invariant);
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FAIL_H
