@@ -8,6 +8,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include "Thread_executor.h"
+#include "rounding_modes.h"
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
@@ -117,4 +118,28 @@ BOOST_AUTO_TEST_CASE(a_part_left_out_is_noticed)
   BOOST_CHECK_THROW(graph_of(surface, executor), std::logic_error);
   BOOST_CHECK_THROW(order_of(surface, executor), std::logic_error);
   BOOST_CHECK_THROW(DFS::internal::permuted(order, order, executor), std::logic_error);
+}
+
+// In whatever mode a thread begins.
+BOOST_AUTO_TEST_CASE(every_part_rounds_to_nearest)
+{
+  for (const fuzz::Rounding_mode& mode : fuzz::rounding_modes) {
+    std::vector<char> is_right(4, false);
+    bool is_kept = false;
+    {
+      const fuzz::Rounding rounding(mode);
+      DFS::internal::for_each_block(
+          tests::Thread_executor(4), 4, 4, [&](std::size_t, std::size_t, std::size_t b) {
+            volatile double large = 1, least = 5e-324, least_again = least;
+            is_right[b] = least * large > 0 && least + least_again > 0 && large + 1e-16 == 1 &&
+                          -large - 1e-16 == -1;
+          });
+      is_kept = rounding.is_kept();
+    }
+    BOOST_TEST_CONTEXT(mode.name)
+    {
+      BOOST_TEST(std::count(is_right.begin(), is_right.end(), true) == 4);
+      BOOST_TEST(is_kept);
+    }
+  }
 }

@@ -20,6 +20,7 @@
 
 #include "cancelled_tasks.h"
 #include "check_arrays.h"
+#include "rounding_modes.h"
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
@@ -34,7 +35,7 @@
 #include <boost/iterator/transform_iterator.hpp>
 
 #include <atomic>
-#include <cfenv>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -524,16 +525,28 @@ BOOST_AUTO_TEST_CASE(rounding_modes)
 {
   const Indexed_surface surface = surfaces::plate_surface(1, 6000);
   const Triangulation plain(surface.points.begin(), surface.points.end());
-  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-    Triangulation tr;
-    std::fesetround(mode);
-    with_eight_threads([&] {
-      CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
-    });
-    const int mode_after = std::fegetround();
-    std::fesetround(FE_TONEAREST);
-    BOOST_TEST((tr == plain));
-    BOOST_TEST(mode_after == mode);
+  std::vector<Point> denormals;
+  for (const Point& p : surface.points)
+    denormals.emplace_back(std::ldexp(p.x(), -1060), std::ldexp(p.y(), -1060),
+                           std::ldexp(p.z(), -1060));
+  const Triangulation tiny(denormals.begin(), denormals.end());
+  for (const fuzz::Rounding_mode& mode : fuzz::rounding_modes) {
+    Triangulation tr, other;
+    bool is_kept = false;
+    {
+      const fuzz::Rounding rounding(mode);
+      with_eight_threads([&] {
+        CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
+        CGAL::insert_surface_points_3<CGAL::Parallel_tag>(other, denormals, surface.faces);
+      });
+      is_kept = rounding.is_kept();
+    }
+    BOOST_TEST_CONTEXT(mode.name)
+    {
+      BOOST_TEST((tr == plain));
+      BOOST_TEST((other == tiny));
+      BOOST_TEST(is_kept);
+    }
   }
 }
 

@@ -19,7 +19,6 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 
-#include <cfenv>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -37,24 +36,6 @@ struct Stop : std::runtime_error
   }
 };
 
-// Sets the caller's mode, and to nearest again.
-class Rounding
-{
-public:
-  explicit Rounding(int mode)
-    : m_mode(mode)
-  {
-    std::fesetround(mode);
-  }
-  ~Rounding() { std::fesetround(FE_TONEAREST); }
-  Rounding(const Rounding&) = delete;
-  Rounding& operator=(const Rounding&) = delete;
-  bool is_kept() const { return std::fegetround() == m_mode; }
-
-private:
-  int m_mode;
-};
-
 struct Hostile_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   explicit Hostile_visitor(const Insertion_case& c)
@@ -62,7 +43,7 @@ struct Hostile_visitor : CGAL::Default_surface_insertion_visitor_3
   {
   }
 
-  void notice() { keeps_rounding &= std::fegetround() == insertion.rounding->mode; }
+  void notice() { keeps_rounding &= rounding == nullptr || rounding->is_kept(); }
   void surface_is_irregular(const std::string&) { notice(); }
   void target_is_replaced(const std::string&)
   {
@@ -91,6 +72,7 @@ struct Hostile_visitor : CGAL::Default_surface_insertion_visitor_3
 
   const Insertion_case& insertion;
   std::size_t number_of_insertions = 0;
+  const Rounding* rounding = nullptr;
   bool keeps_rounding = true, has_stopped = false, is_replaced = false;
 };
 
@@ -253,7 +235,8 @@ std::string check_insertion(const Insertion_case& c, Tally& tally)
   bool is_complete = false;
   std::ptrdiff_t gained = 0;
   {
-    const Rounding rounding(c.rounding->mode);
+    const Rounding rounding(*c.rounding);
+    visitor.rounding = &rounding;
     const auto note = boost::make_function_output_iterator([&](const auto& pair) {
       visitor.notice();
       map.emplace_back(index_of(pair.first), pair.second);
@@ -268,6 +251,7 @@ std::string check_insertion(const Insertion_case& c, Tally& tally)
     }
     if (!rounding.is_kept())
       return "the caller's rounding mode was not restored";
+    visitor.rounding = nullptr;
   }
   tally.count(visitor.is_replaced ? "target: CGAL's instead" : "target: that of the traits");
   if (!visitor.keeps_rounding)

@@ -9,8 +9,8 @@
 
 #include "fuzz_subject.h"
 #include "hostile_points.h"
+#include "rounding_modes.h"
 
-#include <cfenv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -22,17 +22,6 @@ namespace fuzz {
 using Faces = std::vector<Indices>;
 
 constexpr std::size_t never = std::size_t(-1);
-
-struct Rounding_mode
-{
-  const char* name;
-  int mode;
-};
-
-inline const Rounding_mode rounding_modes[] = {{"to nearest", FE_TONEAREST},
-                                               {"upward", FE_UPWARD},
-                                               {"downward", FE_DOWNWARD},
-                                               {"toward zero", FE_TOWARDZERO}};
 
 struct Insertion_case
 {

@@ -47,7 +47,7 @@ that are as wide as need be, and CGAL's symbolic perturbation.
 It serves geometric traits with exact predicates, such as
 `Exact_predicates_inexact_constructions_kernel`, `Exact_predicates_exact_constructions_kernel` and
 `Filtered_kernel<Simple_cartesian<float>>`, if all coordinates are doubles; empty triangulations;
-points that do not all lie in one plane: see `obstacle()`. The rounding mode must be to nearest.
+points that do not all lie in one plane: see `obstacle()`. The rounding mode must be to nearest, also to denormal numbers.
 
 Memory while it inserts: 32 bytes per cell and 36 per point if an `Id` has 32 bits, and twice as
 much if it has 64. The export gives the cells back as it goes.

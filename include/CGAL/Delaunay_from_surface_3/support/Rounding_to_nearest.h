@@ -7,23 +7,98 @@
 
 #include <cfenv>
 
+#if defined(__SSE2_MATH__) || defined(_M_X64)
+#include <xmmintrin.h>
+#endif
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Rounds to nearest while it lives, as the error bounds of the filters assume; a caller may be
-// inside CGAL's Protect_FPU_rounding. What is the caller's is called in the caller's mode.
+// How a thread computes with doubles, as far as that can be changed: where it rounds to, and whether
+// it takes denormal numbers for zero, as libraries for sound, pictures or learning set it for all
+// that comes after.
+class Floating_point_mode
+{
+public:
+  // That of the thread.
+  Floating_point_mode()
+    : m_rounding(std::fegetround())
+    , m_word(word() & mask)
+  {
+  }
+
+  // All results are the nearest ones; of the numbers of a word, none of the bits is set.
+  bool is_to_nearest() const { return m_rounding == FE_TONEAREST && m_word == 0; }
+
+  void set() const { set(m_rounding, m_word); }
+  static void set_to_nearest() { set(FE_TONEAREST, 0); }
+
+private:
+#if defined(__SSE2_MATH__) || defined(_M_X64)
+  // std::fegetround() knows the mode of the older unit only, and CGAL changes this one alone.
+  using Word = unsigned int;
+  static constexpr Word mask = 0xe040; // flush to zero, rounding, denormals are zeros
+  static Word word()
+  {
+    return _mm_getcsr();
+  }
+  static void set_word(Word word)
+  {
+    _mm_setcsr(word);
+  }
+#elif defined(__GNUC__) && defined(__aarch64__)
+  using Word = unsigned long long;
+  static constexpr Word mask = 0x1c00001; // flush to zero, rounding, flush inputs to zero
+  static Word word()
+  {
+    Word word;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(word));
+    return word;
+  }
+  static void set_word(Word word)
+  {
+    __asm__ volatile("msr fpcr, %0" : : "r"(word) : "memory");
+  }
+#else
+  using Word = unsigned int;
+  static constexpr Word mask = 0;
+  static Word word()
+  {
+    return 0;
+  }
+  static void set_word(Word) {}
+#endif
+
+  // What else there is, as flags of what has happened, stays.
+  static void set(int rounding, Word bits)
+  {
+    std::fesetround(rounding);
+    set_word((word() & ~mask) | bits);
+  }
+
+  int m_rounding;
+  Word m_word;
+};
+
+// Rounds to nearest while it lives, to denormal numbers, too, as the error bounds of the filters
+// assume; a caller may be inside CGAL's Protect_FPU_rounding. What is the caller's is called in the
+// caller's mode.
 class Rounding_to_nearest
 {
 public:
   Rounding_to_nearest()
-    : m_mode_of_caller(std::fegetround())
   {
-    set(FE_TONEAREST);
+    if (!is_mode_of_caller())
+      Floating_point_mode::set_to_nearest();
   }
   Rounding_to_nearest(const Rounding_to_nearest&) = delete;
   Rounding_to_nearest& operator=(const Rounding_to_nearest&) = delete;
-  ~Rounding_to_nearest() { set(m_mode_of_caller); }
+  ~Rounding_to_nearest()
+  {
+    if (!is_mode_of_caller())
+      m_mode_of_caller.set();
+  }
 
   // Calls f() in the caller's mode.
   template <class F>
@@ -40,18 +115,19 @@ private:
     explicit Callback(const Rounding_to_nearest& r)
       : rounding(r)
     {
-      rounding.set(rounding.m_mode_of_caller);
+      if (!rounding.is_mode_of_caller())
+        rounding.m_mode_of_caller.set();
     }
-    ~Callback() { rounding.set(FE_TONEAREST); }
+    ~Callback()
+    {
+      if (!rounding.is_mode_of_caller())
+        Floating_point_mode::set_to_nearest();
+    }
   };
 
-  void set(int mode) const
-  {
-    if (m_mode_of_caller != FE_TONEAREST) // nearly never
-      std::fesetround(mode);
-  }
+  bool is_mode_of_caller() const { return m_mode_of_caller.is_to_nearest(); } // nearly always
 
-  const int m_mode_of_caller;
+  const Floating_point_mode m_mode_of_caller;
 };
 
 } // namespace internal

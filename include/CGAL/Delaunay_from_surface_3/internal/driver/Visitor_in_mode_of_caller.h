@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Calls the visitor in the rounding mode of whoever called the package.
+// Calls the visitor in the floating-point mode of whoever called the package.
 template <class Visitor>
 class Visitor_in_mode_of_caller
 {
