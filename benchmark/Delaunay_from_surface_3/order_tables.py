@@ -70,7 +70,8 @@ def blocks_of_orders(reports, sizes):
 
 def blocks_of_walks(report):
     rows = [[cell(v) for v in order_row(row)] for row in report["results"]]
-    return {"walks": table(ORDER_TITLES, rows, 2), "walks_command": commands_of(report)}
+    machine = f'{machine_of(report)}. Load average before the run: {report["machine"]["load_before"]:.1f}.'
+    return {"walks": table(ORDER_TITLES, rows, 2) + "\n\n" + machine, "walks_command": commands_of(report)}
 
 
 def block_of_meshes(report, least_vertices):
