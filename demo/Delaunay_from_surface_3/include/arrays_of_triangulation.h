@@ -85,7 +85,7 @@ public:
   Arrays arrays() const
   {
     typename Arrays::Entries cells;
-    cells.reserve(8 * m_cells.size(), 0);
+    cells.allocate(8 * m_cells.size());
     for (std::size_t c = 0; c < m_cells.size(); ++c)
       write_cell(m_cells[c], cells.data() + 8 * c);
     std::vector<Index> vertices_of_points(m_vertices.size());

@@ -190,7 +190,7 @@ public:
   {
     if (m_stride == 4)
       return;
-    m_neighbors.reserve(4 * m_number_of_cells, 0);
+    m_neighbors.allocate(4 * m_number_of_cells);
     for (std::size_t c = 0; c < m_number_of_cells; ++c)
       std::copy_n(neighbors_data() + 8 * c, 4, m_neighbors.data() + 4 * c);
     close_gaps();
@@ -201,7 +201,7 @@ private:
   static Entries copied(const Entries& entries, std::size_t n)
   {
     Entries copy;
-    copy.reserve(n, 0);
+    copy.allocate(n);
     std::copy_n(entries.data(), n, copy.data());
     return copy;
   }

@@ -71,7 +71,7 @@ std::pair<std::size_t, std::size_t> triangles_at(const Compact_complex<Id>& comp
         numbers[c] = Index(all++);
     finite = is_infinite ? finite : all;
   }
-  rows.reserve(8 * all, 0);
+  rows.allocate(8 * all);
   std::fill(rows.data(), rows.data() + 8 * all, Index(-1));
   for (std::size_t c = 0; c < complex.cells_end(); ++c)
     if (numbers[c] >= 0) {
@@ -92,7 +92,7 @@ Page_array<Index> segments_of(const std::vector<Index>& line)
 {
   const std::size_t n = line.size();
   Page_array<Index> rows;
-  rows.reserve(8 * (n + 1), 0);
+  rows.allocate(8 * (n + 1));
   std::fill(rows.data(), rows.data() + 8 * (n + 1), Index(-1));
   for (std::size_t k = 0; k + 1 < n; ++k) {
     Index* const row = rows.data() + 8 * k;
@@ -130,7 +130,7 @@ Delaunay_3_arrays<Index> arrays_on_line(std::size_t n, const PointOf& point)
   if (line.empty())
     return Arrays();
   Page_array<Index> rows; // a vertex, and the infinite one
-  rows.reserve(16, 0);
+  rows.allocate(16);
   std::fill(rows.data(), rows.data() + 16, Arrays::none);
   rows[0] = line.front();
   rows[4] = 1, rows[12] = 0;

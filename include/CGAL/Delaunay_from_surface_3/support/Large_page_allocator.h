@@ -5,30 +5,19 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_LARGE_PAGE_ALLOCATOR_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_LARGE_PAGE_ALLOCATOR_H
 
+#include <CGAL/Delaunay_from_surface_3/support/Large_pages.h>
+
 #include <cstddef>
 #include <limits>
 #include <new>
 #include <vector>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
-
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-constexpr std::size_t large_page = std::size_t(1) << 21;
-
-// Whether an array of so many bytes begins at a large page. Small ones do not take one for
-// themselves.
-constexpr bool has_large_pages(std::size_t bytes)
-{
-  return bytes >= 2 * large_page;
-}
-
-// Memory for large arrays that live for a short time: in large pages where the system offers them,
-// so that their first touch is one page fault instead of 512.
+// Memory for large arrays that live for a short time and are filled at once: in large pages where
+// the system has them at hand.
 template <class T>
 struct Large_page_allocator
 {
@@ -42,34 +31,28 @@ struct Large_page_allocator
 
   T* allocate(std::size_t n)
   {
+    T* const data = allocate_untouched(n);
+    Large_pages(n * sizeof(T)).touch(data, 0, n * sizeof(T));
+    return data;
+  }
+
+  // For who touches it little by little.
+  T* allocate_untouched(std::size_t n)
+  {
     if (n > (std::numeric_limits<std::size_t>::max)() / sizeof(T))
       throw std::bad_alloc();
-    void* const data = ::operator new(n * sizeof(T), alignment(n));
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    if (has_large_pages(n * sizeof(T))) // advice: it is no error if it is not taken
-      madvise(data, n * sizeof(T) / large_page * large_page, MADV_HUGEPAGE);
-#endif
-    return static_cast<T*>(data);
+    return static_cast<T*>(::operator new(n * sizeof(T), alignment(n)));
   }
 
-  void deallocate(T* data, std::size_t n)
-  {
-    ::operator delete(data, alignment(n));
-  }
+  void deallocate(T* data, std::size_t n) { ::operator delete(data, alignment(n)); }
 
-  friend bool operator==(const Large_page_allocator&, const Large_page_allocator&)
-  {
-    return true;
-  }
-  friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&)
-  {
-    return false;
-  }
+  friend bool operator==(const Large_page_allocator&, const Large_page_allocator&) { return true; }
+  friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&) { return false; }
 
 private:
   static constexpr std::align_val_t alignment(std::size_t n)
   {
-    return std::align_val_t(has_large_pages(n * sizeof(T)) ? large_page : 64);
+    return std::align_val_t(begins_at_large_page(n * sizeof(T)) ? large_page : 64);
   }
 };
 

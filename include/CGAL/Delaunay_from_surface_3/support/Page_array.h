@@ -6,7 +6,9 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PAGE_ARRAY_H
 
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Large_pages.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
@@ -17,8 +19,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared
-// first, and parts can be given back while others are still read. Elements up to capacity()
-// may be written; there is no size to keep.
+// first, of which what is never written takes nothing, and parts can be given back while others are
+// still read. Elements up to capacity() may be written; there is no size to keep.
 template <class T>
 class Page_array
 {
@@ -36,10 +38,9 @@ public:
   explicit Page_array(Page_array<U>&& other)
   {
     static_assert(sizeof(U) % sizeof(T) == 0, "elements fill those of the other");
-    m_capacity = other.m_capacity * (sizeof(U) / sizeof(T));
-    m_data = reinterpret_cast<T*>(other.m_data);
-    other.m_data = nullptr;
-    other.m_capacity = 0;
+    m_capacity = std::exchange(other.m_capacity, 0) * (sizeof(U) / sizeof(T));
+    m_data = reinterpret_cast<T*>(std::exchange(other.m_data, nullptr));
+    m_pages = std::exchange(other.m_pages, Large_pages());
   }
   Page_array(Page_array&& other) noexcept { swap(other); }
   Page_array& operator=(Page_array&& other) noexcept
@@ -52,6 +53,7 @@ public:
   {
     std::swap(m_data, other.m_data);
     std::swap(m_capacity, other.m_capacity);
+    std::swap(m_pages, other.m_pages);
   }
 
   T* data() { return m_data; }
@@ -60,17 +62,43 @@ public:
   const T& operator[](std::size_t i) const { return m_data[i]; }
   std::size_t capacity() const { return m_capacity; }
 
-  // Makes room for at least n elements and keeps the first `used`.
+  // Makes room for at least n elements and keeps the first `used`. Who writes others says so before,
+  // by touch().
   void reserve(std::size_t n, std::size_t used)
   {
     if (n <= m_capacity)
       return;
-    T* const data = Large_page_allocator<T>().allocate(n);
-    if (used > 0)
-      std::memcpy(static_cast<void*>(data), m_data, used * sizeof(T));
+    Page_array larger;
+    larger.m_data = Large_page_allocator<T>().allocate_untouched(n);
+    larger.m_capacity = n;
+    larger.m_pages = Large_pages(n * sizeof(T));
+    if (used > 0) {
+      larger.touch(0, used);
+      std::memcpy(static_cast<void*>(larger.m_data), m_data, used * sizeof(T));
+    }
+    larger.swap(*this);
+  }
+
+  // n elements, all of which are written next.
+  void allocate(std::size_t n)
+  {
     deallocate();
-    m_data = data;
-    m_capacity = n;
+    reserve(n, 0);
+    touch(0, n);
+  }
+
+  // The elements first, …, last - 1 are written next, for the first time. Several threads may say so,
+  // each of its own.
+  void touch(std::size_t first, std::size_t last)
+  {
+    m_pages.touch(m_data, first * sizeof(T), last * sizeof(T));
+  }
+
+  // With which element the large page after that of element i begins, or the array ends.
+  std::size_t end_of_page(std::size_t i) const
+  {
+    constexpr std::size_t size = large_page / sizeof(T);
+    return (std::min)(m_capacity, i / size * size + size);
   }
 
   // The elements first, …, last - 1 are not read any more; their whole pages go back to the system.
@@ -79,7 +107,7 @@ public:
 #if defined(__linux__)
     const std::size_t begin = (first * sizeof(T) + large_page - 1) / large_page * large_page;
     const std::size_t end = last * sizeof(T) / large_page * large_page;
-    if (begin < end && has_large_pages(m_capacity * sizeof(T)))
+    if (begin < end && begins_at_large_page(m_capacity * sizeof(T)))
       madvise(reinterpret_cast<char*>(m_data) + begin, end - begin, MADV_DONTNEED);
 #else
     (void)first, (void)last;
@@ -92,6 +120,7 @@ public:
       Large_page_allocator<T>().deallocate(m_data, m_capacity);
     m_data = nullptr;
     m_capacity = 0;
+    m_pages = Large_pages();
   }
 
 private:
@@ -100,6 +129,7 @@ private:
 
   T* m_data = nullptr;
   std::size_t m_capacity = 0;
+  Large_pages m_pages;
 };
 
 } // namespace internal

@@ -80,7 +80,7 @@ public:
   {
     if (m_number_of_vertices > max_vertices)
       throw Too_few_ids(std::numeric_limits<Id>::digits);
-    m_vertices.reserve(m_number_of_vertices, 0);
+    m_vertices.allocate(m_number_of_vertices);
     m_vertices[infinite] = Vertex();
     for (std::size_t i = 0; i < n; ++i) {
       const std::array<double, 3> p = coordinates(i);
@@ -123,10 +123,8 @@ public:
   // The number of a cell that never was. The cells may move.
   Id new_cell()
   {
-    if (m_cells_end == max_cells)
-      throw Too_few_ids(std::numeric_limits<Id>::digits);
-    if (m_cells_end == m_cells.capacity())
-      m_cells.reserve((std::min)(m_cells_end + m_cells_end / 2 + 1, max_cells), m_cells_end);
+    if (m_cells_end >= m_cells_ready)
+      make_ready();
     return Id(m_cells_end++);
   }
 
@@ -140,15 +138,16 @@ public:
   }
   std::size_t capacity() const { return m_cells.capacity(); }
   void use_cells(std::size_t end) { m_cells_end = end; }
+  void touch_cells(std::size_t first, std::size_t last) { m_cells.touch(first, last); }
 
   // The first cells: that of four vertices, positively oriented, and the infinite ones around it.
-  // Makes room for the cells that points on a surface have, some 7 for each. Lattices and smooth
+  // Makes room for the cells that points on a surface have, 6.5 to 7.5 for each. Lattices and smooth
   // surfaces without noise have up to 13 for a time; pages that nobody writes take no memory, so
   // there is room for these, too, while that is less than a gigabyte.
   void start(const std::array<Id, 4>& v)
   {
     constexpr std::size_t cells_of_gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
-    const std::size_t few = 7 * m_number_of_vertices + 64, many = 14 * m_number_of_vertices + 64;
+    const std::size_t few = 8 * m_number_of_vertices + 64, many = 14 * m_number_of_vertices + 64;
     m_cells.reserve((std::min)(many < cells_of_gigabyte ? many : few, max_cells), 0);
     std::array<Id, 5> cells;
     for (Id& c : cells)
@@ -193,6 +192,17 @@ public:
   void deallocate_vertices() { m_vertices.deallocate(); }
 
 private:
+  // The cells from m_cells_end on, up to the next large page.
+  void make_ready()
+  {
+    if (m_cells_end == max_cells)
+      throw Too_few_ids(std::numeric_limits<Id>::digits);
+    if (m_cells_end == m_cells.capacity())
+      m_cells.reserve((std::min)(m_cells_end + m_cells_end / 2 + 1, max_cells), m_cells_end);
+    m_cells_ready = m_cells.end_of_page(m_cells_end);
+    m_cells.touch(m_cells_end, m_cells_ready);
+  }
+
   void link_if_adjacent(Id c, Id d)
   {
     const unsigned i = lonely_vertex(cell(c), cell(d)), j = lonely_vertex(cell(d), cell(c));
@@ -227,6 +237,7 @@ private:
   Page_array<Vertex> m_vertices;
   std::vector<std::array<double, 3>> m_own_coordinates;
   std::size_t m_cells_end = 0;
+  std::size_t m_cells_ready = 0; // from m_cells_end to here nothing is to be asked for
   std::size_t m_number_of_vertices;
 };
 

@@ -49,6 +49,7 @@ public:
     constexpr std::size_t chunk = 256;
     const std::size_t first = m_next.fetch_add(chunk, std::memory_order_relaxed);
     const std::size_t last = (std::min)(first + chunk, m_complex.capacity());
+    m_complex.touch_cells(first, last);
     for (std::size_t c = last; c-- > first;) {
       for (unsigned k = 0; k < 4; ++k) {
         store_relaxed(m_complex.cell(c).v[k], Id(k == 0 ? Complex::dead : 0));

@@ -11,7 +11,6 @@
 // is read once and its memory can go back to the system while CGAL's grows. Linear.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/support/Large_heap_pages.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
@@ -50,16 +49,13 @@ std::size_t blocks_of_export(const Executor& executor, std::size_t n)
                                                            : number_of_blocks(executor, n, least);
 }
 
-// Calls body(begin, end) for portions of first, …, last - 1, in ascending order, each of which makes an
-// element for each number, or for fewer.
-template <class Element, class Body>
+// Calls body(begin, end) for portions of first, …, last - 1, in ascending order.
+template <class Body>
 void for_each_portion(std::size_t first, std::size_t last, const Body& body)
 {
   constexpr std::size_t portion = std::size_t(1) << 16;
-  Large_heap_pages pages((last - first) * sizeof(Element));
   for (std::size_t begin = first, end; begin < last; begin = end) {
     end = (std::min)(last, begin / portion * portion + portion);
-    pages.expect((end - begin) * sizeof(Element));
     body(begin, end);
   }
 }
@@ -79,7 +75,7 @@ public:
             Large_vector<Cell_handle>& cells, Cell_handle scratch, std::size_t first,
             std::size_t last)
   {
-    for_each_portion<typename Tds::Cell>(first, last, [&](std::size_t begin, std::size_t end) {
+    for_each_portion(first, last, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
         fetch_ahead(complex, cells, c, first, last);
         const Compact_cell<Id>& cell = complex.cell(c);
@@ -198,17 +194,14 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
   std::vector<Range> ranges(number);
   ranges[0].swap(tr.tds().vertices());
   for_each_block(executor, end, number, [&](std::size_t first, std::size_t last, std::size_t b) {
-    const auto make = [&](std::size_t begin, std::size_t stop) {
-      for (std::size_t k = (std::max)(begin, std::size_t(1)); k < stop; ++k) {
-        const std::size_t v = in_order(k);
-        const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
-        if (const auto* const p = is_new ? point(v) : nullptr) {
-          vertices[v] = ranges[b].emplace();
-          vertices[v]->set_point(*p);
-        }
+    for (std::size_t k = (std::max)(first, std::size_t(1)); k < last; ++k) {
+      const std::size_t v = in_order(k);
+      const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
+      if (const auto* const p = is_new ? point(v) : nullptr) {
+        vertices[v] = ranges[b].emplace();
+        vertices[v]->set_point(*p);
       }
-    };
-    for_each_portion<typename Range::value_type>(first, last, make);
+    }
   });
   for (Range& range : ranges)
     tr.tds().vertices().merge(range);

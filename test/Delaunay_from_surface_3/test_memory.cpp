@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What an insertion needs at the peak, beyond the points, and what it asks of the system. A process
+// of its own: the peak is what the system has counted since it began.
+
+#define BOOST_TEST_MODULE test_memory
+#include <boost/test/included/unit_test.hpp>
+
+#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/delaunay_3_arrays.h>
+#include <CGAL/insert_surface_points_3.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+namespace {
+
+using namespace CGAL::Delaunay_from_surface_3::internal;
+using Triangulation =
+    CGAL::Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
+
+// In bytes; 0 where the system does not say it.
+std::size_t memory(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  std::size_t kilobytes = 0;
+  while (status >> word)
+    if (word == name + ":")
+      status >> kilobytes;
+  return 1024 * kilobytes;
+}
+
+// The peak since now is counted anew, if the system allows it.
+bool forget_peak()
+{
+  std::ofstream file("/proc/self/clear_refs");
+  file << "5" << std::flush;
+  return bool(file) && memory("VmHWM") > 0;
+}
+
+template <class Work>
+double bytes_per_point(std::size_t n, const Work& work)
+{
+  const std::size_t before = memory("VmRSS");
+  work();
+  return double(memory("VmHWM") - before) / double(n);
+}
+
+// The parts of memory for which large pages are advised, by name; without one it is that of an array.
+std::vector<std::string> in_large_pages()
+{
+  std::vector<std::string> names;
+  std::ifstream parts("/proc/self/smaps");
+  std::string name;
+  for (std::string line; std::getline(parts, line);) {
+    std::istringstream words(line);
+    std::string first, word;
+    words >> first;
+    if (first.find('-') != std::string::npos) {
+      name.clear();
+      for (int k = 0; k < 5 && words >> word; ++k) // permissions, offset, device, inode, name
+        name = k == 4 ? word : "";
+    }
+    while (first == "VmFlags:" && words >> word)
+      if (word == "hg")
+        names.push_back(name);
+  }
+  return names;
+}
+
+// How many large pages are advised when the cells are all there, before they are handed over.
+struct Visitor_at_export : CGAL::Default_surface_insertion_visitor_3
+{
+  std::size_t advised = 0;
+  void phase_begins(CGAL::Surface_insertion_phase phase)
+  {
+    if (phase == CGAL::Surface_insertion_phase::FINISH)
+      advised = in_large_pages().size();
+  }
+};
+
+// A clock that says how long the next touch takes.
+struct Touch_clock
+{
+  static std::size_t touches, slow; // the number of one that takes long
+  static bool is_before;
+  static std::chrono::microseconds now()
+  {
+    is_before = !is_before;
+    if (is_before)
+      return std::chrono::microseconds(0);
+    return std::chrono::microseconds(touches++ == slow ? 4500 : 90);
+  }
+};
+std::size_t Touch_clock::touches = 0;
+std::size_t Touch_clock::slow = 0;
+bool Touch_clock::is_before = false;
+
+// Which large pages of memory that begins at one are there, in part at least.
+std::vector<std::size_t> large_pages_there(void* begin, std::size_t bytes)
+{
+  std::vector<std::size_t> pages;
+#if defined(__linux__)
+  const auto small = std::size_t(sysconf(_SC_PAGESIZE));
+  std::vector<unsigned char> is_there((bytes + small - 1) / small);
+  BOOST_TEST_REQUIRE(mincore(begin, bytes, is_there.data()) == 0);
+  for (std::size_t k = 0; k < is_there.size(); ++k)
+    if ((is_there[k] & 1) != 0 && (pages.empty() || pages.back() != k * small / large_page))
+      pages.push_back(k * small / large_page);
+#else
+  (void)begin, (void)bytes;
+#endif
+  return pages;
+}
+
+} // namespace
+
+// First: once large blocks were given back, glibc takes larger ones than before from the heap,
+// where what lies between them stays.
+BOOST_AUTO_TEST_CASE(points_on_a_surface)
+{
+  if (!forget_peak())
+    return;
+  const auto surface = surfaces::genus_surface(1, 400000, 0.05);
+  BOOST_TEST_REQUIRE(forget_peak());
+  const double peak = bytes_per_point(
+      surface.points.size(), [&] { CGAL::delaunay_3_arrays(surface.points, surface.faces); });
+  BOOST_TEST_MESSAGE("surface: peak " << peak << " bytes per point");
+  BOOST_TEST(peak < 300);
+}
+
+BOOST_AUTO_TEST_CASE(points_in_a_cube)
+{
+  if (!forget_peak()) {
+    BOOST_TEST_MESSAGE("skipped: the system does not tell the peak");
+    return;
+  }
+  std::mt19937_64 random(1);
+  std::vector<std::array<double, 3>> points(1500000);
+  for (auto& p : points)
+    for (double& x : p)
+      x = std::uniform_real_distribution<double>()(random);
+  const std::size_t n = points.size();
+  CGAL::Delaunay_3_arrays<> arrays;
+  const double peak = bytes_per_point(n, [&] { arrays = CGAL::delaunay_3_arrays(points); });
+  BOOST_TEST_MESSAGE(double(arrays.number_of_cells()) / double(n)
+                     << " cells per point, peak " << peak << " bytes per point");
+  BOOST_TEST(peak < 280);
+  const std::size_t kept = memory("VmRSS");
+  BOOST_TEST_REQUIRE(forget_peak());
+  arrays.separate();
+  const double extra = (double(memory("VmHWM")) - double(kept)) / double(n);
+  BOOST_TEST_MESSAGE("to separate them: " << extra << " bytes per point more");
+  BOOST_TEST(extra < 120);
+  arrays.drop_neighbors();
+  BOOST_TEST(memory("VmRSS") < kept - 90 * n);
+}
+
+// One page at a time, just before it is used, and none any more after one that was dear.
+BOOST_AUTO_TEST_CASE(large_pages_are_touched_until_one_is_dear)
+{
+  constexpr std::size_t pages = 32, bytes = pages * large_page;
+  using Allocator = Large_page_allocator<char>;
+  const auto give_back = [](char* data) { Allocator().deallocate(data, bytes); };
+  const std::unique_ptr<char, decltype(give_back)> data(Allocator().allocate_untouched(bytes),
+                                                        give_back);
+  Large_pages large(bytes);
+  BOOST_TEST(large.end() == bytes);
+  BOOST_TEST(Large_pages(Large_pages::fewest * large_page - 1).end() == 0u);
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  Touch_clock::touches = 0;
+  Touch_clock::slow = 7;
+  const auto touch = [&](std::size_t first, std::size_t last) {
+    large.touch<Touch_clock>(data.get(), first, last);
+    return Touch_clock::touches;
+  };
+  BOOST_TEST(touch(0, 1) == 1u);
+  BOOST_TEST(touch(1, large_page) == 1u);
+  BOOST_TEST(touch(1, 5 * large_page) == 5u);
+  BOOST_TEST(touch(5 * large_page, 5 * large_page + 100) == 6u);
+  BOOST_TEST(touch(5 * large_page + 100, 6 * large_page + 1) == 7u);
+  const std::vector<std::size_t> seven = {0, 1, 2, 3, 4, 5, 6}, eight = {0, 1, 2, 3, 4, 5, 6, 7};
+  BOOST_TEST(large_pages_there(data.get(), bytes) == seven, boost::test_tools::per_element());
+  BOOST_TEST(touch(7 * large_page, bytes) == 8u);
+  BOOST_TEST(large.end() == 0u);
+  BOOST_TEST(touch(8 * large_page, bytes) == 8u);
+  BOOST_TEST(large_pages_there(data.get(), bytes) == eight, boost::test_tools::per_element());
+#endif
+}
+
+// There is room for more cells than will be used; what is not used is not touched.
+BOOST_AUTO_TEST_CASE(cells_are_touched_where_they_are_used)
+{
+  const std::size_t n = 100000, cells_of_page = large_page / sizeof(Compact_cell<std::uint32_t>);
+  Compact_complex<std::uint32_t> complex(n, [](std::size_t i) {
+    return std::array<double, 3>{double(i), double(i % 10), 1.};
+  });
+  complex.start({1, 2, 3, 4});
+  const auto there = [&] {
+    return large_pages_there(complex.cells(), complex.capacity() * sizeof(*complex.cells())).size();
+  };
+#if defined(__linux__)
+  BOOST_TEST_REQUIRE(complex.capacity() > 16 * cells_of_page);
+  BOOST_TEST(there() == 1u);
+  while (complex.cells_end() < 2 * cells_of_page)
+    complex.cell(complex.new_cell()).v[0] = 0;
+  BOOST_TEST(there() == 2u);
+  complex.cell(complex.new_cell()).v[0] = 0;
+  BOOST_TEST(there() == 3u);
+#endif
+}
+
+// Meshes of four million points have 7.34 for each.
+BOOST_AUTO_TEST_CASE(cells_of_many_points_are_not_moved)
+{
+  const std::size_t n = 2500000; // room for 14 each would be more than a gigabyte
+  Compact_complex<std::uint32_t> complex(n, [](std::size_t i) {
+    return std::array<double, 3>{double(i), 0., 0.};
+  });
+  complex.start({1, 2, 3, 4});
+  BOOST_TEST(complex.capacity() >= 8 * n);
+}
+
+// Of few points every array is in small pages, and the heap always is.
+BOOST_AUTO_TEST_CASE(large_pages_for_large_arrays_alone)
+{
+  for (const std::size_t n : {10000, 150000}) {
+    const auto surface = surfaces::genus_surface(1, int(n), 0.05);
+    Triangulation tr;
+    Visitor_at_export visitor;
+    CGAL::insert_surface_points_3(tr, surface.points, surface.faces,
+                                  CGAL::parameters::visitor(std::ref(visitor)));
+    BOOST_TEST_MESSAGE(n << " points: " << visitor.advised << " arrays in large pages");
+    BOOST_TEST(visitor.advised <= (n < 100000 ? 0u : 2u));
+    for (const std::string& name : in_large_pages())
+      BOOST_TEST(name != "[heap]");
+  }
+}
+
+// All of them are on the convex hull: there are two infinite cells for each.
+BOOST_AUTO_TEST_CASE(infinite_cells_of_separate_arrays)
+{
+  if (!forget_peak())
+    return;
+  std::mt19937_64 random(1);
+  std::vector<std::array<double, 3>> points(400000);
+  for (auto& p : points) {
+    for (double& x : p)
+      x = std::normal_distribution<double>()(random);
+    const double length = std::hypot(p[0], p[1], p[2]);
+    for (double& x : p)
+      x /= length;
+  }
+  CGAL::Delaunay_3_arrays<> arrays = CGAL::delaunay_3_arrays(points);
+  arrays.separate();
+  const std::size_t infinite = arrays.number_of_cells() - arrays.number_of_simplices();
+  BOOST_TEST_REQUIRE(infinite > points.size());
+  const std::size_t kept = memory("VmRSS");
+  arrays.drop_infinite_cells();
+  const double freed = (double(kept) - double(memory("VmRSS"))) / double(infinite);
+  BOOST_TEST_MESSAGE("given back: " << freed << " bytes per infinite cell");
+  BOOST_TEST(freed > 24); // of 32
+}
