@@ -61,6 +61,23 @@ class Arrows(unittest.TestCase):
                          (1, "Delaunay_from_surface_3/core/kernel/Cell.h:2: core kernel names another library's "
                              "header: CGAL/enum.h\n"))
 
+    def test_surface_knows_subgraphs_and_no_triangulation(self):
+        self.assertEqual(self.check_tree({
+            f"{PACKAGE}/surface/Tree.h": f"{PACKAGE}/internal/subgraph/Stars.h",
+            f"{PACKAGE}/internal/subgraph/Stars.h": None,
+        }), (0, "all arrows go down\n"))
+        for header, room in (("internal/plan/nets.h", "internal plan"), ("internal/trace/walk.h", "internal trace"),
+                             ("internal/compact/cells.h", "internal compact")):
+            self.assertEqual(self.check_tree({
+                f"{PACKAGE}/surface/Tree.h": f"{PACKAGE}/{header}",
+                f"{PACKAGE}/{header}": None,
+            }), (1, f"Delaunay_from_surface_3/surface/Tree.h:2: sideways, from surface to {room}: "
+                    f"Delaunay_from_surface_3/{header}\n"))
+        self.assertEqual(self.check_tree({
+            f"{PACKAGE}/internal/subgraph/Stars.h": f"{PACKAGE}/surface/Tree.h",
+            f"{PACKAGE}/surface/Tree.h": None,
+        })[0], 1)
+
     def test_no_room(self):
         self.assertEqual(self.check_tree({f"{PACKAGE}/attic/Old.h": None}),
                          (1, "Delaunay_from_surface_3/attic/Old.h: stands in no room\n"))

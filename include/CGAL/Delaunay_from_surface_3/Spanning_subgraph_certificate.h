@@ -29,6 +29,8 @@ struct Spanning_subgraph_certificate
   std::size_t largest_degree_bound = 0;    ///< the largest of the components' own bounds
   bool respects_degree_bounds = true;      ///< no degree exceeds the bound of its own component
   bool respects_tree_degree_bounds = true; ///< the same with the bounds for trees
+  /// the same with the bounds for trees of nearly minimum degree
+  bool respects_near_minimum_tree_degree_bounds = true;
 
   /// returns whether the vertices of every component of the surface are connected by the edges.
   bool is_spanning() const { return number_of_subgraph_components == number_of_graph_components; }
@@ -46,6 +48,13 @@ struct Spanning_subgraph_certificate
   bool is_valid_tree() const
   {
     return is_spanning_forest() && number_of_repeated_edges == 0 && respects_tree_degree_bounds;
+  }
+
+  /// returns whether all holds that `near_minimum_degree_spanning_tree()` promises and its
+  /// witnesses do not show.
+  bool is_valid_near_minimum_tree() const
+  {
+    return is_valid_tree() && respects_near_minimum_tree_degree_bounds;
   }
 };
 

@@ -62,6 +62,24 @@ struct Surface_component_topology
       return 4; // the projective plane
     return (std::max)(std::size_t(3), 3 * h + 2 * b);
   }
+
+  /// returns the bound on degrees in the tree of `near_minimum_degree_spanning_tree()`: the largest
+  /// of 3 + ⌊(c(x) − 3) / x⌋ for all x, where c(x) bounds into how many components the surface falls
+  /// without x vertices: ⌊x (x − 1) / 3⌋, or ⌊x (x + 1) / 3⌋ if there is boundary, and 2x − 2χ.
+  std::size_t near_minimum_tree_degree_bound() const
+  {
+    if (euler_genus() == 0 && number_of_boundary_loops <= 1)
+      return 3;
+    const std::ptrdiff_t chi = euler_characteristic(), side = number_of_boundary_loops > 0 ? 1 : -1;
+    std::ptrdiff_t bound = 4, by_edges = 0;
+    // Where 2x − 2χ is the smaller one the quotient falls, or is less than 2.
+    for (std::ptrdiff_t x = 2; by_edges < 2 * (x - 1 - chi); ++x) {
+      by_edges = x * (x + side) / 3;
+      const std::ptrdiff_t c = (std::min)(by_edges, 2 * (x - chi));
+      bound = (std::max)(bound, c < 3 ? 0 : 3 + (c - 3) / x);
+    }
+    return std::size_t(bound);
+  }
 };
 
 /*!

@@ -76,6 +76,13 @@ public:
     return finish();
   }
 
+  // Glues the surface together again: its lists name its own vertices, as they did at first.
+  void close()
+  {
+    for (Index& u : m_surface.neighbor)
+      u = m_opened.origin(u);
+  }
+
 private:
   bool peel_as_one_piece()
   {

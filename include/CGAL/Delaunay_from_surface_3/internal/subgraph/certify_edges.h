@@ -66,6 +66,8 @@ inline void certify_degrees(const std::vector<std::size_t>& degree,
       result.respects_degree_bounds = false;
     if (degree[v] > topology.components[c].tree_degree_bound())
       result.respects_tree_degree_bounds = false;
+    if (degree[v] > topology.components[c].near_minimum_tree_degree_bound())
+      result.respects_near_minimum_tree_degree_bounds = false;
   }
 }
 

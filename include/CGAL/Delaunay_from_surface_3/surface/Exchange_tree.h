@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_EXCHANGE_TREE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_EXCHANGE_TREE_H
+
+// A spanning forest of a surface's edges, of which one is exchanged for another.
+//
+// Invariant: an edge of the forest is marked at both its darts; degrees and the links of
+// Link_cut_forest are those of the marked edges.
+// Cost: O(n) to build, times the largest degree; an exchange O(log n) amortized, and the degrees in
+// the surface of the four ends.
+
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Link_cut_forest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+template <class Index>
+class Exchange_tree
+{
+public:
+  // `marks` has each edge at one of its darts.
+  Exchange_tree(const Rotation_system<Index>& surface, Dart_marks& marks)
+    : m_surface(surface)
+    , m_marks(marks)
+    , m_degree(surface.number_of_vertices(), 0)
+    , m_forest(surface.number_of_vertices())
+  {
+    const Dart_marks once = marks;
+    for (Index v = 0; v < surface.number_of_vertices(); ++v)
+      for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
+        if (once[dart])
+          set_edge(v, surface.neighbor[dart], true);
+    std::vector<bool> is_met(surface.number_of_vertices(), false);
+    for (Index v = 0; v < surface.number_of_vertices(); ++v)
+      if (!is_met[v])
+        for_each_from(v, is_met, [&](Index u, Index parent) {
+          if (u != parent)
+            m_forest.hang(u, parent);
+        });
+  }
+
+  const Rotation_system<Index>& surface() const { return m_surface; }
+  Index degree(Index v) const { return m_degree[v]; }
+
+  // Calls function(u, parent) for all vertices of the tree of `root`, each after its parent; the
+  // root counts as its own. `is_met` has none of them, and then all.
+  template <class Function>
+  void for_each_from(Index root, std::vector<bool>& is_met, const Function& function) const
+  {
+    std::vector<std::pair<Index, Index>> stack(1, {root, root});
+    is_met[root] = true;
+    while (!stack.empty()) {
+      const auto [v, parent] = stack.back();
+      stack.pop_back();
+      function(v, parent);
+      for (Index dart = m_surface.first[v]; dart < m_surface.first[v + 1]; ++dart)
+        if (m_marks[dart] && !is_met[m_surface.neighbor[dart]]) {
+          is_met[m_surface.neighbor[dart]] = true;
+          stack.emplace_back(m_surface.neighbor[dart], v);
+        }
+    }
+  }
+
+  Index neighbor_towards(Index v, Index u) { return m_forest.neighbor_towards(v, u); }
+
+  // Adds the edge uv and drops one of the two at p, which lies between u and v: that with the
+  // heavier other end.
+  void exchange_at(Index p, Index u, Index v)
+  {
+    const auto [a, b] = m_forest.neighbors_on_path(p, u, v);
+    exchange(p, m_degree[a] < m_degree[b] ? b : a, u, v);
+  }
+
+  // Drops the edge pq and adds uv, which closes a cycle through pq.
+  void exchange(Index p, Index q, Index u, Index v)
+  {
+    m_forest.cut(p, q);
+    m_forest.link(u, v);
+    set_edge(p, q, false);
+    set_edge(u, v, true);
+  }
+
+  // The vertices that have come to degree 4 since the last call, some of them twice.
+  std::vector<Index> take_risen() { return std::exchange(m_risen, {}); }
+
+  // Leaves each edge marked at one dart.
+  void mark_once()
+  {
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+      for (Index dart = m_surface.first[v]; dart < m_surface.first[v + 1]; ++dart)
+        if (m_surface.neighbor[dart] < v)
+          m_marks[dart] = false;
+  }
+
+private:
+  void set_edge(Index v, Index w, bool is_in)
+  {
+    for (const auto& [from, to] : {std::pair<Index, Index>(v, w), std::pair<Index, Index>(w, v)}) {
+      const Star<Index> star = m_surface.star(from);
+      const auto position = std::find(star.begin(), star.end(), to) - star.begin();
+      m_marks[std::size_t(m_surface.first[from]) + std::size_t(position)] = is_in;
+      m_degree[from] += is_in ? 1 : Index(-1);
+      if (is_in && m_degree[from] == 4)
+        m_risen.push_back(from);
+    }
+  }
+
+  const Rotation_system<Index>& m_surface;
+  Dart_marks& m_marks;
+  std::vector<Index> m_degree;
+  std::vector<Index> m_risen;
+  Link_cut_forest<Index> m_forest;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_EXCHANGE_TREE_H

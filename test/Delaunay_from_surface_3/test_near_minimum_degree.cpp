@@ -1,0 +1,380 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Spanning trees of nearly minimum degree: on graphs made to need a large one, on the bouquets on
+// which the tree of bounded degree is as bad as can be, on random surfaces of every kind, and from
+// bad trees. Every witness is counted anew, from the triangles.
+
+#define BOOST_TEST_MODULE near_minimum_degree
+#include <boost/test/included/unit_test.hpp>
+
+#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
+#include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
+#include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
+#include <Delaunay_from_surface_3_triangle_lists/stacked_complete_graph.h>
+#include "include/halfedge_mesh.h"
+
+#include <CGAL/Delaunay_from_surface_3/Minimum_degree_witness.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/near_minimum_degree_spanning_tree.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/OFF.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <iterator>
+#include <numeric>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace DFS = CGAL::Delaunay_from_surface_3;
+
+using namespace triangle_lists;
+
+namespace {
+
+using Edges = std::vector<Embedded_graph::Edge>;
+using Witnesses = std::vector<DFS::Minimum_degree_witness>;
+using Surface_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+// The components of the triangles' edges without X, but for those that X does not touch: of several
+// surfaces, X lies in one.
+std::size_t components_without(const Triangle_list& s, const std::vector<std::size_t>& x)
+{
+  const std::set<std::size_t> in_x(x.begin(), x.end());
+  std::vector<int> whole(std::size_t(s.n)), part(std::size_t(s.n));
+  std::iota(whole.begin(), whole.end(), 0);
+  std::iota(part.begin(), part.end(), 0);
+  const auto find = [](const std::vector<int>& parent, int v) {
+    while (parent[std::size_t(v)] != v)
+      v = parent[std::size_t(v)];
+    return v;
+  };
+  for (const Triangle& t : s.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      whole[std::size_t(find(whole, a))] = find(whole, b);
+      if (!in_x.count(std::size_t(a)) && !in_x.count(std::size_t(b)))
+        part[std::size_t(find(part, a))] = find(part, b);
+    }
+  std::size_t count = 0;
+  for (int v = 0; v < s.n; ++v)
+    count += part[std::size_t(v)] == v && !in_x.count(std::size_t(v)) &&
+                     find(whole, v) == find(whole, int(x.front()))
+                 ? 1
+                 : 0;
+  return count;
+}
+
+std::string check_witnesses(const Triangle_list& s, const Witnesses& witnesses,
+                            std::size_t degree_of_tree)
+{
+  std::size_t largest = 3;
+  for (const DFS::Minimum_degree_witness& w : witnesses) {
+    largest = (std::max)(largest, w.tree_degree);
+    if (w.vertices.empty() || w.number_of_components != components_without(s, w.vertices))
+      return "a witness is miscounted";
+    const std::size_t x = w.vertices.size(), at_x = w.number_of_components + x - 1;
+    if (w.least_degree() != (at_x + x - 1) / x || !w.is_within_one() ||
+        w.least_degree() > w.tree_degree)
+      return "a witness shows nothing";
+  }
+  if (degree_of_tree > 3 ? largest != degree_of_tree : !witnesses.empty())
+    return "the witnesses are not those of the tree";
+  return "";
+}
+
+struct Found
+{
+  std::size_t subgraph = 0, tree = 0, near_minimum = 0, bound = 0, least = 0;
+  std::string complaint;
+};
+
+Found find_trees(const Triangle_list& s)
+{
+  std::mt19937 random(1);
+  const Embedded_graph g = embed(s, random);
+  const auto topology =
+      DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+  const auto certify = [&](const Edges& edges) {
+    return CGAL::certify_spanning_subgraph(g.graph, edges, topology, g.index_map());
+  };
+  Edges subgraph, tree, near_minimum;
+  Witnesses witnesses;
+  CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
+                                         g.index_map(), g.boundary_map());
+  CGAL::bounded_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(tree),
+                                     g.index_map(), g.boundary_map());
+  CGAL::near_minimum_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(near_minimum),
+                                          g.index_map(), g.boundary_map(), witnesses);
+  const auto certificate = certify(near_minimum);
+  Found result{certify(subgraph).maximum_degree,
+               certify(tree).maximum_degree,
+               certificate.maximum_degree,
+               0,
+               0,
+               ""};
+  for (const auto& component : topology.components)
+    result.bound = (std::max)(result.bound, component.near_minimum_tree_degree_bound());
+  for (const auto& w : witnesses)
+    result.least = (std::max)(result.least, w.least_degree());
+  result.complaint = check_witnesses(s, witnesses, result.near_minimum);
+  if (!certificate.is_valid_near_minimum_tree())
+    result.complaint = "the tree is not certified";
+  if (result.near_minimum > result.tree)
+    result.complaint = "the tree has become heavier";
+  return result;
+}
+
+// The tree of a search from vertex 0, depth-first or breadth-first: bad trees to start from.
+DFS::internal::Dart_marks search_tree(const DFS::internal::Rotation_system<std::uint32_t>& surface,
+                                      bool is_breadth_first)
+{
+  DFS::internal::Dart_marks marks(surface.number_of_darts(), false);
+  std::vector<bool> is_met(surface.number_of_vertices(), false);
+  for (std::uint32_t root = 0; root < surface.number_of_vertices(); ++root) {
+    if (is_met[root])
+      continue;
+    is_met[root] = true;
+    std::vector<std::uint32_t> front(1, root);
+    for (std::size_t i = 0; i < front.size();) {
+      const std::uint32_t v = is_breadth_first ? front[i++] : front.back();
+      if (!is_breadth_first)
+        front.pop_back();
+      for (std::uint32_t dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
+        if (!is_met[surface.neighbor[dart]]) {
+          is_met[surface.neighbor[dart]] = true;
+          marks[dart] = true;
+          front.push_back(surface.neighbor[dart]);
+        }
+    }
+  }
+  return marks;
+}
+
+struct Reduced
+{
+  std::string complaint;
+  DFS::internal::Reduction_counts counts;
+  std::size_t before = 0, after = 0;
+};
+
+Reduced reduce_search_tree(const Triangle_list& s, bool is_breadth_first)
+{
+  using namespace DFS::internal;
+  std::mt19937 random(1);
+  const Embedded_graph g = embed(s, random);
+  Rotation_system<std::uint32_t> surface;
+  Embedding_reader(g.graph, g.embedding(), g.index_map(), g.boundary_map()).read(surface);
+  Dart_marks marks = search_tree(surface, is_breadth_first);
+  const auto degrees = [&] {
+    std::vector<std::size_t> degree(surface.number_of_vertices(), 0);
+    for (std::uint32_t v = 0; v < surface.number_of_vertices(); ++v)
+      for (std::uint32_t dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
+        if (marks[dart]) {
+          ++degree[v];
+          ++degree[surface.neighbor[dart]];
+        }
+    return degree;
+  };
+  const auto largest_of = [](const auto& d) { return *std::max_element(d.begin(), d.end()); };
+  const std::size_t before = largest_of(degrees());
+  Witnesses witnesses;
+  Reduced result{"", Reduce_degrees<std::uint32_t>(surface, marks)(witnesses)};
+  result.before = before;
+  result.after = largest_of(degrees());
+  Disjoint_sets<std::uint32_t> sets(surface.number_of_vertices());
+  std::size_t edges = 0;
+  for (std::uint32_t v = 0; v < surface.number_of_vertices(); ++v)
+    for (std::uint32_t dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
+      if (marks[dart] && (++edges, !sets.unite(v, surface.neighbor[dart])))
+        result.complaint = "a cycle";
+  const auto topology =
+      DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+  if (edges + topology.components.size() + topology.number_of_isolated_vertices != std::size_t(s.n))
+    result.complaint = "the tree does not span the surface";
+  const std::string of_witnesses = check_witnesses(s, witnesses, result.after);
+  return of_witnesses.empty() ? result : Reduced{of_witnesses, result.counts};
+}
+
+} // namespace
+
+// Every spanning tree has a degree of 3, 7 and 11 at least; the tree of bounded degree has more
+// than the bound.
+BOOST_AUTO_TEST_CASE(stacked_complete_graphs)
+{
+  struct Expected
+  {
+    int n;
+    std::size_t genus, bound, least;
+  };
+  for (const Expected e :
+       {Expected{7, 1, 4, 3}, Expected{19, 20, 8, 7}, Expected{31, 63, 12, 11}}) {
+    const Triangle_list s = stacked_complete_graph(e.n);
+    const auto topology = DFS::surface_topology(to_halfedge_mesh<Surface_mesh>(s));
+    BOOST_TEST_REQUIRE(topology.components.size() == 1u);
+    BOOST_TEST(topology.components[0].genus() == e.genus);
+    std::vector<std::size_t> x(std::size_t(e.n));
+    std::iota(x.begin(), x.end(), std::size_t(0));
+    const DFS::Minimum_degree_witness by_hand{x, components_without(s, x), 0};
+    BOOST_TEST(by_hand.number_of_components == std::size_t(e.n * (e.n - 1) / 3));
+    BOOST_TEST(by_hand.least_degree() == e.least);
+    const Found found = find_trees(s);
+    BOOST_TEST_MESSAGE("K_" << e.n << ": " << found.subgraph << ", " << found.tree << ", now "
+                            << found.near_minimum);
+    BOOST_TEST(found.complaint == "");
+    BOOST_TEST(found.bound == e.bound);
+    BOOST_TEST(found.near_minimum <= e.bound);
+    BOOST_TEST(found.near_minimum <= e.least + 1);
+    if (found.near_minimum > 3)
+      BOOST_TEST(found.least == e.least);
+    if (e.n > 7)
+      BOOST_TEST(found.tree > e.bound);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bouquets_with_pockets)
+{
+  const std::size_t bounds[] = {0, 4, 5, 5, 5, 5, 6};
+  for (const int genus : {1, 2, 3, 6}) {
+    Bouquet bouquet = orientable_bouquet(genus);
+    bouquet.has_pockets = true;
+    const Found found = find_trees(triangulated(bouquet));
+    BOOST_TEST(found.complaint == "");
+    BOOST_TEST(found.bound == bounds[genus]);
+    BOOST_TEST(found.tree > 3u);
+    BOOST_TEST(found.near_minimum == 3u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(random_surfaces)
+{
+  const auto check = [](const Surface_recipe& recipe) {
+    try {
+      return find_trees(cook(recipe)).complaint;
+    } catch (const std::exception& e) {
+      return std::string("an exception: ") + e.what();
+    }
+  };
+  for (int seed = 0; seed < 3000; ++seed) {
+    const std::string complaint = check_and_shrink(random_recipe(seed, seed % 3 == 0), check);
+    BOOST_REQUIRE_MESSAGE(complaint.empty(), complaint);
+  }
+}
+
+// Stacked once or twice, with all their faces or some: surfaces of genus up to 20 on which 3 is out
+// of reach, with boundary too.
+BOOST_AUTO_TEST_CASE(surfaces_that_need_large_degrees)
+{
+  std::size_t largest = 0, above_least = 0;
+  for (int seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    Triangle_list s = stacked_complete_graph(seed % 2 == 0 ? 19 : 7);
+    if (seed % 3 == 1)
+      s = connected_sum(s, stacked_complete_graph(7), random);
+    if (seed % 4 >= 2)
+      s = stacked(s);
+    flip_edges(s, 3 * (seed % 5), random);
+    for (int hole = 0; hole < seed % 6; ++hole)
+      puncture(s, random);
+    if (seed % 5 == 0)
+      s = disjoint_union(s, stacked_complete_graph(19));
+    shuffle_names(s, random);
+    const Found found = find_trees(s);
+    BOOST_TEST(found.complaint == "");
+    largest = (std::max)(largest, found.near_minimum);
+    above_least += found.near_minimum > found.least ? 1 : 0;
+  }
+  BOOST_TEST(largest >= 7u);
+  BOOST_TEST_MESSAGE("degrees up to " << largest << ", one above the least in " << above_least);
+}
+
+// Trees with vertices of any degree: exchanges near a vertex do not suffice, nor does a search that
+// is stopped by every vertex of degree k - 1.
+BOOST_AUTO_TEST_CASE(bad_trees)
+{
+  std::size_t phases = 0, nearby = 0;
+  for (int seed = 0; seed < 400; ++seed)
+    for (const bool is_breadth_first : {true, false}) {
+      const Reduced r = reduce_search_tree(cook(random_recipe(seed, false)), is_breadth_first);
+      BOOST_TEST(r.complaint == "");
+      phases += r.counts.phases - r.counts.phases_in_vain;
+      nearby += r.counts.exchanges_nearby;
+    }
+  for (const int n : {7, 19, 31})
+    for (const bool is_breadth_first : {true, false}) {
+      const Reduced r = reduce_search_tree(stacked_complete_graph(n), is_breadth_first);
+      BOOST_TEST(r.complaint == "");
+      BOOST_TEST(r.before > r.after);
+      phases += r.counts.phases - r.counts.phases_in_vain;
+      nearby += r.counts.exchanges_nearby;
+    }
+  BOOST_TEST_MESSAGE(nearby << " exchanges nearby, " << phases << " phases that found one");
+  BOOST_TEST(nearby > 0u);
+  BOOST_TEST(phases > 0u);
+}
+
+// Closed or not, of one component or of several. What is no simple triangulated surface is refused
+// by name, as it is by the functions for bounded degrees.
+BOOST_AUTO_TEST_CASE(meshes_of_the_data_archive)
+{
+  const std::filesystem::path folder = DELAUNAY_FROM_SURFACE_3_DATA_DIR;
+  if (!std::filesystem::exists(folder / "elephant.off")) {
+    BOOST_TEST_MESSAGE("skipped: the meshes are not there");
+    return;
+  }
+  std::size_t served = 0, refused = 0, improved = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    Surface_mesh mesh;
+    if (entry.path().extension() != ".off" || std::filesystem::file_size(entry.path()) > 2000000 ||
+        !CGAL::IO::read_OFF(entry.path().string(), mesh))
+      continue;
+    std::vector<Surface_mesh::Edge_index> edges, tree;
+    Witnesses witnesses;
+    try {
+      CGAL::near_minimum_degree_spanning_tree(mesh, std::back_inserter(edges), witnesses);
+    } catch (const CGAL::Surface_input_error& e) {
+      BOOST_TEST(edges.empty());
+      BOOST_CHECK_THROW(CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree)),
+                        CGAL::Surface_input_error);
+      ++refused;
+      continue;
+    }
+    CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
+    const auto found = CGAL::certify_spanning_subgraph(mesh, edges);
+    BOOST_TEST(found.is_valid_near_minimum_tree(), entry.path().string());
+    for (const auto& witness : witnesses)
+      BOOST_TEST(witness.is_within_one());
+    improved +=
+        found.maximum_degree < CGAL::certify_spanning_subgraph(mesh, tree).maximum_degree ? 1 : 0;
+    ++served;
+  }
+  BOOST_TEST_MESSAGE(served << " meshes, of which " << improved << " are better now; " << refused
+                            << " refused");
+  BOOST_TEST(improved > 0u);
+}
+
+BOOST_AUTO_TEST_CASE(what_needs_nothing_gets_the_tree_of_bounded_degree)
+{
+  for (const Triangle_list& s : {nested_triangles(50), double_wheel(30), fan(20)}) {
+    const Surface_mesh mesh = to_halfedge_mesh<Surface_mesh>(s);
+    std::vector<Surface_mesh::Edge_index> edges, tree;
+    CGAL::near_minimum_degree_spanning_tree(mesh, std::back_inserter(edges));
+    CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
+    BOOST_TEST((edges == tree));
+  }
+  std::vector<Surface_mesh::Edge_index> edges;
+  CGAL::near_minimum_degree_spanning_tree(Surface_mesh(), std::back_inserter(edges));
+  BOOST_TEST(edges.empty());
+}
