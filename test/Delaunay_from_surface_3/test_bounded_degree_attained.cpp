@@ -14,12 +14,16 @@
 #include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
 
 #include <CGAL/Delaunay_from_surface_3/Spanning_subgraph_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Opened_surface.h>
+#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Peel_discs.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <random>
@@ -137,8 +141,11 @@ class Literal_recursion
 public:
   using Edge_set = std::set<std::pair<int, int>>;
 
-  explicit Literal_recursion(const Triangle_list& disc)
+  // `second` may say for some z which end of the chain is z2; of z1 and zm the recursion takes the
+  // one with the smaller number for z1.
+  explicit Literal_recursion(const Triangle_list& disc, std::map<int, int> second = {})
     : m_triangles(disc.triangles.begin(), disc.triangles.end())
+    , m_second(std::move(second))
   {
   }
 
@@ -215,7 +222,9 @@ private:
     }
     BOOST_TEST_REQUIRE(!candidates.empty());
     const int z = choose(candidates);
-    const std::vector<int> f = fan(z); // line 3
+    std::vector<int> f = fan(z); // line 3
+    if (m_second.count(z) && m_second[z] != f[1])
+      std::reverse(f.begin(), f.end());
     const std::size_t m = f.size();
     std::vector<Triangle> others;
     for (const Triangle& t : m_triangles)
@@ -231,12 +240,82 @@ private:
   }
 
   std::vector<Triangle> m_triangles;
+  std::map<int, int> m_second;
+};
+
+// Lets Peel_discs peel a disc step by step, and notes what it does.
+struct Watched_peeling
+{
+  std::vector<int> order;    // every z
+  std::map<int, int> second; // z2 of each, if it has one
+  Literal_recursion::Edge_set h;
+
+  explicit Watched_peeling(const Embedded_graph& g)
+  {
+    using namespace DFS::internal;
+    using Index = std::uint32_t;
+    Rotation_system<Index> surface;
+    Embedding_reader(g.graph, g.embedding(), g.index_map(), g.boundary_map()).read(surface);
+    Opened_surface<Index> opened(surface);
+    Dart_marks marks(surface.number_of_darts(), false);
+    std::set<Index> on_cycle;
+    for (Index v = 0; v < surface.number_of_vertices(); ++v)
+      if (surface.on_boundary[v]) {
+        opened.rim.push_back(v);
+        on_cycle.insert(v);
+        const Star<Index> star = surface.star(v);
+        for (const Index u : {star[0], star[star.size() - 1]})
+          h.insert(ends(int(v), int(u)));
+      }
+    Peel_discs<Index> peel(opened, marks);
+    peel.start(surface.number_of_vertices() - opened.rim.size());
+    while (peel.peel_next())
+      for (const Index v : std::set<Index>(on_cycle))
+        if (!peel.is_on_cycle(v)) {
+          order.push_back(int(v));
+          on_cycle.erase(v);
+          const Star<Index> star = surface.star(v);
+          for (Index i = 0; i < star.size(); ++i) {
+            if (marks[surface.first[v] + i] && !on_cycle.count(star[i]) &&
+                peel.is_on_cycle(star[i]))
+              second[int(v)] = int(star[i]);
+            if (peel.is_on_cycle(star[i]))
+              on_cycle.insert(star[i]);
+          }
+        }
+    for (Index v = 0; v < surface.number_of_vertices(); ++v)
+      for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
+        if (marks[dart])
+          h.insert(ends(int(v), int(surface.neighbor[dart])));
+  }
 };
 
 // The loop of Peel_discs, by the same sets: C first, then for each z a chain that hangs on it.
 Literal_recursion::Edge_set peeled(const Triangle_list& disc, std::vector<int> order);
 
 } // namespace
+
+// What Peel_discs does, edge by edge, for the order in which it takes the vertices.
+BOOST_AUTO_TEST_CASE(peel_discs_does_what_the_recursion_does)
+{
+  for (unsigned int seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    Triangle_list disc = polygon_with_chords(3 + int(seed) % 9, random);
+    insert_vertices(disc, 3 + int(seed) % 7, random);
+    flip_edges(disc, int(seed) % 15, random);
+    const Watched_peeling watched(embed(disc, random));
+    std::size_t step = 0;
+    const auto choose = [&](const std::vector<int>& candidates) {
+      if (step == watched.order.size()) // no vertex is inside any more
+        return candidates.front();
+      const int z = watched.order[step++];
+      BOOST_TEST_REQUIRE(std::count(candidates.begin(), candidates.end(), z) == 1);
+      return z;
+    };
+    BOOST_TEST((Literal_recursion(disc, watched.second)(choose) == watched.h));
+    BOOST_TEST(step == watched.order.size());
+  }
+}
 
 // The forward loop on the same discs: what the package gives is connected, spanning, of degree 3,
 // contains the rim and has as many edges as the recursion, which is what Fig. 3 promises; and for
