@@ -3,13 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Measures the subgraphs of bounded degree: time and memory per vertex, degrees by genus with both
-// kinds of cut, degrees beside their bounds on surfaces of all kinds, and what a user would
-// otherwise take. Writes JSON.
+// kinds of cut, degrees beside their bounds on surfaces of all kinds, trees of nearly minimum degree,
+// and what a user would otherwise take. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_subgraphs/heap_peak.h>
 #include <Delaunay_from_surface_3_subgraphs/measure_bounds.h>
+#include <Delaunay_from_surface_3_subgraphs/measure_near_minimum.h>
 #include <Delaunay_from_surface_3_subgraphs/other_trees.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
@@ -51,6 +52,8 @@ struct Options
   std::vector<std::size_t> genera = {0, 1, 2, 3, 5, 10, 50};
   std::size_t vertices_by_genus = 200000, repetitions = 3, largest_for_others = 1000000;
   int triangulations = 1000;
+  std::vector<std::size_t> near_minimum_genera;
+  std::string near_minimum_meshes;
   std::string output = "subgraphs.json";
 };
 
@@ -187,6 +190,22 @@ ordered_json measure_degrees(std::size_t genus, std::size_t n)
   return result;
 }
 
+ordered_json measure_near_minimum(const Options& options)
+{
+  ordered_json result = {{"families", subgraphs::measure_near_minimum_families()},
+                         {"times", ordered_json::array()}};
+  for (std::size_t genus : options.near_minimum_genera) {
+    const Mesh mesh =
+        surfaces::to_mesh<Mesh>(surfaces::genus_surface(genus, options.vertices_by_genus, 0.05, 1));
+    std::cerr << "genus " << genus << ", " << num_vertices(mesh) << " vertices\n";
+    result["times"].push_back(
+        subgraphs::time_near_minimum("genus " + std::to_string(genus), mesh, options.repetitions));
+  }
+  if (!options.near_minimum_meshes.empty())
+    result["meshes"] = subgraphs::measure_near_minimum_meshes<Mesh>(options.near_minimum_meshes);
+  return result;
+}
+
 ordered_json measure_all(const Options& options)
 {
   ordered_json times = ordered_json::array(), by_genus = ordered_json::array(),
@@ -209,7 +228,10 @@ ordered_json measure_all(const Options& options)
       std::cerr << recipe.name << "\n";
       by_surface.push_back(subgraphs::measure_bounds(recipe, options.triangulations));
     }
-  return {{"times", times}, {"degrees", by_genus}, {"bounds", by_surface}};
+  ordered_json result = {{"times", times}, {"degrees", by_genus}, {"bounds", by_surface}};
+  if (!options.near_minimum_genera.empty())
+    result["near_minimum"] = measure_near_minimum(options);
+  return result;
 }
 
 Options read_options(int argc, char** argv)
@@ -230,6 +252,10 @@ Options read_options(int argc, char** argv)
       "minimum spanning trees and depth-first trees up to so many vertices");
   add("triangulations,t", po::value(&o.triangulations)->value_name("N"),
       "of each kind of surface, for degrees beside their bounds");
+  add("near-minimum", po::value(&o.near_minimum_genera)->multitoken()->value_name("G..."),
+      "trees of nearly minimum degree: families, and times for these genera");
+  add("near-minimum-meshes", po::value(&o.near_minimum_meshes)->value_name("FOLDER"),
+      "the same on the meshes of a folder");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
   comparison::read_command_line(argc, argv, options);
   return o;

@@ -14,6 +14,8 @@ The tables, as far as the files hold them:
   bounds   degrees beside their bounds, on surfaces of all kinds
   degrees  degrees by genus, with both kinds of cut
   times    times and memory
+  near_minimum, near_minimum_times, near_minimum_meshes
+           trees of nearly minimum degree
 """
 
 import argparse
@@ -49,6 +51,38 @@ def times_row(row):
     return cells
 
 
+def family_row(row):
+    least = max(row["least_degree_by_witness"], row.get("least_degree", 0))
+    return [row["surface"], row["genus"], row["bound_of_the_paper"], row["maximum_degree_of_subgraph"],
+            row["maximum_degree_of_tree"], row["maximum_degree"], row["bound"], least or None]
+
+
+def exchanges_row(row):
+    n = f'{row["vertices"]:,}'.replace(",", " ")
+    return [row["surface"], n, row["vertices_of_degree_4_or_more"], row["maximum_degree_of_tree"], row["maximum_degree"],
+            row["exchanges_nearby"], row["phases"], round(row["nanoseconds_per_vertex_of_tree"]),
+            round(row["nanoseconds_per_vertex_of_exchanges"])]
+
+
+def near_minimum_blocks(report):
+    found = report["near_minimum"]
+    families = table(["surface", "genus", "paper's bound", "subgraph", "tree", "nearly minimum", "bound", "any tree, at least"],
+                     [[cell(value) for value in family_row(row)] for row in found["families"]], 1)
+    times = table(["surface", "n", "of degree 4 and more", "tree", "nearly minimum", "exchanges nearby", "phases",
+                   "tree, ns per vertex", "exchanges, ns per vertex"],
+                  [[cell(value) for value in exchanges_row(row)] for row in found["times"]], 1)
+    meshes = found["meshes"]
+    degrees = range(max(len(meshes["meshes_of_degree_of_tree"]), len(meshes["meshes_of_degree"])))
+    rows = [[name, *(str((found["meshes"][key] + [0] * len(degrees))[d]) for d in degrees if d > 1)]
+            for name, key in (("tree", "meshes_of_degree_of_tree"), ("nearly minimum", "meshes_of_degree"))]
+    return {"near_minimum": families,
+            "near_minimum_times": times,
+            "near_minimum_meshes": f'Meshes of %CGAL\'s demos by the largest degree of their trees; {meshes["closed"]} are '
+                                   f'closed, {meshes["with_boundary"]} have boundary, and {meshes["refused"]} are refused:\n\n'
+                                   + table(["degree", *(str(d) for d in degrees if d > 1)], rows, 1),
+            "command_of_near_minimum": commands_of(report)}
+
+
 TABLES = {  # how a row is made, the titles, how many columns are text
     "bounds": (bounds_row, ["surface", "paper's bound", "bound", "observed", "tree's bound", "tree, observed"], 1),
     "degrees": (degrees_row, ["genus", "paper's bound", "bound", "tree's bound", "subgraph", "above 3", "tree",
@@ -73,6 +107,8 @@ def all_blocks(reports):
                 blocks[f"command_of_{key}"] = re.sub(r" --plot \S+", "", commands_of(report))  # it drew once
                 if key == "times":
                     blocks["machine"] = machine(report)
+        if "near_minimum" in report:
+            blocks.update(near_minimum_blocks(report))
     return blocks
 
 

@@ -32,6 +32,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -323,6 +324,43 @@ BOOST_AUTO_TEST_CASE(bad_trees)
   BOOST_TEST_MESSAGE(nearby << " exchanges nearby, " << phases << " phases that found one");
   BOOST_TEST(nearby > 0u);
   BOOST_TEST(phases > 0u);
+}
+
+// Phases alone, without exchanges nearby: each that succeeds leaves one vertex less of the largest
+// degree k, and none above, or propagation through vertices of degree k - 1 is wrong.
+BOOST_AUTO_TEST_CASE(a_phase_takes_one_vertex_of_the_largest_degree_away)
+{
+  using namespace DFS::internal;
+  std::size_t phases = 0;
+  std::vector<Triangle_list> all = {stacked_complete_graph(7), stacked_complete_graph(19)};
+  for (int seed = 0; seed < 100; ++seed)
+    all.push_back(cook(random_recipe(seed, false)));
+  for (const Triangle_list& s : all) {
+    std::mt19937 random(1);
+    const Embedded_graph g = embed(s, random);
+    Rotation_system<std::uint32_t> surface;
+    Embedding_reader(g.graph, g.embedding(), g.index_map(), g.boundary_map()).read(surface);
+    Dart_marks marks = search_tree(surface, true);
+    Exchange_tree<std::uint32_t> tree(surface, marks);
+    Degree_phase<std::uint32_t> phase(tree);
+    std::uint32_t root = 0;
+    while (surface.degree(root) == 0)
+      ++root;
+    for (bool succeeds = true; succeeds; ++phases) {
+      std::map<std::uint32_t, int> before, after;
+      std::vector<bool> is_met(surface.number_of_vertices(), false);
+      tree.for_each_from(root, is_met, [&](auto v, auto) { ++before[tree.degree(v)]; });
+      const std::uint32_t k = before.rbegin()->first;
+      if (k < 4)
+        break;
+      succeeds = phase(root, k);
+      is_met.assign(surface.number_of_vertices(), false);
+      tree.for_each_from(root, is_met, [&](auto v, auto) { ++after[tree.degree(v)]; });
+      BOOST_TEST_REQUIRE(after.rbegin()->first <= k);
+      BOOST_TEST_REQUIRE(after[k] + (succeeds ? 1 : 0) <= before[k]); // two may be lighter at once
+    }
+  }
+  BOOST_TEST(phases > 100u);
 }
 
 // Closed or not, of one component or of several. What is no simple triangulated surface is refused

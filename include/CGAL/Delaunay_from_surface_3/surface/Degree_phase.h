@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_DEGREE_PHASE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_DEGREE_PHASE_H
 
-// One phase of Fürer and Raghavachari (1992): finds one vertex of the largest degree k in a tree T
+// One phase of Fürer and Raghavachari (1994): finds one vertex of the largest degree k in a tree T
 // that can be made lighter, or a set of vertices that shows that it is no use.
 //
 //     bad vertices: those of degree k, and of degree k - 1

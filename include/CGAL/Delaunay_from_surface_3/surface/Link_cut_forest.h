@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_LINK_CUT_FOREST_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_LINK_CUT_FOREST_H
 
-// A forest whose edges come and go, asked for what lies on the path between two vertices (Sleator
-// and Tarjan 1985).
+// A forest whose edges come and go, asked for what lies on the path between two vertices
+// (Sleator, Tarjan 1985).
 //
 // Invariant: the forest falls into paths; each is a splay tree, ordered along the path, whose root
 // names the vertex above the path's upper end, if there is one. A subtree may have to be read
