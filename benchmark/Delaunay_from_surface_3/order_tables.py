@@ -85,6 +85,22 @@ def block_of_meshes(report, least_vertices):
     return head + "\n\n" + table(["mesh", "vertices", "ratio"], [[cell(v) for v in row] for row in rows])
 
 
+STAGES = ["half_digit", "one_digit", "balanced", "double_double", "two_digits", "kernel"]
+
+
+def blocks_of_flat_and_far(report):
+    rows = []
+    for family, kind, inserted in dict.fromkeys((r["family"], r["kind"], r["inserted"]) for r in report["results"]):
+        of = [r for r in report["results"] if (r["family"], r["kind"], r["inserted"]) == (family, kind, inserted)]
+        rows.append([family, kind, inserted, *(f'{r["median_ratio"]:.2f}' for r in of),
+                     *(f'{of[-1]["decided_by"][s] or 0:.2f}' for s in STAGES)])
+    sizes = dict.fromkeys(min((5000, 20000, 100000), key=lambda n: abs(n - r["points"])) for r in report["results"])
+    titles = ["surface", "what it is", "inserted", *(f"ratio, {n}" for n in sizes),
+              "integers of 30 bits", "60 bits", "balanced", "double-double", "120 bits", "kernel"]
+    return {"flat_and_far": table(titles, [[cell(v) for v in row] for row in rows], 3),
+            "flat_and_far_command": commands_of(report)}
+
+
 def net_name(block, points):
     return "by index" if block == 1 else "random" if block >= points else f"blocks of {block}"
 
@@ -132,6 +148,8 @@ def all_blocks(reports):
             blocks.update(blocks_of_walks(report))
         if "meshes" in report:
             blocks["meshes"] = block_of_meshes(report, 3000)
+        if "flat_and_far_repetitions" in report:
+            blocks.update(blocks_of_flat_and_far(report))
         if "blocks" in report:
             blocks.update(blocks_of_nets(report))
         if "instructions" in report:
