@@ -4,17 +4,36 @@
 
 // Inserts the vertices of a mesh once with plain CGAL and once with the default, in functions of
 // their own, whose instructions count_instructions.py counts. Prints the number of vertices.
+//
+// With the name of a method it makes that call alone, and prints what it took: see
+// measure_single_calls.py.
 
+#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_files/Polygon_soup.h>
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/delaunay_3_arrays.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_points_3.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
+#include <functional>
 #include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <sys/mman.h>
+#include <sys/resource.h>
 
 #if defined(__GNUC__)
 #define INSERT_ONCE_NOT_INLINE extern "C" __attribute__((noinline))
@@ -42,13 +61,120 @@ INSERT_ONCE_NOT_INLINE void insert_once_between(const Triangulation& tr)
   std::cout << tr.number_of_vertices() << "\n";
 }
 
+namespace {
+
+using comparison::Json;
+
+double seconds(const timeval& t)
+{
+  return double(t.tv_sec) + 1e-6 * double(t.tv_usec);
+}
+
+// In bytes; Linux only, 0 elsewhere.
+std::size_t memory(const char* name)
+{
+  return 1024 *
+         std::strtoull(comparison::value_in_file("/proc/self/status", name).c_str(), nullptr, 10);
+}
+
+// Each is called once, and what it makes is not destroyed.
+Json what_it_takes(const std::function<std::size_t()>& call)
+{
+  std::ofstream("/proc/self/clear_refs") << "5"; // the peak of the reading is forgotten
+  const std::size_t before = memory("VmRSS");
+  rusage begin = {}, end = {};
+  getrusage(RUSAGE_SELF, &begin);
+  const double start = comparison::Steady_seconds()();
+  const std::size_t cells = call();
+  const double wall = comparison::Steady_seconds()() - start;
+  getrusage(RUSAGE_SELF, &end);
+  return {{"cells", cells},
+          {"wall", comparison::rounded(wall)},
+          {"user", comparison::rounded(seconds(end.ru_utime) - seconds(begin.ru_utime))},
+          {"system", comparison::rounded(seconds(end.ru_stime) - seconds(begin.ru_stime))},
+          {"faults", end.ru_minflt - begin.ru_minflt + end.ru_majflt - begin.ru_majflt},
+          {"bytes_before", before},
+          {"bytes_at_peak", memory("VmHWM")}};
+}
+
+Json call_once(const std::string& method, const files::Polygon_soup& soup)
+{
+  auto& tr = *new Triangulation;
+  const std::map<std::string, std::function<std::size_t()>> methods = {
+      {"plain", [&] { return insert_once_by_plain_cgal(tr, soup), tr.number_of_cells(); }},
+      {"default", [&] { return insert_once_by_default(tr, soup), tr.number_of_cells(); }},
+      {"points", [&] { return CGAL::insert_points_3(tr, soup.points), tr.number_of_cells(); }},
+      {"arrays",
+       [&] {
+         return (new auto(CGAL::delaunay_3_arrays(soup.points, soup.faces)))->number_of_cells();
+       }},
+  };
+  const auto found = methods.find(method);
+  if (found == methods.end())
+    throw std::runtime_error("no method " + method + ": plain, default, points or arrays");
+  Json report = what_it_takes(found->second);
+  report["points"] = soup.points.size();
+  return report;
+}
+
+// The first touch of so many bytes: microseconds per page, the fastest and slowest tenth left out.
+Json touch(std::size_t bytes, std::size_t page, int advice)
+{
+  void* const data =
+      mmap(nullptr, bytes + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (data == MAP_FAILED)
+    throw std::runtime_error("so much memory is not to be had");
+  char* const first =
+      static_cast<char*>(data) + (page - reinterpret_cast<std::uintptr_t>(data) % page) % page;
+  madvise(first, bytes, advice);
+  std::vector<double> times;
+  for (std::size_t at = 0; at + page <= bytes; at += page) {
+    const double start = comparison::Steady_seconds()();
+    static_cast<volatile char&>(first[at]) = 0;
+    times.push_back(1e6 * (comparison::Steady_seconds()() - start));
+  }
+  munmap(data, bytes + page);
+  std::sort(times.begin(), times.end());
+  const auto at = [&](std::size_t tenth) {
+    return comparison::rounded(times[tenth * (times.size() - 1) / 10], 100);
+  };
+  return {{"tenth", at(1)}, {"median", at(5)}, {"nine_tenths", at(9)}};
+}
+
+#if defined(MADV_HUGEPAGE)
+constexpr int in_large_pages = MADV_HUGEPAGE, in_small_pages = MADV_NOHUGEPAGE;
+#else
+constexpr int in_large_pages = MADV_NORMAL, in_small_pages = MADV_NORMAL;
+#endif
+
+Json touch_all(std::size_t bytes)
+{
+  bytes = (std::max)(bytes, std::size_t(1) << 21);
+  return {{"bytes", bytes},
+          {"large_page", touch(bytes, std::size_t(1) << 21, in_large_pages)},
+          {"small_page", touch(bytes, 4096, in_small_pages)}};
+}
+
+} // namespace
+
 int main(int argc, char** argv)
 try {
-  if (argc != 2) {
-    std::cerr << "usage: insert_once MESH\n";
-    return EXIT_FAILURE;
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty() || words.size() > 2 || words[0] == "--help") {
+    std::cerr << "usage: insert_once MESH\n"
+                 "       insert_once MESH plain|default|points|arrays\n"
+                 "       insert_once --touch BYTES\n";
+    return words.size() == 1 ? EXIT_SUCCESS : EXIT_FAILURE;
   }
-  const files::Polygon_soup soup = files::read_polygon_soup(argv[1]);
+  if (words[0] == "--touch") {
+    std::cout << touch_all(std::stoul(words.at(1))) << "\n";
+    return EXIT_SUCCESS;
+  }
+  const files::Polygon_soup soup = files::read_polygon_soup(words[0]);
+  if (words.size() == 2) {
+    std::cout << call_once(words[1], soup) << "\n";
+    return EXIT_SUCCESS;
+  }
   Triangulation expected, tr;
   insert_once_by_plain_cgal(expected, soup);
   insert_once_between(expected);

@@ -3,14 +3,15 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Puts what measure_orders, check_meshes and count_instructions.py wrote as tables on the manual's page on orders; needs
-nothing but Python.
+"""Puts what measure_orders, check_meshes, count_instructions.py and measure_single_calls.py wrote as tables on the manual's
+page on orders; needs nothing but Python.
 
-  order_tables.py results/{orders,orders_200k,orders_walks,nets_200k,demo_meshes,small_meshes}.json --tables
-  order_tables.py results/{orders,orders_200k,orders_walks,nets_200k,demo_meshes,small_meshes}.json --manual Orders.txt [--check]
+  order_tables.py results/{orders,orders_200k,orders_walks,nets_200k,demo_meshes,small_meshes,single_calls}.json --tables
+  order_tables.py results/{orders,orders_200k,orders_walks,nets_200k,demo_meshes,small_meshes,single_calls}.json \
+    --manual Orders.txt [--check]
 
 Blocks: one table for each size, a summary of all, machine, and commands; where walks can go astray; the rules for nets;
-the meshes of libcgal-demo, by times, and the small ones by instructions.
+the meshes of libcgal-demo, by times, and the small ones by instructions; calls that are the only one of their process.
 """
 
 import math
@@ -140,6 +141,19 @@ def blocks_of_instructions(report):
     return {"small": table(titles, [[cell(v) for v in row] for row in rows]), "small_command": commands_of(report)}
 
 
+def blocks_of_single_calls(report):
+    rows = []
+    for result in report["results"]:
+        plain, default = result["calls"]["plain"], result["calls"]["default"]
+        pairs = [(f'{1e3 * c["median_cpu"]:.1f}', c["median_faults"], f'{c["median_bytes_above"] / 1e6:.1f}')
+                 for c in (plain, default)]
+        rows.append([result["mesh"], result["points"], f'{result["rest"]:g}', *(v for both in zip(*pairs) for v in both),
+                     f'{plain["median_cpu"] / default["median_cpu"]:.2f}'])
+    titles = ["mesh", "points", "rest, s", "ms, plain CGAL", "default", "page faults, plain CGAL", "default",
+              "peak in MB, plain CGAL", "default", "ratio"]
+    return {"single": table(titles, [[cell(v) for v in row] for row in rows]), "single_command": commands_of(report)}
+
+
 def all_blocks(reports):
     """{name: text} of all that the manual shows."""
     blocks = blocks_of_orders([r for r in reports if "repetitions" in r and not r.get("walks")], (3000, 20000, 200000))
@@ -154,6 +168,8 @@ def all_blocks(reports):
             blocks.update(blocks_of_nets(report))
         if "instructions" in report:
             blocks.update(blocks_of_instructions(report))
+        if report.get("program") == "measure_single_calls.py":
+            blocks.update(blocks_of_single_calls(report))
     return blocks
 
 

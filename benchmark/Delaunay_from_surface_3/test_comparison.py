@@ -2,7 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Runs compare_with_plain at small sizes, with all that it can measure, and looks at what it has written."""
+"""Runs compare_with_plain at small sizes, with all that it can measure, and measure_single_calls.py, and looks at what they
+have written."""
 
 import json
 import os
@@ -127,6 +128,23 @@ class Comparison(ProgramCase):
         self.assertEqual(lines[0].split("|")[3:7], [" CGAL ", " default ", " default until the export ", " again "])
         self.assertIn(f"""| genus-3 | 2 | {result["times"]["plain_parallel"]["median_wall"]:.3f} |""", "\n".join(lines))
         self.assertIn("Other numbers of tetrahedra than plain %CGAL: none.", lines)
+
+    def test_single_calls(self):
+        program = os.path.abspath(os.environ["INSERT_ONCE"])
+        command = [sys.executable, HERE / "measure_single_calls.py", TORUS, "--program", program, "--rest", "0", "0.01",
+                   "--methods", "default", "points", "arrays", "--other", f"again={program}", "--repetitions", "2",
+                   "--output", self.folder / "single_calls.json"]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        results = json.loads((self.folder / "single_calls.json").read_text())["results"]
+        self.assertEqual([result["rest"] for result in results], [0, 0.01])
+        for result in results:
+            self.assertEqual(list(result["calls"]), ["plain", "default", "default, again", "points", "points, again",
+                                                     "arrays", "arrays, again"])
+            self.between(0, result["touched"]["small_page"]["median"], 1e5)
+            for call in result["calls"].values():
+                self.assertEqual(len(call["cpu"]), 2)
+                self.between(0, call["median_wall"], 100)
+                self.between(0, call["median_faults"], 1e5)
 
     def test_what_it_refuses(self):
         self.refuses("a peer is given as NAME=COMMAND, not as 'false'", "--peer", "false")

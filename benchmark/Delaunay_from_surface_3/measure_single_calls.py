@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Measures calls that are the only one of their process, as most programs make them, and writes what each took as JSON:
+wall time, user and system time and their sum (of a few milliseconds the system knows only the sum), page faults, and peak
+memory beyond what was there before the call, the mesh included. On a busy machine the wall time says nothing.
+
+Plain CGAL and the package take turns. Another program can take part: insert_once built from another revision. Before
+the calls for a mesh a process touches as much memory as the largest of them needs, so that a virtual machine has it from
+its host; the times of these touches are in the JSON, too. Then come the calls, first one after the other, then each after
+a rest, in which the host may take free memory back.
+
+  measure_single_calls.py MESH... --program ./insert_once --rest 0 4 --output single_calls.json"""
+
+import argparse
+import json
+import os
+import platform
+import shlex
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+KEYS = ("wall", "cpu", "user", "system", "faults", "bytes_above")
+
+
+def output_of(*command):
+    return json.loads(subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout)
+
+
+def call(program, mesh, method):
+    result = output_of(program, str(mesh), method)
+    result["cpu"] = result["user"] + result["system"]
+    result["bytes_above"] = result["bytes_at_peak"] - result["bytes_before"]
+    return result
+
+
+def measured(mesh, calls, options):
+    """One entry for each length of rest: what each call took."""
+    once = {name: call(command["program"], mesh, command["method"]) for name, command in calls.items()}
+    if len({result["cells"] for result in once.values()}) != 1:
+        sys.exit(f"{mesh}: the numbers of cells differ")
+    peak = max(result["bytes_at_peak"] for result in once.values())
+    for rest in options.rest:
+        touched = output_of(options.program, "--touch", str(peak))
+        runs = {name: [] for name in calls}
+        for repetition in range(options.repetitions):
+            names = list(calls) if repetition % 2 == 0 else list(calls)[::-1]
+            for name in names:
+                time.sleep(rest)
+                runs[name].append(call(calls[name]["program"], mesh, calls[name]["method"]))
+        first = next(iter(once.values()))
+        result = {"mesh": mesh.name, "points": first["points"], "cells": first["cells"], "rest": rest, "touched": touched}
+        result["calls"] = {name: summary(of_name) for name, of_name in runs.items()}
+        yield result
+
+
+def summary(runs):
+    medians = {f"median_{key}": round(statistics.median(run[key] for run in runs), 6) for key in KEYS}
+    return {**medians, "cpu": [round(run["cpu"], 6) for run in runs]}
+
+
+def cpu():
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        return next((line.split(":", 1)[1].strip() for line in file if line.startswith("model name")), "unknown")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("meshes", type=Path, nargs="+", metavar="MESH")
+    parser.add_argument("--program", default="./insert_once", help="insert_once")
+    parser.add_argument("--other", default=[], nargs="+", metavar="NAME=PROGRAM", help="insert_once of other revisions")
+    parser.add_argument("--methods", default=["default"], nargs="+", help="beside plain: default, points, arrays")
+    parser.add_argument("--repetitions", type=int, default=21, metavar="N")
+    parser.add_argument("--rest", type=float, default=[0, 4], nargs="+", metavar="SECONDS", help="before each call")
+    parser.add_argument("--output", type=Path, default=Path("single_calls.json"), metavar="FILE")
+    options = parser.parse_args()
+    calls = {"plain": {"program": options.program, "method": "plain"}}
+    for method in options.methods:
+        calls[method] = {"program": options.program, "method": method}
+        for name, program in (other.split("=", 1) for other in options.other):
+            calls[f"{method}, {name}"] = {"program": program, "method": method}
+    report = {
+        "program": "measure_single_calls.py",
+        "command": shlex.join(["measure_single_calls.py", *sys.argv[1:]]),
+        "machine": {"cpu": cpu(), "cores": os.cpu_count(), "system": platform.release(),
+                    "load_before": round(os.getloadavg()[0], 2)},
+        "results": [],
+    }
+    for mesh in options.meshes:
+        for result in measured(mesh, calls, options):
+            report["results"].append(result)
+            plain = result["calls"]["plain"]
+            for name, of_name in result["calls"].items():
+                print(f"{mesh.name}, rest {result['rest']:g}: {name}: " + ", ".join(
+                    f"{key} {of_name[f'median_{key}']:g}" for key in KEYS)
+                    + f"; plain / this {plain['median_wall'] / of_name['median_wall']:.2f} by wall, "
+                    f"{plain['median_cpu'] / of_name['median_cpu']:.2f} by cpu", flush=True)
+    report["machine"]["load_after"] = round(os.getloadavg()[0], 2)
+    options.output.write_text(json.dumps(report, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()
