@@ -15,6 +15,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Near_minimum_degree_tree.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/certify_spanning_subgraph.h>
@@ -109,13 +110,18 @@ BOOST_AUTO_TEST_CASE(soups_of_any_surface)
   for (int seed = 0; seed < 400; ++seed) {
     const Triangle_list s = cook(random_recipe(seed, seed % 2 == 0));
     const Embedded_graph g = embed(s, random);
-    std::vector<Embedded_graph::Edge> edges;
-    for (const Pair& e : edges_of_soup<DFS::Bounded_degree_subgraph>(s.triangles, std::size_t(s.n)))
-      edges.push_back(edge(e.first, e.second, g.graph).first);
-    const auto certificate = CGAL::certify_spanning_subgraph(
-        g.graph, edges,
-        DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map()),
-        g.index_map());
-    BOOST_TEST(certificate.is_valid_subgraph());
+    const auto topology =
+        DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    const auto certify = [&](const std::set<Pair>& pairs) {
+      std::vector<Embedded_graph::Edge> edges;
+      for (const Pair& e : pairs)
+        edges.push_back(edge(e.first, e.second, g.graph).first);
+      return CGAL::certify_spanning_subgraph(g.graph, edges, topology, g.index_map());
+    };
+    const std::size_t n = std::size_t(s.n);
+    BOOST_TEST(
+        certify(edges_of_soup<DFS::Bounded_degree_subgraph>(s.triangles, n)).is_valid_subgraph());
+    BOOST_TEST(certify(edges_of_soup<DFS::Near_minimum_degree_tree>(s.triangles, n))
+                   .is_valid_near_minimum_tree());
   }
 }
