@@ -47,7 +47,9 @@ that are as wide as need be, and CGAL's symbolic perturbation.
 It serves geometric traits with exact predicates, such as
 `Exact_predicates_inexact_constructions_kernel`, `Exact_predicates_exact_constructions_kernel` and
 `Filtered_kernel<Simple_cartesian<float>>`, if all coordinates are doubles; empty triangulations;
-points that do not all lie in one plane: see `obstacle()`. The rounding mode must be to nearest, also to denormal numbers.
+points that do not all lie in one plane: see `obstacle()`. The rounding mode must be to nearest, also
+to denormal numbers. If the compiler is free to change operations, as by `-ffast-math`, integers
+decide everything, which takes long.
 
 Memory while it inserts: 32 bytes per cell and 36 per point if an `Id` has 32 bits, and twice as
 much if it has 64. The export gives the cells back as it goes.
@@ -98,7 +100,7 @@ public:
     return std::is_same<typename Geom_traits::Point_3, Point>::value &&
            internal::has_predicates_of_kernel<Geom_traits,
                                               typename Kernel_traits<Point>::Kernel>() &&
-           internal::rounds_every_operation && internal::has_exact_predicates<Geom_traits>();
+           internal::has_exact_predicates<Geom_traits>();
   }
 
   /// is to insert `points` into `tr`; keeps references to both. If nothing stands against it, four

@@ -8,11 +8,13 @@
 // What the kernel asks beside its tests of conflict (Compact_predicates.h), seldom: orientations and
 // distances of points given by their coordinates. Each is asked in doubles first, with a bound on
 // the error; integers of fewer bits decide what these leave open, and those of any width the rest.
-// The coordinates may be any finite numbers: where products might overflow, doubles decide nothing.
+// The coordinates may be any finite numbers: where products might overflow, or the compiler is free to
+// change operations, doubles decide nothing.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 
 #include <algorithm>
 
@@ -20,8 +22,20 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// Squared lengths up to which products of three of them do not overflow.
-constexpr double safe_square = 1e100;
+// Are products of three numbers up to this one, a squared length, rounded and nothing worse?
+inline bool is_safe(double square)
+{
+  return square < 1e100 && obstacle_of_compiler() == nullptr;
+}
+
+// The sign of an integer determinant of differences, whatever their size.
+template <class Determinant>
+int exact_sign_of_any(const double* const* vertices, const double* p)
+{
+  return (obstacle_of_compiler() == nullptr ? exact_sign<Determinant>(vertices, p, false)
+                                            : wide_sign<Determinant>(vertices, p))
+      .sign;
+}
 
 // The orientation alone, of rows; never perturbed.
 struct Exact_orientation
@@ -68,10 +82,10 @@ inline int orientation(const double* a, const double* b, const double* c, const 
   const double* const vertices[3] = {b, c, d};
   const Row<double> rows[3] = {row(b, a), row(c, a), row(d, a)};
   const double m = largest_square(rows[0], rows[1], rows[2]);
-  const int sign = m < safe_square ? certified_sign(determinant_of(rows[0], rows[1], rows[2]),
-                                                    Filter_bounds::three_rows(m))
-                                   : 0;
-  return sign != 0 ? sign : exact_sign<Exact_orientation>(vertices, a, false).sign;
+  const int sign = is_safe(m) ? certified_sign(determinant_of(rows[0], rows[1], rows[2]),
+                                               Filter_bounds::three_rows(m))
+                              : 0;
+  return sign != 0 ? sign : exact_sign_of_any<Exact_orientation>(vertices, a);
 }
 
 inline bool are_collinear(const double* a, const double* b, const double* c)
@@ -81,12 +95,12 @@ inline bool are_collinear(const double* a, const double* b, const double* c)
   const Row<double> s = row(b, a), t = row(c, a);
   const double m = (std::max)(s.w, t.w);
   const double bound = 8 * Filter_bounds::unit * m + Filter_bounds::tiny;
-  if (m < safe_square && (certified_sign(s.x * t.y - s.y * t.x, bound) != 0 ||
-                          certified_sign(s.y * t.z - s.z * t.y, bound) != 0 ||
-                          certified_sign(s.z * t.x - s.x * t.z, bound) != 0))
+  if (is_safe(m) && (certified_sign(s.x * t.y - s.y * t.x, bound) != 0 ||
+                     certified_sign(s.y * t.z - s.z * t.y, bound) != 0 ||
+                     certified_sign(s.z * t.x - s.x * t.z, bound) != 0))
     return false;
   const double* const vertices[2] = {b, c};
-  return exact_sign<Exact_area>(vertices, a, false).sign == 0;
+  return exact_sign_of_any<Exact_area>(vertices, a) == 0;
 }
 
 // -1 if a is nearer to p than b, 1 if it is farther.
@@ -95,7 +109,7 @@ inline int compare_distance(const double* p, const double* a, const double* b)
   // A sum of three squares of differences: 5 roundings, and what is lost where squares underflow.
   const double v = row(a, p).w, w = row(b, p).w;
   const double bound = 8 * Filter_bounds::unit * (v + w) + Filter_bounds::tiny;
-  const int sign = v + w < safe_square ? certified_sign(v - w, bound) : 0;
+  const int sign = is_safe(v + w) ? certified_sign(v - w, bound) : 0;
   if (sign != 0)
     return sign;
   const double* const vertices[2] = {a, b};

@@ -10,18 +10,12 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/tags.h>
 
-#include <cfloat>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-// Whether each operation on doubles is rounded to a double, which the bounds and the error terms of
-// the filters suppose; not on x87. (Methods 1 and 16 evaluate only narrower types in wider ones.)
-constexpr bool rounds_every_operation =
-    FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 16;
 
 // Whether all predicates that the filters decide without asking are those of the kernel. What
 // counts is what the triangulation calls: the objects.

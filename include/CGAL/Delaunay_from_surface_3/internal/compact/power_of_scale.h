@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_POWER_OF_SCALE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_COMPACT_POWER_OF_SCALE_H
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 
 #include <algorithm>
@@ -23,13 +24,15 @@ namespace internal {
 // of their coordinates underflow. All coordinates must be doubles. Linear.
 struct Power_of_scale
 {
-  double factor;
+  double factor; // 0 where doubles are not to be trusted: then no filter decides anything
   bool is_exact; // no coordinate becomes so small that it is rounded
 };
 
 template <class Point>
 Power_of_scale power_of_scale(const std::vector<Point>& points)
 {
+  if (obstacle_of_compiler() != nullptr)
+    return {0, false};
   double largest = 0, least = (std::numeric_limits<double>::max)();
   for (const Point& p : points) {
     const std::array<double, 3> coordinates = *double_coordinates(p);

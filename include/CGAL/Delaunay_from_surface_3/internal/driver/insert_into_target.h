@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
@@ -162,6 +163,8 @@ insert_into_target(Triangulation& tr, Planned_points<typename Triangulation::Poi
     std::string obstacle = obstacle_of_answers(tr, planned, visitor);
     if constexpr (!Target::serves_geom_traits()) { // it need not compile
       obstacle = "the predicates of the geometric traits are not the exact ones of a kernel";
+    } else if (obstacle.empty() && obstacle_of_compiler() != nullptr) {
+      obstacle = obstacle_of_compiler();
     } else if (obstacle.empty()) {
       try {
         Target target(tr, planned.points);

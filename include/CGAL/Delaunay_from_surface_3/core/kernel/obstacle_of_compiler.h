@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_OBSTACLE_OF_COMPILER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_OBSTACLE_OF_COMPILER_H
+
+// The bounds and error terms of the filters suppose that each operation on doubles is done as it is
+// written, and rounded to a double.
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
+
+#include <cfloat>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Not on x87. (Methods 1 and 16 evaluate only narrower types in wider ones.)
+constexpr bool rounds_every_operation =
+    FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 16;
+
+// What compilers say of -ffast-math and, as far as they do, of its parts. g++ has the one in the
+// middle for each of them.
+#if defined(__FAST_MATH__) || (defined(__GCC_IEC_559) && __GCC_IEC_559 == 0) ||                    \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || defined(_M_FP_FAST)
+constexpr bool is_fast_math = true;
+#else
+constexpr bool is_fast_math = false;
+#endif
+
+// Is the error of a difference of numbers that the compiler does not know what it is? clang says
+// nothing when it may compute in another order, and then does so here.
+inline bool has_error_terms()
+{
+  const volatile double one = 1, small = 0x1p-60;
+  const double vertex[3] = {one, one, one}, p[3] = {small, small, small};
+  const double* const row = vertex;
+  const Exact_differences<1> differences(&row, p);
+  return differences.high[0] == 1 && differences.low[0] == -small;
+}
+
+// Why that is not so; null if nothing is known.
+inline const char* obstacle_of_compiler()
+{
+  if (!rounds_every_operation)
+    return "operations on doubles are not rounded to doubles";
+  if (is_fast_math || !has_error_terms())
+    return "the compiler may change operations on doubles (-ffast-math, -Ofast)";
+  return nullptr;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_OBSTACLE_OF_COMPILER_H
