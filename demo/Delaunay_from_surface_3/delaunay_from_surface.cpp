@@ -11,6 +11,7 @@
 #include "Report.h"
 #include "Stopwatch.h"
 #include "Surface.h"
+#include "Threads.h"
 #include "compare_with_plain.h"
 #include "insertion_statistics.h"
 #include "read_surface.h"
@@ -25,11 +26,6 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-#endif
 
 #include <cstdlib>
 #include <exception>
@@ -136,6 +132,11 @@ int run(const Options& options, const Surface& surface, Output& output, Report& 
 
 int run(const Options& options, Report& report, Messages& messages)
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  std::optional<Threads> threads;
+  if (options.threads > 1)
+    threads.emplace(options.threads);
+#endif
   Output output(options);
   messages.step("reading " + options.input);
   const Surface surface = read_surface(options.input, options.from);
@@ -147,12 +148,9 @@ int run(const Options& options, Report& report, Messages& messages)
   if (options.traits == "plain")
     return run(options, surface, output, report, messages, CGAL::Plain_insertion_traits_3());
 #ifdef CGAL_LINKED_WITH_TBB
-  if (options.threads > 1) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
-    tbb::task_arena arena(int(options.threads)); // more than the machine has, if so asked
-    return arena.execute(
+  if (threads)
+    return threads->execute(
         [&] { return run(options, surface, output, report, messages, Parallel_traits()); });
-  }
 #endif
   return run(options, surface, output, report, messages, CGAL::Surface_insertion_traits_3());
 }

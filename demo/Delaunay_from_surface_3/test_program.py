@@ -336,6 +336,22 @@ class Output(ProgramCase):
         for number in (0, 65, 9999999):
             self.refuses("option '--threads' needs a whole number from 1 to 64", TORUS, "--threads", number)
 
+    def test_threads_that_cannot_be_made(self):
+        """TBB ends the process, and no file is left."""
+        if "built without TBB" in self.run_program(TORUS, "--threads", 2).stderr:
+            self.skipTest("built without TBB")
+
+        def limit():  # less than the stacks of all threads take
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            resource.setrlimit(resource.RLIMIT_AS, (300 << 20, 300 << 20))
+        self.write("points.xyz", *(f"{i % 23} {i % 29} {i % 31}" for i in range(20000)))
+        before = self.files()
+        arguments = ("points.xyz", "--output", "points.vtu", "--threads")
+        result = self.run_program(*arguments, 64, preexec_fn=limit)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertEqual(set(os.listdir(self.folder)), set(before))
+        self.assertEqual(self.run_program(*arguments, 1, preexec_fn=limit).returncode, 0)  # it is for the threads
+
     def test_quiet_and_verbose(self):
         self.write("points.xyz", "0 0 0", "1 0 0", "5 0 0")
         self.assertEqual(self.works("points.xyz", "--quiet", "--output", "points.vtu"), "")
