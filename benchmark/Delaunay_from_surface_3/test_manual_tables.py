@@ -68,7 +68,7 @@ class Manual_tables(unittest.TestCase):
         self.check(["bounded_degree_subgraphs.txt"], "subgraph_tables.py", "subgraph_*.json")
 
     def test_orders(self):
-        self.check(["Orders.txt"], "order_tables.py", "orders*.json", "nets_*.json", "*_meshes.json",
+        self.check(["Orders.txt"], "order_tables.py", "orders*.json", "flat_and_far.json", "nets_*.json", "*_meshes.json",
                    "single_calls.json")
 
     def test_threads(self):

@@ -8,6 +8,7 @@
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
+#include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
 #include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
@@ -82,6 +83,12 @@ Surfaces that mislead:
   two-lines       a band from line to line, which are askew: quadratically many cells
   skew-stars      disjoint fans whose hubs lie on two lines askew, their leaves anywhere
   nearly-flat     random points of a square, off their plane by up to 1e-12
+  noisy-sheet     square lattice, off its plane by up to 2^-k; --exponent is k
+  dented-sheet    square lattice, every tenth point off its plane by 1e-17
+  thin-tube       tube along an axis, 2^-k as thick as long
+  far-points      thick sphere, every tenth point 2^k times as far from the origin
+  sentinels       thick sphere, every twentieth z is 2^k
+  all-equal       points at one place
   room            six walls that bulge inwards, and a point in the middle that sees them all
 
 Options)";
@@ -99,6 +106,8 @@ po::options_description describe_options()
   add("genus,g", po::value<std::int64_t>()->value_name("G")->default_value(1), "number of handles");
   add("noise", po::value<double>()->value_name("X")->default_value(0),
       "of a sphere: standard deviation of the radius, which is 1");
+  add("exponent,k", po::value<std::int64_t>()->value_name("K")->default_value(60),
+      "of the power of 2 of flat and far surfaces");
   add("thickness", po::value<double>()->value_name("X")->default_value(0.01),
       "of a thin plate, where neighbours in the lattice have distance 1");
   add("input,i", po::value<std::string>()->value_name("FILE"),
@@ -133,6 +142,15 @@ std::size_t count(const po::variables_map& options, const std::string& name)
   if (value < 0 || value > 1000000000)
     throw std::invalid_argument("--" + name + " must lie between 0 and 1000000000");
   return static_cast<std::size_t>(value);
+}
+
+// Of a power of 2 that a double can be multiplied with.
+int exponent(const po::variables_map& options)
+{
+  const std::int64_t value = options["exponent"].as<std::int64_t>();
+  if (value < 0 || value > 1000)
+    throw std::invalid_argument("--exponent must lie between 0 and 1000");
+  return static_cast<int>(value);
 }
 
 double finite(const po::variables_map& options, const std::string& name)
@@ -193,6 +211,12 @@ Indexed_surface make_shape(const po::variables_map& options)
          const auto side = static_cast<std::size_t>(std::lround(std::cbrt(double(n) / 1.4)));
          return surfaces::marching_cubes(surfaces::noise(side, seed));
        }},
+      {"noisy-sheet", [&] { return surfaces::noisy_sheet(n, exponent(options), seed); }},
+      {"dented-sheet", [&] { return surfaces::dented_sheet(n, 1e-17); }},
+      {"thin-tube", [&] { return surfaces::thin_tube(n, exponent(options)); }},
+      {"far-points", [&] { return surfaces::far_points(n, exponent(options), seed); }},
+      {"sentinels", [&] { return surfaces::sentinels(n, exponent(options), seed); }},
+      {"all-equal", [&] { return surfaces::all_equal(n); }},
       {"room", [&] { return surfaces::room(n, seed); }},
       {"nearly-flat", [&] { return surfaces::nearly_flat(n, 1e-12, seed); }},
       {"loop",

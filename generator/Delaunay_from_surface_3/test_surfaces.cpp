@@ -10,6 +10,7 @@
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
+#include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
 #include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
@@ -485,6 +486,12 @@ BOOST_AUTO_TEST_CASE(misleading_surfaces)
   check_all_points_differ(stars);
   for (const Indexed_surface::Point_3& p : surfaces::nearly_flat(500, 1e-12, 1).points)
     BOOST_TEST(std::abs(p.z()) <= 1e-12);
+  for (const surfaces::Flat_or_far_family& family : surfaces::flat_and_far_families()) {
+    const Indexed_surface surface = family.make(500, 1);
+    check_count(surface, 500, 0.1);
+    check_all_points_differ(surface);
+  }
+  BOOST_TEST(surfaces::all_equal(500).points.front() == surfaces::all_equal(500).points.back());
   const Indexed_surface room = surfaces::room(500, 1);
   check_count(room, 500, 0.1);
   check_all_points_differ(room);

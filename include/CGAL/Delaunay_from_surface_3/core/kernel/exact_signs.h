@@ -63,11 +63,11 @@ int perturbed_sign(const double* const* vertices, const double* p, const Sign_of
 }
 
 // Whether distances between the points, or the edges of their box, differ so much that the bound of
-// close_sphere_sign() is of little use.
+// close_sphere_sign() is of little use, or all are so small that its products underflow.
 template <int N>
 bool are_unbalanced(const Exact_differences<N>& differences)
 {
-  constexpr double share = 1. / 1024;
+  constexpr double share = 1. / 1024, tiny = 0x1p-340;
   const double* const d = differences.high;
   double edges[3] = {}, longest = 0, shortest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < N; ++k) {
@@ -82,7 +82,8 @@ bool are_unbalanced(const Exact_differences<N>& differences)
                             Row<double>(r.x - d[3 * j], r.y - d[3 * j + 1], r.z - d[3 * j + 2]).w);
   }
   const double least = (std::min)((std::min)(edges[0], edges[1]), edges[2]);
-  return shortest < share * share * longest || least * least < share * share * longest;
+  return longest < tiny || shortest < share * share * longest ||
+         least * least < share * share * longest;
 }
 
 // The stages in numbers that are rounded.
