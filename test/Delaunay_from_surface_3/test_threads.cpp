@@ -24,6 +24,7 @@
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
+#include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
 #include <tbb/global_control.h>
@@ -92,7 +93,11 @@ std::vector<std::pair<const char*, Indexed_surface>> cases()
           {"star", surfaces::star(9000, 1)},
           {"faces at random", surfaces::faces_at_random(6000, 1)},
           {"two lines", surfaces::two_lines(3000)},
-          {"nearly flat", surfaces::nearly_flat(6000, 1e-12, 1)}};
+          {"nearly flat", surfaces::nearly_flat(6000, 1e-12, 1)},
+          {"noisy sheet", surfaces::noisy_sheet(6000, 60, 1)},
+          {"thin tube", surfaces::thin_tube(3000, 60)},
+          {"far points", surfaces::far_points(6000, 123, 1)},
+          {"sentinels", surfaces::sentinels(6000, 123, 1)}};
 }
 
 template <class Tr>

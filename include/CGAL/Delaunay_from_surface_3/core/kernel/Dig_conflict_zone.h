@@ -18,6 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -28,6 +29,8 @@ namespace internal {
 template <class Explore>
 struct Dig_conflict_zone
 {
+  using Filter = typename std::remove_reference_t<Explore>::Filter;
+
   // Fills the zone of point p from the cell `first`, which is in conflict with it. Returns whether
   // that succeeded: alone it does.
   template <class Id, class Predicates, class Zone>
@@ -84,14 +87,14 @@ private:
   {
     using Complex = Compact_complex<Id>;
     unsigned inside = 0;
-    bool is_known_whether_flat = !Explore::Filter::leaves_flat_cells_open;
+    bool is_known_whether_flat = !Filter::leaves_flat_cells_open;
     for (unsigned k = 0; k < 4; ++k)
       if (undecided >> k & 1) {
         const Compact_cell<Id>& neighbor = explore.neighbor(complex.cells(), cell, k);
         if (explore.is_torn())
           break;
         const bool is_filtered = !Complex::is_infinite(cell) && !Complex::is_infinite(neighbor);
-        if constexpr (Explore::Filter::leaves_flat_cells_open)
+        if constexpr (Filter::leaves_flat_cells_open)
           if (is_filtered && !is_known_whether_flat) {
             is_known_whether_flat = true;
             if (predicates.is_flat(cell, p)) {
@@ -134,8 +137,7 @@ private:
     }
     if (finite == 0)
       return {0, 0};
-    const Sphere_signs signs =
-        Explore::Filter::flat_signs(v, opposite, complex.vertex(p).coordinates);
+    const Sphere_signs signs = Filter::flat_signs(v, opposite, complex.vertex(p).coordinates);
     return {signs.inside & finite, signs.outside & finite};
   }
 };
