@@ -20,7 +20,7 @@ power of 2.
 enum Exact_stage {
   HALF_DIGIT,            ///< integers of 30 bits.
   ONE_DIGIT,             ///< integers of 60 bits.
-  BALANCED,              ///< doubles, of points at very different distances.
+  BALANCED,              ///< doubles, of points at very different distances or in a flat box.
   DOUBLE_DOUBLE,         ///< sums of two doubles, with a bound on their error.
   TWO_DIGITS,            ///< integers of 120 bits.
   ANY_WIDTH,             ///< integers of any width.
