@@ -5,13 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_DEGREE_PHASE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_DEGREE_PHASE_H
 
-// One phase of Fürer and Raghavachari (1994): finds one vertex of the largest degree k in a tree T
-// that can be made lighter, or a set of vertices that shows that it is no use.
+// One phase of Fürer and Raghavachari (1994): finds vertices of the largest degree k in a tree T
+// that can be made lighter, or a set of vertices that shows that there are none.
 //
 //     bad vertices: those of degree k, and of degree k - 1
 //     while an edge uv of the surface joins two components of T without the bad vertices:
 //         the path of T from u to v runs through bad vertices
-//         if one of them, w, has degree k: add uv, drop an edge at w of this path; done
+//         if one of them, w, has degree k: add uv, drop an edge at w of this path; no path is
+//         followed through w any more
 //         else all of them are good from now on, each with uv for its reason; the components and
 //         what lies between are one component
 //     the bad vertices that are left are the witness
@@ -20,6 +21,10 @@
 // within its component, so that u and v can take one edge more when it comes to that: first u is
 // made lighter, by its own reason, and v by its, each inside its own component; these two share no
 // vertex, and w is in neither.
+// That holds for the first w. Of T as it is for the next ones less is known: so each exchange is
+// left out if its path does not run there any more, or an end has become heavy. No vertex comes to
+// degree k in any case; and a phase that makes none lighter has tried nothing, so that its witness
+// holds.
 // Cost: O(m α(m)) for m edges of the component; 20 bytes per vertex of the surface, from the first
 // phase on.
 
@@ -42,10 +47,11 @@ public:
   {
   }
 
-  // Returns whether a vertex of degree k, the largest in the tree of `root`, is lighter now.
-  bool operator()(Index root, Index k)
+  // Returns how many vertices of degree k, the largest in the tree of `root`, were made lighter.
+  std::size_t operator()(Index root, Index k)
   {
     m_k = k;
+    m_successes = 0;
     read_tree(root);
     m_good.clear();
     for (const Index v : m_order)
@@ -56,10 +62,10 @@ public:
     for (std::size_t i = 0; i < m_good.size(); ++i) { // freed vertices are appended
       const Index v = m_good[i];
       for (const Index u : m_tree.surface().star(v))
-        if (m_node[u].is_good && joins(v, u))
-          return true;
+        if (m_node[u].is_good)
+          join(v, u);
     }
-    return false;
+    return m_successes;
   }
 
   // After a phase that found nothing.
@@ -78,11 +84,12 @@ public:
 private:
   struct Node
   {
-    Index parent;     // in T
-    Index depth;      // in T
-    Index set;        // of disjoint sets: the way to the vertex of its component nearest the root
-    Index reason = 0; // an edge in m_reasons
+    Index parent; // in T, as are depths
+    Index depth;
+    Index set;    // of disjoint sets: the way to the vertex of its component nearest the root
+    Index reason; // an edge in m_reasons
     bool is_good;
+    bool is_closed; // was of degree k, and tried
   };
 
   void read_tree(Index root)
@@ -93,7 +100,7 @@ private:
     m_reasons.clear();
     m_tree.for_each_from(root, m_is_met, [&](Index v, Index parent) {
       m_order.push_back(v);
-      m_node[v] = {parent, v == parent ? 0 : m_node[parent].depth + 1, v, 0, false};
+      m_node[v] = {parent, v == parent ? 0 : m_node[parent].depth + 1, v, none, false, false};
     });
     for (const Index v : m_order)
       m_is_met[v] = false;
@@ -109,9 +116,9 @@ private:
     return v;
   }
 
-  // Makes one component of all that the path from u to v meets; true if it met a vertex of degree
-  // k, which is lighter now.
-  bool joins(Index u, Index v)
+  // Makes one component of all that the path from u to v meets, up to a vertex of degree k, which is
+  // made lighter if that can be.
+  void join(Index u, Index v)
   {
     bool has_reason = false;
     for (Index a = top(u), b = top(v); a != b; a = top(a), b = top(b)) {
@@ -119,9 +126,12 @@ private:
         std::swap(a, b);
       const Index above = m_node[a].parent; // on the path, as a is not above b
       if (!m_node[above].is_good) {
+        if (m_node[above].is_closed)
+          return;
         if (m_tree.degree(above) == m_k) {
-          improve(above, {u, v});
-          return true;
+          m_node[above].is_closed = true;
+          m_successes += improve(above, {u, v}) ? 1 : 0;
+          return;
         }
         if (!has_reason)
           m_reasons.emplace_back(u, v);
@@ -132,10 +142,9 @@ private:
       }
       m_node[a].set = above;
     }
-    return false;
   }
 
-  void improve(Index w, std::pair<Index, Index> edge)
+  bool improve(Index w, std::pair<Index, Index> edge)
   {
     struct Step
     {
@@ -147,14 +156,20 @@ private:
       const Step step = steps.back();
       const auto [u, v] = step.edge;
       const Index heavy = m_tree.degree(u) + 2 > m_k ? u : v;
-      if (m_tree.degree(heavy) + 2 > m_k)
+      if (m_tree.degree(heavy) + 2 > m_k) {
+        if (m_node[heavy].reason == none || steps.size() > m_reasons.size())
+          return false;
         steps.push_back(Step{heavy, m_reasons[m_node[heavy].reason]});
-      else {
-        m_tree.exchange_at(step.vertex, u, v);
+      } else {
+        if (!m_tree.exchange_at(step.vertex, u, v))
+          return false;
         steps.pop_back();
       }
     }
+    return true;
   }
+
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
 
   Exchange_tree<Index>& m_tree;
   std::vector<Node> m_node;
@@ -162,6 +177,7 @@ private:
   std::vector<Index> m_order;
   std::vector<Index> m_good;
   std::vector<std::pair<Index, Index>> m_reasons;
+  std::size_t m_successes = 0;
   Index m_k = 0;
 };
 

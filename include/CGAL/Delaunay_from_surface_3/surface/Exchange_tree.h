@@ -72,12 +72,15 @@ public:
 
   Index neighbor_towards(Index v, Index u) { return m_forest.neighbor_towards(v, u); }
 
-  // Adds the edge uv and drops one of the two at p, which lies between u and v: that with the
-  // heavier other end.
-  void exchange_at(Index p, Index u, Index v)
+  // Adds the edge uv and drops one of the two at p on the path between them: that with the heavier
+  // other end. Returns false if p does not lie there.
+  bool exchange_at(Index p, Index u, Index v)
   {
     const auto [a, b] = m_forest.neighbors_on_path(p, u, v);
+    if (a == Link_cut_forest<Index>::none)
+      return false;
     exchange(p, m_degree[a] < m_degree[b] ? b : a, u, v);
+    return true;
   }
 
   // Drops the edge pq and adds uv, which closes a cycle through pq.
@@ -108,8 +111,9 @@ private:
       const Star<Index> star = m_surface.star(from);
       const auto position = std::find(star.begin(), star.end(), to) - star.begin();
       m_marks[std::size_t(m_surface.first[from]) + std::size_t(position)] = is_in;
-      m_degree[from] += is_in ? 1 : Index(-1);
-      if (is_in && m_degree[from] == 4)
+      if (!is_in)
+        --m_degree[from];
+      else if (++m_degree[from] == 4)
         m_risen.push_back(from);
     }
   }

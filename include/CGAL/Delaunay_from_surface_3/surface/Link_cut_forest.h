@@ -61,12 +61,15 @@ public:
     return end_of(m_child[1][v], 0);
   }
 
-  // The two neighbours of p, which lies between u and v on their path.
+  // The two neighbours of p on the path between two other vertices u and v of its tree; none if p
+  // does not lie there.
   std::pair<Index, Index> neighbors_on_path(Index p, Index u, Index v)
   {
     make_root(u);
     expose(v);
     splay(p);
+    if (m_up[p] != none)
+      return {none, none};
     const Index before = m_child[0][p], after = m_child[1][p];
     return {end_of(before, 1), end_of(after, 0)};
   }

@@ -11,13 +11,13 @@
 //     while the largest degree k of the tree is 4 or more:
 //         for every vertex v of degree k: look for an edge between two neighbours of v that closes
 //         a cycle through v, and exchange it for an edge at v
-//         if there was none anywhere: one phase of Fürer and Raghavachari, which looks everywhere;
-//         if that finds nothing either, stop: it has a witness
+//         if there was none anywhere: a phase of Fürer and Raghavachari (1994), which looks
+//         everywhere; if that finds nothing either, stop: it has a witness
 //
 // Around v on a closed surface the edges between successive neighbours form a cycle, and without v
 // the tree has k parts: so there are k such edges at least, of which one end at most may be heavy.
 // Nearly all exchanges are found so, at the few heavy vertices, which all lie on the cut.
-// Bound: an exchange of the first kind, and a phase, takes one vertex of degree k away and makes
+// Bound: an exchange of the first kind, and a phase that finds something, takes one vertex of degree k away and makes
 // none. A tree on n vertices has at most (n - 2) / (k - 1) of them, so there are at most
 // (n - 2) ln((K - 1) / 2) in all, where K is the largest degree at the start.
 // Cost: O(n) if there is anything to do, O(d log n) for a look at a vertex with d edges, and
@@ -86,7 +86,7 @@ private:
       if (m_counts.exchanges_nearby > before)
         continue;
       ++m_counts.phases;
-      if (!m_phase(root, k)) {
+      if (m_phase(root, k) == 0) {
         ++m_counts.phases_in_vain;
         add_witness(k);
         return;
