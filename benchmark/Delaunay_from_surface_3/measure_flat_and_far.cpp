@@ -66,7 +66,7 @@ void insert_by_default(Triangulation& tr, const Indexed_surface& surface, bool h
 Json stages(const comparison::Take_counts& counts, std::size_t n)
 {
   static const char* const names[] = {"half_digit",    "one_digit",  "balanced",
-                                      "double_double", "two_digits", "kernel"};
+                                      "double_double", "two_digits", "any_width"};
   Json json;
   for (int s = 0; s < DFS::NUMBER_OF_EXACT_STAGES; ++s)
     json[names[s]] = rounded(

@@ -203,7 +203,7 @@ ordered_json measure(const Family& family, std::size_t repetitions)
         {"balanced", double(stages[BALANCED]) / 1000},
         {"double_double", double(stages[DOUBLE_DOUBLE]) / 1000},
         {"two_digits", double(stages[TWO_DIGITS]) / 1000},
-        {"kernel", double(stages[ANY_WIDTH]) / 1000}}},
+        {"any_width", double(stages[ANY_WIDTH]) / 1000}}},
       {"perturbed", double(perturbed) / 1000},
       {"ns_first_filter", nanoseconds(tests, repetitions, first_sign)},
       {"ns_double_double", nanoseconds(tests, repetitions,

@@ -86,7 +86,7 @@ def block_of_meshes(report, least_vertices):
     return head + "\n\n" + table(["mesh", "vertices", "ratio"], [[cell(v) for v in row] for row in rows])
 
 
-STAGES = ["half_digit", "one_digit", "balanced", "double_double", "two_digits", "kernel"]
+STAGES = ["half_digit", "one_digit", "balanced", "double_double", "two_digits", "any_width"]
 
 
 def blocks_of_flat_and_far(report):
@@ -97,7 +97,7 @@ def blocks_of_flat_and_far(report):
                      *(f'{of[-1]["decided_by"][s] or 0:.2f}' for s in STAGES)])
     sizes = dict.fromkeys(min((5000, 20000, 100000), key=lambda n: abs(n - r["points"])) for r in report["results"])
     titles = ["surface", "what it is", "inserted", *(f"ratio, {n}" for n in sizes),
-              "integers of 30 bits", "60 bits", "balanced", "double-double", "120 bits", "kernel"]
+              "integers of 30 bits", "60 bits", "balanced", "double-double", "120 bits", "any width"]
     return {"flat_and_far": table(titles, [[cell(v) for v in row] for row in rows], 3),
             "flat_and_far_command": commands_of(report)}
 

@@ -188,7 +188,7 @@ Json counts_of_kernel(const Mesh& mesh, unsigned int seed)
                 {"balanced", per_point(decided[BALANCED])},
                 {"double_double", per_point(decided[DOUBLE_DOUBLE])},
                 {"two_digits", per_point(decided[TWO_DIGITS])},
-                {"kernel", per_point(decided[ANY_WIDTH])}};
+                {"any_width", per_point(decided[ANY_WIDTH])}};
   };
   // What the first filter left open, and what all of them did.
   const auto& decided = counts.sphere_tests_by_stage;
