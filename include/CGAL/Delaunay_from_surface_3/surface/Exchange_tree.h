@@ -34,7 +34,8 @@ public:
     , m_degree(surface.number_of_vertices(), 0)
     , m_forest(surface.number_of_vertices())
   {
-    const Dart_marks once = marks;
+    Dart_marks once(marks.size(), false);
+    once.swap(marks);
     for (Index v = 0; v < surface.number_of_vertices(); ++v)
       for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
         if (once[dart])
