@@ -5,20 +5,18 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WIDE_INTEGER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WIDE_INTEGER_H
 
-// Integers of any width, for the determinants that no other stage can decide. All doubles are
-// integers times the least of them, 2^-1074, and the determinant of the sphere has degree 5: so
-// no number here has more than 10,500 bits, and most have a few hundred. Schoolbook arithmetic on
-// digits of 32 bits, least first, with a sign beside (Knuth 1969): short, and the same on every
-// machine. Speed is no concern; Fixed_integer.h is for what is common.
+// Integers as wide as need be, for the determinants that no other stage can decide. All doubles are
+// integers times the least of them, 2^-1074, so that differences have at most 2099 bits, and the
+// determinant of the sphere, of degree 5 with a few terms, at most 10,504. Schoolbook arithmetic on
+// digits, least first, with a sign beside (Knuth 1969), in memory of the object's own: nothing is
+// allocated, and no digit is touched but those that are there.
 //
-// Cost: O(s t) for a product of s and t digits; memory is allocated for every result.
+// Cost: O(s t) for a product of s digits that are not 0 and t.
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
+#include <cstring>
+#include <limits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -29,10 +27,16 @@ struct Bits_of_double
 {
   explicit Bits_of_double(double d)
   {
-    bits = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(d), &exponent), 53));
-    exponent -= 53;
-    for (; bits != 0 && bits % 2 == 0; bits /= 2)
-      ++exponent;
+    std::memcpy(&bits, &d, sizeof(bits));
+    const int biased_exponent = int(bits >> 52 & 0x7ff);
+    bits &= (std::uint64_t(1) << 52) - 1;
+    bits |= std::uint64_t(biased_exponent != 0) << 52; // but of denormal numbers
+    exponent = (std::max)(biased_exponent, 1) - 1075;
+    for (int zeros = 32; bits != 0 && zeros > 0; zeros /= 2)
+      if ((bits & ((std::uint64_t(1) << zeros) - 1)) == 0) {
+        bits >>= zeros;
+        exponent += zeros;
+      }
   }
   std::uint64_t bits;
   int exponent;
@@ -40,28 +44,56 @@ struct Bits_of_double
 
 class Wide_integer
 {
+#if defined(__SIZEOF_INT128__)
+  using Digit = std::uint64_t;
+  __extension__ using Two_digits = unsigned __int128;
+#else
+  using Digit = std::uint32_t;
+  using Two_digits = std::uint64_t;
+#endif
+  static constexpr int digit_bits = std::numeric_limits<Digit>::digits;
+  static constexpr int most_digits = 10504 / digit_bits + 6; // sizes of factors are rounded up
+
 public:
   // 0.
-  Wide_integer() = default;
+  Wide_integer()
+    : m_size(0)
+    , m_is_negative(false)
+  {
+  }
 
   // d 2^-unit, which must be an integer.
   Wide_integer(double d, int unit)
-    : m_is_negative(d < 0)
+    : m_size(0)
+    , m_is_negative(d < 0)
   {
     const Bits_of_double of(d);
     if (of.bits == 0)
       return;
-    const int shift = of.exponent - unit;
-    m_digits.assign(std::size_t(shift / digit_bits), 0);
-    const int rest = shift % digit_bits;
-    std::uint64_t low = of.bits << rest, high = rest == 0 ? 0 : of.bits >> (64 - rest);
-    for (; (low | high) != 0; low = low >> digit_bits | high << digit_bits, high >>= digit_bits)
-      m_digits.push_back(std::uint32_t(low));
+    m_size = (of.exponent - unit) / digit_bits;
+    std::fill_n(m_digits, m_size, Digit(0));
+    std::uint64_t bits = of.bits;
+    for (int offset = (of.exponent - unit) % digit_bits; bits != 0; offset = 0) {
+      m_digits[m_size++] = Digit(bits << offset);
+      bits = digit_bits - offset < 64 ? bits >> (digit_bits - offset) : 0;
+    }
+  }
+
+  Wide_integer(const Wide_integer& other)
+  {
+    *this = other;
+  }
+  Wide_integer& operator=(const Wide_integer& other)
+  {
+    m_size = other.m_size;
+    m_is_negative = other.m_is_negative;
+    std::copy_n(other.m_digits, m_size, m_digits);
+    return *this;
   }
 
   friend int sign_of(const Wide_integer& n)
   {
-    return n.m_digits.empty() ? 0 : n.m_is_negative ? -1 : 1;
+    return n.m_size == 0 ? 0 : n.m_is_negative ? -1 : 1;
   }
 
   friend Wide_integer operator+(const Wide_integer& s, const Wide_integer& t)
@@ -77,86 +109,90 @@ public:
   {
     Wide_integer product;
     product.m_is_negative = s.m_is_negative != t.m_is_negative;
-    product.m_digits.assign(s.m_digits.size() + t.m_digits.size(), 0);
-    for (std::size_t i = 0; i < s.m_digits.size(); ++i) {
-      std::uint64_t carry = 0; // digit, digit and digit² fit
-      for (std::size_t j = 0; j < t.m_digits.size(); ++j) {
-        carry += product.m_digits[i + j] + std::uint64_t(s.m_digits[i]) * t.m_digits[j];
-        product.m_digits[i + j] = std::uint32_t(carry);
-        carry >>= digit_bits;
+    product.m_size = s.m_size + t.m_size;
+    std::fill_n(product.m_digits, product.m_size, Digit(0));
+    for (int i = 0; i < s.m_size; ++i) {
+      const Digit factor = s.m_digits[i];
+      if (factor == 0)
+        continue;
+      Digit carry = 0;
+      for (int j = 0; j < t.m_size; ++j) { // digit, digit and digit² fit
+        const Two_digits column =
+            Two_digits(factor) * t.m_digits[j] + product.m_digits[i + j] + carry;
+        product.m_digits[i + j] = Digit(column);
+        carry = Digit(column >> digit_bits);
       }
-      product.m_digits[i + t.m_digits.size()] = std::uint32_t(carry);
+      product.m_digits[i + t.m_size] = carry;
     }
     product.trim();
     return product;
   }
 
 private:
-  using Digits = std::vector<std::uint32_t>;
-  static constexpr int digit_bits = 32;
-
   void trim()
   {
-    while (!m_digits.empty() && m_digits.back() == 0)
-      m_digits.pop_back();
+    while (m_size > 0 && m_digits[m_size - 1] == 0)
+      --m_size;
   }
 
   // s, and t with another sign.
   static Wide_integer sum(const Wide_integer& s, const Wide_integer& t, bool is_t_negative)
   {
     Wide_integer result;
-    if (s.m_is_negative == is_t_negative) {
-      result.m_is_negative = s.m_is_negative;
-      result.m_digits = added(s.m_digits, t.m_digits);
-    } else if (is_less(s.m_digits, t.m_digits)) {
-      result.m_is_negative = is_t_negative;
-      result.m_digits = subtracted(t.m_digits, s.m_digits);
-    } else {
-      result.m_is_negative = s.m_is_negative;
-      result.m_digits = subtracted(s.m_digits, t.m_digits);
-    }
+    const bool is_less = has_less_digits(s, t);
+    const Wide_integer &larger = is_less ? t : s, &smaller = is_less ? s : t;
+    result.m_is_negative = is_less ? is_t_negative : s.m_is_negative;
+    if (s.m_is_negative == is_t_negative)
+      result.set_sum(larger, smaller);
+    else
+      result.set_difference(larger, smaller);
     result.trim();
     return result;
   }
 
-  static bool is_less(const Digits& s, const Digits& t)
+  // But for the signs.
+  static bool has_less_digits(const Wide_integer& s, const Wide_integer& t)
   {
-    return s.size() != t.size()
-               ? s.size() < t.size()
-               : std::lexicographical_compare(s.rbegin(), s.rend(), t.rbegin(), t.rend());
+    if (s.m_size != t.m_size)
+      return s.m_size < t.m_size;
+    int i = s.m_size - 1;
+    while (i >= 0 && s.m_digits[i] == t.m_digits[i])
+      --i;
+    return i >= 0 && s.m_digits[i] < t.m_digits[i];
   }
 
-  static Digits added(const Digits& s, const Digits& t)
+  void set_sum(const Wide_integer& larger, const Wide_integer& smaller)
   {
-    if (s.size() < t.size())
-      return added(t, s);
-    Digits sum(s.size() + 1);
-    std::uint64_t carry = 0;
-    for (std::size_t i = 0; i < s.size(); ++i) {
-      carry += std::uint64_t(s[i]) + (i < t.size() ? t[i] : 0);
-      sum[i] = std::uint32_t(carry);
-      carry >>= digit_bits;
+    Digit carry = 0;
+    for (int i = 0; i < larger.m_size; ++i) {
+      const Two_digits sum = Two_digits(larger.m_digits[i]) + smaller.digit(i) + carry;
+      m_digits[i] = Digit(sum);
+      carry = Digit(sum >> digit_bits);
     }
-    sum.back() = std::uint32_t(carry);
-    return sum;
+    m_size = larger.m_size + 1;
+    m_digits[larger.m_size] = carry;
   }
 
-  // t is not greater than s.
-  static Digits subtracted(const Digits& s, const Digits& t)
+  void set_difference(const Wide_integer& larger, const Wide_integer& smaller)
   {
-    Digits difference(s.size());
-    std::int64_t borrowed = 0;
-    for (std::size_t i = 0; i < s.size(); ++i) {
-      const std::int64_t digit =
-          std::int64_t(s[i]) - (i < t.size() ? std::int64_t(t[i]) : 0) - borrowed;
-      difference[i] = std::uint32_t(digit);
-      borrowed = digit < 0;
+    Digit borrowed = 0;
+    for (int i = 0; i < larger.m_size; ++i) {
+      const Two_digits difference =
+          Two_digits(larger.m_digits[i]) - smaller.digit(i) - borrowed; // modulo digit²
+      m_digits[i] = Digit(difference);
+      borrowed = Digit(difference >> digit_bits) & 1;
     }
-    return difference;
+    m_size = larger.m_size;
   }
 
-  bool m_is_negative = false;
-  Digits m_digits; // the highest is not 0
+  Digit digit(int i) const
+  {
+    return i < m_size ? m_digits[i] : 0;
+  }
+
+  int m_size; // the highest digit is not 0
+  bool m_is_negative;
+  Digit m_digits[most_digits];
 };
 
 } // namespace internal
