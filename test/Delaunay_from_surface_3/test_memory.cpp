@@ -242,6 +242,22 @@ BOOST_AUTO_TEST_CASE(cells_of_many_points_are_not_moved)
   BOOST_TEST(complex.capacity() >= 8 * n);
 }
 
+// Points on two lines have quadratically many.
+BOOST_AUTO_TEST_CASE(cells_beyond_expectation_move_seldom)
+{
+  Compact_complex<std::uint32_t> complex(3000, [](std::size_t i) {
+    return std::array<double, 3>{double(i), 0., 0.};
+  });
+  complex.start({1, 2, 3, 4});
+  std::size_t moves = 0;
+  while (complex.cells_end() < 2250000) {
+    const auto* const before = complex.cells();
+    complex.cell(complex.new_cell()).v[0] = 0;
+    moves += complex.cells() != before;
+  }
+  BOOST_TEST(moves <= 3u);
+}
+
 // Of few points every array is in small pages, and the heap always is.
 BOOST_AUTO_TEST_CASE(large_pages_for_large_arrays_alone)
 {

@@ -72,6 +72,7 @@ public:
   static constexpr Id dead = Id(Id(1) << (std::numeric_limits<Id>::digits - 1)); // of v[0]
   static constexpr std::size_t max_vertices = dead;
   static constexpr std::size_t max_cells = std::size_t((std::numeric_limits<Id>::max)() >> 2) + 1;
+  static constexpr std::size_t cells_of_gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
 
   // The vertices of n points, in no cell yet; coordinates(i) returns those of the i-th.
   template <class Coordinates>
@@ -137,6 +138,14 @@ public:
     m_cells.reserve((std::min)(n, max_cells), m_cells_end);
   }
   std::size_t capacity() const { return m_cells.capacity(); }
+
+  // How many there should be room for where that for n is not enough. Cells that move are touched
+  // anew, so they shall not move often.
+  static std::size_t more_room(std::size_t n)
+  {
+    return n < cells_of_gigabyte / 4 ? 4 * n + 1 : n + n / 2 + 1;
+  }
+
   void use_cells(std::size_t end) { m_cells_end = end; }
   void touch_cells(std::size_t first, std::size_t last) { m_cells.touch(first, last); }
 
@@ -146,7 +155,6 @@ public:
   // there is room for these, too, while that is less than a gigabyte.
   void start(const std::array<Id, 4>& v)
   {
-    constexpr std::size_t cells_of_gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
     const std::size_t few = 8 * m_number_of_vertices + 64, many = 14 * m_number_of_vertices + 64;
     m_cells.reserve((std::min)(many < cells_of_gigabyte ? many : few, max_cells), 0);
     std::array<Id, 5> cells;
@@ -198,7 +206,7 @@ private:
     if (m_cells_end == max_cells)
       throw Too_few_ids(std::numeric_limits<Id>::digits);
     if (m_cells_end == m_cells.capacity())
-      m_cells.reserve((std::min)(m_cells_end + m_cells_end / 2 + 1, max_cells), m_cells_end);
+      m_cells.reserve((std::min)(more_room(m_cells_end), max_cells), m_cells_end);
     m_cells_ready = m_cells.end_of_page(m_cells_end);
     m_cells.touch(m_cells_end, m_cells_ready);
   }

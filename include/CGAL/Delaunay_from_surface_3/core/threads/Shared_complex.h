@@ -73,7 +73,7 @@ public:
   void grow()
   {
     m_complex.use_cells((std::min)(m_next.load(), m_complex.capacity()));
-    make_room(m_complex.capacity() + m_complex.capacity() / 2 + 1);
+    make_room(Complex::more_room(m_complex.capacity()));
   }
 
   // All cells are told to the complex, fresh ones too: they are dead. A cell of the infinite vertex
