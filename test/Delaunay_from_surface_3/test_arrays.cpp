@@ -152,6 +152,16 @@ BOOST_AUTO_TEST_CASE(coordinates_of_too_different_size)
   points.emplace_back(1e-200, 1e-250, 1e300);
   points.emplace_back(1e300, 1e-300, 5e-324);
   BOOST_TEST(check_points(points).replaced.empty());
+  for (const double size :
+       {1e-320, 1e-200, 1e160, 1e308}) { // in planes: products overflow, or vanish
+    std::vector<Point> flat, turned;
+    for (const Point& p : grid(4, 5, 1)) {
+      flat.emplace_back(size * (p.x() / 5), 0, p.y());
+      turned.emplace_back(size * (p.x() / 5), size * (p.y() / 5), size * (p.x() / 5));
+    }
+    BOOST_TEST(check_points(flat).replaced.empty());
+    BOOST_TEST(check_points(turned).replaced.empty());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(points_of_any_kind)

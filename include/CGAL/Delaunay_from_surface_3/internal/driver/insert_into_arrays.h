@@ -17,6 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_in_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/fail.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -89,6 +90,8 @@ Insertion_outcome insert_into_arrays(std::vector<Array_point> points, const Budg
   Target target(empty, points);
   if (target.obstacle()) {
     const Starting_simplex simplex = target.simplex();
+    if (points.size() > order.plan.order.size())
+      fail("the apex lies off the plane of the points");
     if (simplex.dimension < 2)
       return insert_on_line<Hints>(target, order, visitor, arrays);
     points.push_back(apex_of(simplex, points));
