@@ -5,15 +5,12 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_PERTURBED_PREDICATES_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_PERTURBED_PREDICATES_H
 
-// The last stage of the predicates: the kernel's own exact ones, and CGAL's symbolic perturbation
-// where these say "on the sphere". The perturbation depends on the points only, not on the order of
+// CGAL's exact predicates, and its symbolic perturbation where these say "on the sphere": what the
+// kernel's own must agree with. The perturbation depends on the points only, not on the order of
 // insertion: that is why the compact kernel's result equals CGAL's on every input.
 
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/enum.h>
-
-#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -83,29 +80,6 @@ private:
   const GeomTraits& traits() const { return m_exposed.geom_traits(); }
 
   Exposed m_exposed;
-};
-
-// Those for points whose coordinates are doubles. There all exact predicates agree, so that those
-// are asked that make points of doubles fastest.
-template <class GeomTraits>
-struct Perturbed_predicates_on_doubles
-  : Perturbed_predicates<
-        std::conditional_t<std::is_same<typename GeomTraits::FT, double>::value, GeomTraits,
-                           Exact_predicates_inexact_constructions_kernel>>
-{
-  explicit Perturbed_predicates_on_doubles(const GeomTraits& gt)
-    : Perturbed_predicates_on_doubles::Perturbed_predicates(traits_for_doubles(gt))
-  {
-  }
-
-private:
-  static decltype(auto) traits_for_doubles(const GeomTraits& gt)
-  {
-    if constexpr (std::is_same<typename GeomTraits::FT, double>::value)
-      return (gt);
-    else
-      return Exact_predicates_inexact_constructions_kernel();
-  }
 };
 
 } // namespace internal

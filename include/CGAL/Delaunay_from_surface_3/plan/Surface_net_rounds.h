@@ -77,8 +77,8 @@ public:
   static constexpr std::size_t coarsest = 64;
 
   /// the budget (`InsertionPlan::cells_per_point`): on most surfaces nets destroy 12 to 33 cells for
-  /// each point, on smooth tori without noise more: 3.5 for each doubling of the points, whatever the
-  /// order; and on adversarial ones any number.
+  /// each point, on smooth tori without noise more, and 3 to 4 more for each doubling of the points;
+  /// on adversarial ones any number.
   static constexpr std::size_t cells_per_point = 64;
 
   /// the size from which the inside of a cluster is sorted in space.

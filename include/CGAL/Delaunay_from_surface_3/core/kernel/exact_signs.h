@@ -27,7 +27,8 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// sign: 1 or -1, perturbed where the determinant is 0.
+// sign: 1 or -1, perturbed where the determinant is 0; 0 from stages that round and leave it open,
+// and where nothing is perturbed (exact_predicates.h).
 struct Exact_sign
 {
   int sign;

@@ -47,7 +47,7 @@ public:
 private:
   static constexpr double steps_per_cell = 2, many_points = 1e6;
 
-  // On smooth tori any order destroys a number of cells that grows with the logarithm of that of the
+  // On smooth tori orders destroy a number of cells that grows with the logarithm of that of the
   // points. Where there are many, another sixteenth is allowed for each doubling.
   double cells_per_point(std::size_t inserted) const
   {

@@ -69,7 +69,7 @@ Insertion_outcome insert_on_line(Target& target, const Budgeted_order& order, Vi
   return Insertion_outcome::COMPLETE;
 }
 
-// The points to insert so that arrays come of them: in a plane, the apex too (flat_arrays.h).
+// For points in a plane, of which three are the simplex: the apex off it (flat_arrays.h).
 inline Array_point apex_of(const Starting_simplex& simplex, const std::vector<Array_point>& points)
 {
   std::array<double, 3> p[3];
