@@ -5,6 +5,8 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_THREAD_EXECUTOR_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_THREAD_EXECUTOR_H
 
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+
 #include <cstddef>
 #include <thread>
 #include <vector>
@@ -13,22 +15,24 @@ namespace tests {
 
 // One std::thread for each worker but the first: ThreadSanitizer knows these, and would have to be
 // told of TBB's.
-class Thread_executor
+class Thread_executor : public CGAL::Delaunay_from_surface_3::internal::Executor
 {
+protected:
+  using Task = CGAL::Delaunay_from_surface_3::internal::Task;
+
 public:
   explicit Thread_executor(std::size_t number = 8)
     : m_number(number)
   {
   }
-  std::size_t number_of_workers() const { return m_number; }
+  std::size_t number_of_workers() const override { return m_number; }
 
-  template <class Body>
-  void operator()(std::size_t number, const Body& body) const
+  void run(std::size_t number, const Task& task) const override
   {
     std::vector<std::thread> others;
     for (std::size_t t = 1; t < number; ++t)
-      others.emplace_back([&body, t] { body(t); });
-    body(0);
+      others.emplace_back([&task, t] { task(t); });
+    task(0);
     for (std::thread& thread : others)
       thread.join();
   }
@@ -43,11 +47,10 @@ class One_after_the_other : public Thread_executor
 public:
   using Thread_executor::Thread_executor;
 
-  template <class Body>
-  void operator()(std::size_t number, const Body& body) const
+  void run(std::size_t number, const Task& task) const override
   {
     for (std::size_t t = number; t-- > 0;)
-      body(t);
+      task(t);
   }
 };
 
@@ -57,10 +60,9 @@ class Forgetful_executor : public Thread_executor
 public:
   using Thread_executor::Thread_executor;
 
-  template <class Body>
-  void operator()(std::size_t number, const Body& body) const
+  void run(std::size_t number, const Task& task) const override
   {
-    Thread_executor::operator()(number - 1, body);
+    Thread_executor::run(number - 1, task);
   }
 };
 

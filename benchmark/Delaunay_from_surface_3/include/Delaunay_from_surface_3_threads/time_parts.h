@@ -86,11 +86,11 @@ template <class Executor>
 class Timed_executor : public Executor
 {
 public:
-  template <class Body>
-  void operator()(std::size_t number, const Body& body) const
+  void run(std::size_t number,
+           const CGAL::Delaunay_from_surface_3::internal::Task& task) const override
   {
     part_clock().begin_call_of_export();
-    Executor::operator()(number, body);
+    Executor::run(number, task);
     part_clock().end_call_of_export();
   }
 };

@@ -102,13 +102,11 @@ public:
 
   \tparam Graph a model of `boost::EdgeListGraph`; loops and multiple edges do no harm
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
-  \tparam Executor runs threads, which make the same nets; by default there is one
   */
-  template <class Point, class GeomTraits, class Graph, class VertexIndexMap,
-            class Executor = internal::Alone>
+  template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
                              const Graph& graph, VertexIndexMap index_map,
-                             const Executor& executor = Executor()) const
+                             const internal::Executor& executor = internal::Alone()) const
   {
     using Index = std::uint32_t; // one type: another would double what a user's file compiles
     const std::size_t m = std::size_t(num_edges(graph));
@@ -122,10 +120,9 @@ public:
   Geometric_rounds fallback_plan() const { return Geometric_rounds(m_seed); }
 
 private:
-  template <class Index, class Point, class GeomTraits, class Graph, class VertexIndexMap,
-            class Executor>
+  template <class Index, class Point, class GeomTraits, class Graph, class VertexIndexMap>
   Insertion_order order(const std::vector<Point>& points, const GeomTraits& gt, const Graph& graph,
-                        VertexIndexMap index_map, const Executor& executor) const
+                        VertexIndexMap index_map, const internal::Executor& executor) const
   {
     using namespace Delaunay_from_surface_3::internal;
     const Net_hierarchy<Index> nets(

@@ -80,7 +80,7 @@ private:
 // The numbers of items of n lists, by block of items, become the places of the first of them:
 // those of a list come one after the other, and in it those of a block. Returns how many items
 // there are.
-template <class Index, class Executor>
+template <class Index>
 std::size_t numbers_to_places(std::size_t n, const std::vector<Index*>& blocks,
                               const Executor& executor)
 {
@@ -104,9 +104,9 @@ std::size_t numbers_to_places(std::size_t n, const std::vector<Index*>& blocks,
 
 // Puts the items of all blocks into n lists: a counting sort, which keeps their order. Every block
 // is the work of one thread, which has n numbers of its own.
-template <class Index, class Items, class Executor = Alone>
+template <class Index, class Items>
 Lists<Index> in_lists(std::size_t n, const std::vector<Items>& blocks,
-                      const Executor& executor = Executor())
+                      const Executor& executor = Alone())
 {
   Lists<Index> lists;
   lists.first.assign(n + 1, 0);
@@ -136,8 +136,8 @@ Lists<Index> in_lists(std::size_t n, const std::vector<Items>& blocks,
 }
 
 // The same for items in one piece, which is cut into blocks where there are many.
-template <class Index, class Items, class Executor = Alone>
-Lists<Index> in_lists(std::size_t n, const Items& items, const Executor& executor = Executor())
+template <class Index, class Items>
+Lists<Index> in_lists(std::size_t n, const Items& items, const Executor& executor = Alone())
 {
   const std::size_t m = items.size(), number = number_of_blocks(executor, m, many_items);
   std::vector<Part_of_items<Items>> blocks;

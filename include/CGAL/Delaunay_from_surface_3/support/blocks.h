@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_BLOCKS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_BLOCKS_H
 
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 
 #include <algorithm>
@@ -19,46 +20,50 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// An executor runs bodies: executor(n, body) calls body(0) in the thread that calls it, and
-// body(1), …, body(n-1) at the same time, or later, anywhere; it returns when all have returned, or
-// throws. They do not throw. This one is for a single thread.
-struct Alone
-{
-  std::size_t number_of_workers() const { return 1; }
-
-  template <class Body>
-  void operator()(std::size_t number, const Body& body) const
-  {
-    for (std::size_t t = 0; t < number; ++t)
-      body(t);
-  }
-};
-
 // Into how many blocks of `least` or more an executor cuts n things.
-template <class Executor>
-std::size_t number_of_blocks(const Executor& executor, std::size_t n, std::size_t least)
+inline std::size_t number_of_blocks(const Executor& executor, std::size_t n, std::size_t least)
 {
   return (std::max)(std::size_t(1), (std::min)(executor.number_of_workers(), n / least));
 }
 
-// Has body(0), …, body(n-1) called, each rounding to nearest; throws if one was left out.
-template <class Executor, class Body>
+// A body as a task, rounding to nearest, that counts its calls.
+template <class Body>
+class Counted_task final : public Task
+{
+public:
+  explicit Counted_task(const Body& body)
+    : m_body(body)
+  {
+  }
+
+  void operator()(std::size_t t) const override
+  {
+    const Rounding_to_nearest rounding;
+    m_body(t);
+    m_calls.fetch_add(1, std::memory_order_relaxed); // the executor joins the threads
+  }
+
+  std::size_t calls() const { return m_calls; }
+
+private:
+  const Body& m_body;
+  mutable std::atomic<std::size_t> m_calls{0};
+};
+
+// Has body(0), …, body(n-1) called, which do not throw; throws if one was left out.
+template <class Body>
 void call_each(const Executor& executor, std::size_t n, const Body& body)
 {
-  std::atomic<std::size_t> calls(0);
-  executor(n, [&](std::size_t t) {
-    const Rounding_to_nearest rounding;
-    body(t);
-    calls.fetch_add(1, std::memory_order_relaxed); // the executor joins the threads
-  });
-  if (calls != n)
-    throw std::logic_error("of " + std::to_string(n) + " tasks " + std::to_string(calls) +
+  const Counted_task<Body> task(body);
+  executor.run(n, task);
+  if (task.calls() != n)
+    throw std::logic_error("of " + std::to_string(n) + " tasks " + std::to_string(task.calls()) +
                            " were executed");
 }
 
 // Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. When all are
 // done, throws what the first of those that threw has thrown.
-template <class Executor, class Body>
+template <class Body>
 void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks, const Body& body)
 {
   std::vector<std::exception_ptr> errors(blocks);

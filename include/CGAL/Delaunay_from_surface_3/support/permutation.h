@@ -16,24 +16,26 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // result[k] = items[order[k]]
-template <class T, class Executor = Alone>
+template <class T>
 std::vector<T> permuted(const std::vector<T>& items, const std::vector<std::size_t>& order,
-                        const Executor& executor = Executor())
+                        const Executor& executor = Alone())
 {
   std::vector<T> result;
-  if constexpr (!std::is_same<Executor, Alone>::value && std::is_default_constructible<T>::value) {
-    result.resize(order.size());
-    for_each_block(executor, order.size(), number_of_blocks(executor, order.size(), 4096),
-                   [&](std::size_t first, std::size_t last, std::size_t) {
-                     for (std::size_t k = first; k < last; ++k)
-                       result[k] = items[order[k]];
-                   });
-  } else {
-    (void)executor;
-    result.reserve(order.size());
-    for (const std::size_t i : order)
-      result.push_back(items[i]);
+  if constexpr (std::is_default_constructible<T>::value) {
+    const std::size_t blocks = number_of_blocks(executor, order.size(), 4096);
+    if (blocks > 1) {
+      result.resize(order.size());
+      for_each_block(executor, order.size(), blocks,
+                     [&](std::size_t first, std::size_t last, std::size_t) {
+                       for (std::size_t k = first; k < last; ++k)
+                         result[k] = items[order[k]];
+                     });
+      return result;
+    }
   }
+  result.reserve(order.size());
+  for (const std::size_t i : order)
+    result.push_back(items[i]);
   return result;
 }
 

@@ -41,7 +41,7 @@ struct Has_time_stamp<Element, std::void_t<typename Element::Has_timestamp>>
 {
 };
 
-template <class Range, class Executor>
+template <class Range>
 std::size_t blocks_of_export(const Executor& executor, std::size_t n)
 {
   constexpr std::size_t least = 4096;
@@ -138,7 +138,7 @@ private:
 };
 
 // The cells alone. Returns their handles by cell.
-template <class Tds, class Id, class Vertex, class Executor>
+template <class Tds, class Id, class Vertex>
 Large_vector<typename Tds::Cell_handle>
 export_cells(Tds& tds, Compact_complex<Id>& complex, const std::vector<Vertex>& vertices,
              typename Tds::Cell_handle scratch, const Executor& executor)
@@ -182,7 +182,7 @@ struct Creation_order
 
 // The vertices alone, but for the infinite one. Returns their handles by vertex, none where there
 // is no vertex. point(v) and in_order(k): as in export_complex().
-template <class Triangulation, class PointOf, class InOrder, class Executor>
+template <class Triangulation, class PointOf, class InOrder>
 std::vector<typename Triangulation::Vertex_handle>
 export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const InOrder& in_order,
                 const Executor& executor)
@@ -214,7 +214,7 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
 // vertex, that of the infinite vertex first, and none where there is no vertex. With several
 // workers each fills containers of its own, which are then merged: their order is that of the
 // numbers all the same.
-template <class Triangulation, class Id, class PointOf, class InOrder, class Executor>
+template <class Triangulation, class Id, class PointOf, class InOrder>
 std::vector<typename Triangulation::Vertex_handle>
 export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& point,
                const InOrder& in_order, const Executor& executor)

@@ -129,7 +129,7 @@ Kept_items<Index> keep_one_of_each(Lists<Index>& lists, std::size_t first, std::
 }
 
 // Keeps one of the equal items of each list. Returns how many items were there more than twice.
-template <class Index, class Executor>
+template <class Index>
 std::size_t keep_one_of_each(Lists<Index>& lists, const Executor& executor)
 {
   const std::size_t n = lists.size(), blocks = number_of_blocks(executor, n, 4096);
@@ -166,9 +166,9 @@ Soup_graph soup_graph_without_edges(const FaceRange& faces, std::size_t number_o
 // The edges of the faces as a graph on the points; without edges if there are more sides than
 // numbers of 32 bits. Linear: the sides of the faces are sorted by counting. Several threads read
 // faces in random access.
-template <class FaceRange, class Executor = Alone>
+template <class FaceRange>
 Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points,
-                      const Executor& executor = Executor())
+                      const Executor& executor = Alone())
 {
   using Index = std::uint32_t;
   const auto begin = std::begin(faces);

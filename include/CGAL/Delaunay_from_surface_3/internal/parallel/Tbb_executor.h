@@ -8,6 +8,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -24,7 +25,7 @@ namespace internal {
 // waits for them it takes no other task, such as one that called this package, too; and they belong
 // to a group of their own, since tasks that inherit the group of the caller are left out when that
 // is cancelled.
-class Tbb_executor
+class Tbb_executor : public Executor
 {
 public:
   Tbb_executor()
@@ -35,20 +36,18 @@ public:
   {
   }
 
-  std::size_t number_of_workers() const { return m_number; }
+  std::size_t number_of_workers() const override { return m_number; }
 
-  // `body` does not throw.
-  template <class Body>
-  void operator()(std::size_t number, const Body& body) const
+  void run(std::size_t number, const Task& task) const override
   {
     if (number == 1)
-      return body(0);
+      return task(0);
     tbb::this_task_arena::isolate([&] {
       tbb::task_group_context group(tbb::task_group_context::isolated);
       tbb::task_group others(group);
       for (std::size_t t = 1; t < number; ++t)
-        others.run([&body, t] { body(t); });
-      body(0);
+        others.run([&task, t] { task(t); });
+      task(0);
       others.wait();
     });
   }

@@ -67,9 +67,9 @@ private:
 };
 
 // The neighbours of each of n vertices that have smaller numbers; of edges in blocks.
-template <class Index, class Executor = Alone>
+template <class Index>
 Lists<Index> lower_neighbors(const std::vector<Large_vector<Numbered_edge<Index>>>& edges,
-                             std::size_t n, const Executor& executor = Executor())
+                             std::size_t n, const Executor& executor = Alone())
 {
   return in_lists<Index>(n, std::vector<Edges_as_items<Index>>(edges.begin(), edges.end()),
                          executor);
@@ -103,7 +103,7 @@ Lists<Index> lower_neighbors(const Graph_of_faces<FaceRange>& graph, Identity_in
 }
 
 // The members of every cluster, its net vertex first, the others in ascending order.
-template <class Index, class Executor>
+template <class Index>
 Lists<Index> members(const Net<Index>& net, const Executor& executor)
 {
   Lists<Index> lists = in_lists<Index>(
@@ -153,7 +153,7 @@ void append_contracted(const Lists<Index>& lower, const Large_vector<Index>& clu
   }
 }
 
-template <class Index, class Executor>
+template <class Index>
 Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cluster_of,
                         const Lists<Index>& clusters, const Executor& executor)
 {
@@ -180,10 +180,10 @@ struct Net_hierarchy
   // Nets of the graph with these lower neighbours until at most `enough` vertices are left, or a
   // net keeps more than the share `stall` of them. `distance(i, j)` is one of vertices of the
   // graph. `block`: see Random_blocks. The nets are the same whatever the executor.
-  template <class Distance, class Executor = Alone>
+  template <class Distance>
   Net_hierarchy(Lists<Index> lower, std::size_t enough, double stall, unsigned int seed,
                 const Distance& distance, std::size_t block = Random_blocks::one_of_many,
-                const Executor& executor = Executor())
+                const Executor& executor = Alone())
     : points(1)
     , number_of_coarsest(lower.size())
   {
