@@ -55,6 +55,13 @@ class Arrows(unittest.TestCase):
         }), (1, "Delaunay_from_surface_3/plan/Order.h:2: sideways, from plan to trace: "
                 "Delaunay_from_surface_3/trace/Hints_3.h\n"))
 
+    def test_order_knows_no_kernel(self):
+        self.assertEqual(self.check_tree({
+            f"{PACKAGE}/core/order/Nets.h": f"{PACKAGE}/core/kernel/Cell.h",
+            f"{PACKAGE}/core/kernel/Cell.h": None,
+        }), (1, "Delaunay_from_surface_3/core/order/Nets.h:2: though it knows nothing of it, from core order to "
+                "core kernel: Delaunay_from_surface_3/core/kernel/Cell.h\n"))
+
     def test_another_library(self):
         self.assertEqual(self.check_tree({f"{PACKAGE}/core/kernel/Cell.h": "CGAL/enum.h",
                                           f"{PACKAGE}/internal/compact/Export.h": "CGAL/enum.h"}),

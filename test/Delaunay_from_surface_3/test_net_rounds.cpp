@@ -16,7 +16,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/Net_hierarchy.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
@@ -29,7 +29,6 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -217,16 +216,18 @@ BOOST_AUTO_TEST_CASE(hubs_do_not_keep_what_is_nearer_to_others)
   using DFS::internal::Numbered_edge;
   for (const std::uint32_t n :
        {8000u, 80000u}) { // vertices 1, 2, … along a line, every 4th beside 0
-    std::vector<DFS::internal::Large_vector<Numbered_edge<std::uint32_t>>> blocks(1);
+    std::vector<DFS::internal::Large_vector<Numbered_edge>> blocks(1);
     auto& edges = blocks[0];
     for (std::uint32_t v = 2; v < n; ++v)
       edges.emplace_back(v - 1, v);
     for (std::uint32_t v = 4; v < n; v += 4)
       edges.emplace_back(0u, v);
-    const auto distance = [](std::size_t v, std::size_t u) {
-      return std::abs(double(v) - double(u));
-    };
-    const auto net = DFS::internal::net_of(DFS::internal::lower_neighbors(blocks, n), 1, distance);
+    std::vector<double> coordinates(3 * n, 0.);
+    for (std::uint32_t v = 0; v < n; ++v)
+      coordinates[3 * v] = v;
+    const DFS::internal::Point_array points(coordinates.data(), n);
+    const auto net = DFS::internal::net_of(DFS::internal::lower_neighbors(blocks, n), 1,
+                                           DFS::internal::Vertex_points(points));
     const auto stay = std::count(net.cluster_of.begin(), net.cluster_of.end(), net.cluster_of[0]);
     BOOST_TEST(stay > 1);
     BOOST_TEST(stay < n / 16);

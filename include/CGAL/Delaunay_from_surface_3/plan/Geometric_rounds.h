@@ -5,19 +5,16 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_GEOMETRIC_ROUNDS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PLAN_GEOMETRIC_ROUNDS_H
 
-// A biased randomised insertion order (Amenta, Choi, Rote 2003): rounds that grow
-// geometrically, each in a spatially coherent order.
+// The public face of core/order/geometric_rounds.h.
 
-#include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/order_of_indices.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_request.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/rounded_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -64,35 +61,28 @@ public:
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&, const Graph&,
                              VertexIndexMap) const
   {
-    using namespace Delaunay_from_surface_3::internal;
-    Insertion_order plan;
-    plan.order = random_order(points.size(), m_seed);
-    plan.round_ends = round_ends(points.size());
-    const auto coordinates = [&](std::size_t i) {
-      const Point& p = points[i];
-      return std::array<double, 3>{to_double(p.x()), to_double(p.y()), to_double(p.z())};
-    };
-    Sort_by_halves sort;
-    auto first = plan.order.begin();
-    for (const std::size_t end : plan.round_ends) {
-      const auto last = plan.order.begin() + std::ptrdiff_t(end);
-      sort(coordinates, first, last);
-      first = last;
-    }
-    return plan;
+    const auto coordinates = internal::rounded_coordinates(points);
+    return internal::geometric_rounds(internal::Point_array(coordinates.data(), points.size()),
+                                      m_seed, m_ratio, m_first_round);
   }
 
   /// returns …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n; nothing for n = 0.
   std::vector<std::size_t> round_ends(std::size_t n) const
   {
-    std::vector<std::size_t> ends;
-    for (std::size_t end = n; end > 0;) {
-      ends.push_back(end);
-      end = end <= m_first_round ? 0 : static_cast<std::size_t>(std::floor(double(end) * m_ratio));
-    }
-    std::reverse(ends.begin(), ends.end());
-    return ends;
+    return internal::geometric_round_ends(n, m_ratio, m_first_round);
   }
+
+  /// \cond
+  internal::Order_request order_request() const
+  {
+    internal::Order_request request;
+    request.kind = internal::Order_request::GEOMETRIC;
+    request.seed = m_seed;
+    request.ratio = m_ratio;
+    request.first_round = m_first_round;
+    return request;
+  }
+  /// \endcond
 
 private:
   unsigned int m_seed;

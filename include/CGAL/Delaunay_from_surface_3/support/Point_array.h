@@ -24,6 +24,14 @@ public:
   std::size_t size() const { return m_size; }
   const double* operator[](std::size_t i) const { return m_coordinates + 3 * i; }
 
+  // Up to rounding, and infinite where it overflows.
+  double squared_distance(std::size_t i, std::size_t j) const
+  {
+    const double *const p = (*this)[i], *const q = (*this)[j];
+    const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+    return x * x + y * y + z * z;
+  }
+
 private:
   const double* m_coordinates;
   std::size_t m_size;

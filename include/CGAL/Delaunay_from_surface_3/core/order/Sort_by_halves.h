@@ -12,6 +12,8 @@
 //
 // Cost: O(n log n).
 
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -29,16 +31,15 @@ class Sort_by_halves
   };
 
 public:
-  // Sorts the indices [first, last). The coordinates of the i-th point are coordinates_of(i)[k].
-  template <class Coordinates_of, class Iterator>
-  void operator()(const Coordinates_of& coordinates_of, Iterator first, Iterator last)
+  // Sorts the indices [first, last) of points.
+  void operator()(const Point_array& points, std::size_t* first, std::size_t* last)
   {
     if (first == last)
       return;
     m_items.clear();
     m_items.reserve(std::size_t(last - first));
-    for (Iterator i = first; i != last; ++i) {
-      const auto& p = coordinates_of(*i);
+    for (const std::size_t* i = first; i != last; ++i) {
+      const double* const p = points[*i];
       m_items.push_back({{p[0], p[1], p[2]}, *i});
     }
     const Box box(m_items.data(), m_items.data() + m_items.size());

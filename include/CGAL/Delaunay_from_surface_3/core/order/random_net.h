@@ -21,50 +21,21 @@
 // Cost: linear in vertices and edges. Every edge is stored at one of its ends only, at which it is
 // seen from both: a vertex asks those in its list, and tells them when it joins.
 
+#include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-// Random numbers that depend on the seed alone, with any library: splitmix64 (Steele, Lea, Flood
-// 2014).
-class Split_mix
-{
-public:
-  explicit Split_mix(std::uint64_t seed)
-    : m_state(seed)
-  {
-  }
-
-  std::uint64_t operator()()
-  {
-    std::uint64_t x = m_state += 0x9e3779b97f4a7c15;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-    return x ^ (x >> 31);
-  }
-
-  template <class Iterator>
-  void shuffle(Iterator first, Iterator last)
-  {
-    using std::swap;
-    for (auto n = static_cast<std::uint64_t>(last - first); n > 1; --n)
-      swap(first[n - 1], first[((*this)() >> 32) * n >> 32]); // for n up to 2^32
-  }
-
-private:
-  std::uint64_t m_state;
-};
 
 // The numbers 0, …, n-1 in random order; where they are many, block by block, in random order
 // inside each. The blocks share one permutation, each with a twist of its own. What belongs to one
@@ -114,18 +85,39 @@ private:
   std::vector<std::uint32_t> m_inner; // as many as a block has, a power of 2
 };
 
-template <class Index>
+// The points of the vertices of a graph.
+class Vertex_points
+{
+public:
+  // Vertex v is at the point names[v]; or at v, if there are no names.
+  explicit Vertex_points(const Point_array& points, const std::uint32_t* names = nullptr)
+    : m_points(points)
+    , m_names(names)
+  {
+  }
+
+  double squared_distance(std::size_t v, std::size_t u) const
+  {
+    return m_names == nullptr ? m_points.squared_distance(v, u)
+                              : m_points.squared_distance(m_names[v], m_names[u]);
+  }
+
+private:
+  Point_array m_points;
+  const std::uint32_t* m_names;
+};
+
 struct Net
 {
-  Large_vector<Index> centers;    // by cluster: its net vertex, in ascending order
-  Large_vector<Index> cluster_of; // by vertex: the number of its cluster
+  Large_vector<std::uint32_t> centers;    // by cluster: its net vertex, in ascending order
+  Large_vector<std::uint32_t> cluster_of; // by vertex: the number of its cluster
 };
 
 // The vertices with more than three times as many edges as the others have on average, in random
 // order.
-template <class Index>
-std::vector<Index> hubs_of(const Lists<Index>& lower, std::uint64_t seed)
+inline std::vector<std::uint32_t> hubs_of(const Lists<std::uint32_t>& lower, std::uint64_t seed)
 {
+  using Index = std::uint32_t;
   const std::size_t n = lower.size();
   Large_vector<Index> degree(n);
   for (std::size_t v = 0; v < n; ++v)
@@ -143,10 +135,11 @@ std::vector<Index> hubs_of(const Lists<Index>& lower, std::uint64_t seed)
 
 // By vertex: itself if it is in the greedy net of the graph with these lower neighbours, else a
 // neighbour that is. `hubs` come first.
-template <class Index>
-Large_vector<Index> random_net(const Lists<Index>& lower, const std::vector<Index>& hubs,
-                               std::uint64_t seed, std::size_t block)
+inline Large_vector<std::uint32_t> random_net(const Lists<std::uint32_t>& lower,
+                                              const std::vector<std::uint32_t>& hubs,
+                                              std::uint64_t seed, std::size_t block)
 {
+  using Index = std::uint32_t;
   enum State : char { UNSEEN, IN_NET, BESIDE };
   std::vector<char> state(lower.size(), UNSEEN);
   Large_vector<Index> center(lower.size());
@@ -172,16 +165,17 @@ Large_vector<Index> random_net(const Lists<Index>& lower, const std::vector<Inde
 }
 
 // Of several net vertices beside a vertex that is_wanted, makes the nearest one its centre.
-template <class Index, class Is_wanted, class Distance>
-void choose_nearest_centers(const Lists<Index>& lower, const Is_wanted& is_wanted,
-                            const Distance& distance, Large_vector<Index>& center)
+template <class Is_wanted>
+void choose_nearest_centers(const Lists<std::uint32_t>& lower, const Is_wanted& is_wanted,
+                            const Vertex_points& points, Large_vector<std::uint32_t>& center)
 {
+  using Index = std::uint32_t;
   const double largest = (std::numeric_limits<float>::max)();
   Large_vector<float> nearest(lower.size(), (std::numeric_limits<float>::infinity)());
   const auto offer = [&](std::size_t v, std::size_t c) {
     if (!is_wanted(v))
       return;
-    const float d = float((std::min)(distance(v, c), largest));
+    const float d = float((std::min)(points.squared_distance(v, c), largest));
     if (d < nearest[v]) {
       nearest[v] = d;
       center[v] = Index(c);
@@ -199,38 +193,39 @@ void choose_nearest_centers(const Lists<Index>& lower, const Is_wanted& is_wante
 // The same for the vertices in the clusters of hubs. A hub would keep all that are beside it,
 // however far away, and its cluster those of the next level, until one cluster has half of all
 // vertices.
-template <class Index, class Distance>
-void choose_nearest_instead_of_hubs(const Lists<Index>& lower, const std::vector<Index>& hubs,
-                                    const Distance& distance, Large_vector<Index>& center)
+inline void choose_nearest_instead_of_hubs(const Lists<std::uint32_t>& lower,
+                                           const std::vector<std::uint32_t>& hubs,
+                                           const Vertex_points& points,
+                                           Large_vector<std::uint32_t>& center)
 {
   if (hubs.empty())
     return;
   std::vector<char> is_hub(lower.size()), is_beside_hub(lower.size());
-  for (const Index v : hubs)
+  for (const std::uint32_t v : hubs)
     is_hub[v] = 1;
   for (std::size_t v = 0; v < lower.size(); ++v)
     is_beside_hub[v] = is_hub[center[v]];
   choose_nearest_centers(
-      lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, distance, center);
+      lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, points, center);
 }
 
-// The net and its clusters. `distance(v, u)` is asked for neighbours, one of which is in the net;
-// where there are many vertices it is asked for those beside hubs only: a pass over all points is
-// dear there, for a small gain.
-template <class Index, class Distance>
-Net<Index> net_of(const Lists<Index>& lower, std::uint64_t seed, const Distance& distance,
-                  std::size_t block = Random_blocks::one_of_many)
+// The net and its clusters. Distances are those of neighbours, one of which is in the net; where
+// there are many vertices, of those beside hubs only: a pass over all points is dear there, for a
+// small gain.
+inline Net net_of(const Lists<std::uint32_t>& lower, std::uint64_t seed,
+                  const Vertex_points& points, std::size_t block = Random_blocks::one_of_many)
 {
+  using Index = std::uint32_t;
   const std::size_t n = lower.size();
   const std::vector<Index> hubs = hubs_of(lower, seed);
-  Net<Index> net;
+  Net net;
   net.cluster_of = random_net(lower, hubs, seed, block);
   Large_vector<Index>& center = net.cluster_of;
   if (n <= Random_blocks::largest_block)
     choose_nearest_centers(
-        lower, [](std::size_t) { return true; }, distance, center);
+        lower, [](std::size_t) { return true; }, points, center);
   else
-    choose_nearest_instead_of_hubs(lower, hubs, distance, center);
+    choose_nearest_instead_of_hubs(lower, hubs, points, center);
   Large_vector<Index> number(n); // of the cluster of a net vertex
   for (std::size_t v = 0; v < n; ++v)
     if (center[v] == v) {

@@ -7,8 +7,8 @@
 
 // Choi 2002, Fig. 1, for points that are numbered s_0, s_1, … in the order of insertion.
 
+#include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -11,9 +11,10 @@
 // Memory: while cells are made, the copies of the points and the graph are gone. What lives beside
 // the cells is order and starting places, and 36 bytes for each vertex.
 
+#include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Array_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Has_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_in_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>

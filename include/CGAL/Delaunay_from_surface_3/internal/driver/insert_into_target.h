@@ -8,6 +8,7 @@
 // The choice of the target for points whose order is known, between the plan (insert_surface.h) and
 // the loop of Fig. 1 (insert_in_rounds.h).
 
+#include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -16,7 +17,6 @@
 #include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_in_rounds.h>
 
 #include <cstddef>

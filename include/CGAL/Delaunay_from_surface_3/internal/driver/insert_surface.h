@@ -12,9 +12,10 @@
 //   insert_into_target    chooses the target (insert_into_target.h)
 //   insert_in_rounds      is the loop (insert_in_rounds.h)
 
+#include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Asking_visitor.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_budget.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Has_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Visitor_in_mode_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/build_aside.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>

@@ -6,8 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_SOUP_GRAPH_H
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
@@ -65,10 +65,11 @@ std::size_t count_sides(Iterator it, std::size_t number)
 
 // Appends the sides of the faces with numbers first, …, last - 1, of which `it` is the first: every
 // edge as often as there are faces that have it. Returns how many faces are not triangles.
-template <class Index, class Iterator>
+template <class Iterator>
 std::size_t append_sides(Iterator it, std::size_t first, std::size_t last,
-                         std::size_t number_of_points, Large_vector<Numbered_edge<Index>>& sides)
+                         std::size_t number_of_points, Large_vector<Numbered_edge>& sides)
 {
+  using Index = std::uint32_t;
   std::size_t non_triangles = 0;
   for (std::size_t f = first; f < last; ++f, ++it) {
     const auto& face = *it;
@@ -183,7 +184,7 @@ Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points,
   if ((std::max)(number_of_points, number_of_sides) >= (std::numeric_limits<Index>::max)())
     return {Lower_neighbor_graph(number_of_points), std::nullopt};
 
-  std::vector<Large_vector<Numbered_edge<Index>>> sides(blocks);
+  std::vector<Large_vector<Numbered_edge>> sides(blocks);
   for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
     sides[b].reserve(numbers[b]);
     non_triangles[b] = append_sides(std::next(begin, std::ptrdiff_t(first)), first, last,

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERTION_BUDGET_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERTION_BUDGET_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_INSERTION_BUDGET_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_INSERTION_BUDGET_H
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 
@@ -11,8 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -58,20 +56,8 @@ private:
   double m_cells_per_point = std::numeric_limits<double>::infinity();
 };
 
-// Does a plan name a budget, and another plan for when it is exceeded?
-template <class Plan, class = void>
-struct Has_budget : std::false_type
-{
-};
-template <class Plan>
-struct Has_budget<Plan, std::void_t<decltype(Plan::cells_per_point),
-                                    decltype(std::declval<const Plan&>().fallback_plan())>>
-  : std::true_type
-{
-};
-
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERTION_BUDGET_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_INSERTION_BUDGET_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_NET_HIERARCHY_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_NET_HIERARCHY_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_NET_HIERARCHY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_NET_HIERARCHY_H
 
 // Nets of a graph, each a maximal independent set of the one before, with the clusters of their
 // vertices.
@@ -18,17 +18,19 @@
 // by a constant factor (4 to 5) and their edges with them: linear altogether. In other graphs a
 // level may keep nearly all its vertices; such a level ends the hierarchy.
 
-#include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_request.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/random_net.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,12 +38,11 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // An edge of a graph whose vertices are numbered: the larger number, and the smaller.
-template <class Index>
 struct Numbered_edge
 {
-  Index upper, lower;
+  std::uint32_t upper, lower;
 
-  Numbered_edge(Index s, Index t)
+  Numbered_edge(std::uint32_t s, std::uint32_t t)
     : upper((std::max)(s, t))
     , lower((std::min)(s, t))
   {
@@ -49,63 +50,34 @@ struct Numbered_edge
 };
 
 // Edges as items: the list of the upper end gets the lower one.
-template <class Index>
 class Edges_as_items
 {
 public:
-  Edges_as_items(const Large_vector<Numbered_edge<Index>>& edges)
+  Edges_as_items(const Large_vector<Numbered_edge>& edges)
     : m_edges(&edges)
   {
   }
 
   std::size_t size() const { return m_edges->size(); }
   std::size_t list(std::size_t k) const { return (*m_edges)[k].upper; }
-  Index item(std::size_t k) const { return (*m_edges)[k].lower; }
+  std::uint32_t item(std::size_t k) const { return (*m_edges)[k].lower; }
 
 private:
-  const Large_vector<Numbered_edge<Index>>* m_edges;
+  const Large_vector<Numbered_edge>* m_edges;
 };
 
 // The neighbours of each of n vertices that have smaller numbers; of edges in blocks.
-template <class Index>
-Lists<Index> lower_neighbors(const std::vector<Large_vector<Numbered_edge<Index>>>& edges,
-                             std::size_t n, const Executor& executor = Alone())
+inline Lists<std::uint32_t> lower_neighbors(const std::vector<Large_vector<Numbered_edge>>& edges,
+                                            std::size_t n, const Executor& executor = Alone())
 {
-  return in_lists<Index>(n, std::vector<Edges_as_items<Index>>(edges.begin(), edges.end()),
-                         executor);
-}
-
-// The same for the n vertices of a graph. Its number of edges must be an Index.
-template <class Index, class Graph, class VertexIndexMap>
-Lists<Index> lower_neighbors(const Graph& graph, VertexIndexMap index_map, std::size_t n)
-{
-  std::vector<Large_vector<Numbered_edge<Index>>> numbered(1);
-  numbered[0].reserve(std::size_t(num_edges(graph)));
-  const auto range = edges(graph);
-  for (auto e = range.first; e != range.second; ++e)
-    numbered[0].emplace_back(Index(get(index_map, source(*e, graph))),
-                             Index(get(index_map, target(*e, graph))));
-  return lower_neighbors(numbered, n);
-}
-
-// The same for a graph that has them.
-template <class Index>
-Lists<Index> lower_neighbors(const Lower_neighbor_graph& graph, Identity_index_map, std::size_t)
-{
-  return graph.lists();
-}
-
-template <class Index, class FaceRange>
-Lists<Index> lower_neighbors(const Graph_of_faces<FaceRange>& graph, Identity_index_map,
-                             std::size_t)
-{
-  return graph.lists();
+  return in_lists<std::uint32_t>(n, std::vector<Edges_as_items>(edges.begin(), edges.end()),
+                                 executor);
 }
 
 // The members of every cluster, its net vertex first, the others in ascending order.
-template <class Index>
-Lists<Index> members(const Net<Index>& net, const Executor& executor)
+inline Lists<std::uint32_t> members(const Net& net, const Executor& executor)
 {
+  using Index = std::uint32_t;
   Lists<Index> lists = in_lists<Index>(
       net.centers.size(),
       Listed_items(
@@ -129,11 +101,12 @@ Lists<Index> members(const Net<Index>& net, const Executor& executor)
 // The graph of the clusters: two are neighbours if members of theirs are. An edge is met from each
 // of its clusters at most once, so that it is there twice at most. Here those met from the clusters
 // first, …, last - 1 are written behind `edges`.
-template <class Index>
-void append_contracted(const Lists<Index>& lower, const Large_vector<Index>& cluster_of,
-                       const Lists<Index>& clusters, std::size_t first, std::size_t last,
-                       Large_vector<Numbered_edge<Index>>& edges)
+inline void append_contracted(const Lists<std::uint32_t>& lower,
+                              const Large_vector<std::uint32_t>& cluster_of,
+                              const Lists<std::uint32_t>& clusters, std::size_t first,
+                              std::size_t last, Large_vector<Numbered_edge>& edges)
 {
+  using Index = std::uint32_t;
   Large_vector<Index> last_met_by(clusters.size(), Index(clusters.size()));
   const std::size_t last_item = clusters.items.size() - 1;
   for (std::size_t c = first; c < last; ++c) {
@@ -153,12 +126,13 @@ void append_contracted(const Lists<Index>& lower, const Large_vector<Index>& clu
   }
 }
 
-template <class Index>
-Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cluster_of,
-                        const Lists<Index>& clusters, const Executor& executor)
+inline Lists<std::uint32_t> contracted(const Lists<std::uint32_t>& lower,
+                                       const Large_vector<std::uint32_t>& cluster_of,
+                                       const Lists<std::uint32_t>& clusters,
+                                       const Executor& executor)
 {
   const std::size_t blocks = number_of_blocks(executor, clusters.size(), 4096);
-  std::vector<Large_vector<Numbered_edge<Index>>> edges(blocks);
+  std::vector<Large_vector<Numbered_edge>> edges(blocks);
   for_each_block(executor, clusters.size(), blocks,
                  [&](std::size_t first, std::size_t last, std::size_t b) {
                    edges[b].reserve(4 * (last - first)); // on a surface
@@ -168,48 +142,43 @@ Lists<Index> contracted(const Lists<Index>& lower, const Large_vector<Index>& cl
 }
 
 // The levels, finest first. clusters[l] lists the clusters of the vertices of level l; they are the
-// vertices of level l + 1. points[l] names the vertex of the graph that a vertex of level l is; at
-// level 0 every vertex is itself, and nothing is stored.
-template <class Index>
+// vertices of level l + 1. names[l] tells which point a vertex of level l is; at level 0 every
+// vertex is its own number, and nothing is stored.
 struct Net_hierarchy
 {
-  std::vector<Lists<Index>> clusters;
-  std::vector<Large_vector<Index>> points;
+  std::vector<Lists<std::uint32_t>> clusters;
+  std::vector<Large_vector<std::uint32_t>> names;
   std::size_t number_of_coarsest;
 
-  // Nets of the graph with these lower neighbours until at most `enough` vertices are left, or a
-  // net keeps more than the share `stall` of them. `distance(i, j)` is one of vertices of the
-  // graph. `block`: see Random_blocks. The nets are the same whatever the executor.
-  template <class Distance>
-  Net_hierarchy(Lists<Index> lower, std::size_t enough, double stall, unsigned int seed,
-                const Distance& distance, std::size_t block = Random_blocks::one_of_many,
-                const Executor& executor = Alone())
-    : points(1)
+  // Nets of the graph with these lower neighbours until at most `coarsest_net` vertices are left,
+  // or a net keeps more than the share `net_stall` of them. `block`: see Random_blocks. The nets
+  // are the same whatever the executor.
+  Net_hierarchy(Lists<std::uint32_t> lower, const Point_array& points, unsigned int seed,
+                std::size_t block = Random_blocks::one_of_many, const Executor& executor = Alone())
+    : names(1)
     , number_of_coarsest(lower.size())
   {
     Split_mix random(seed);
-    while (number_of_coarsest > enough) {
-      const std::size_t level = points.size() - 1;
-      const Net<Index> net = net_of(
-          lower, random(),
-          [&](std::size_t v, std::size_t u) { return distance(point(level, v), point(level, u)); },
-          block);
-      if (double(net.centers.size()) > stall * double(number_of_coarsest))
+    while (number_of_coarsest > coarsest_net) {
+      const std::size_t level = names.size() - 1;
+      const Vertex_points vertices(points, level == 0 ? nullptr : names[level].data());
+      Net net = net_of(lower, random(), vertices, block);
+      if (double(net.centers.size()) > net_stall * double(number_of_coarsest))
         break;
       clusters.push_back(members(net, executor));
-      points.push_back(net.centers);
-      for (Index& c : points.back())
-        c = Index(point(level, c));
       lower = contracted(lower, net.cluster_of, clusters.back(), executor);
       number_of_coarsest = lower.size();
+      for (std::uint32_t& c : net.centers)
+        c = std::uint32_t(point(level, c));
+      names.push_back(std::move(net.centers));
     }
   }
 
-  std::size_t number_of_levels() const { return points.size(); }
+  std::size_t number_of_levels() const { return names.size(); }
 
   std::size_t point(std::size_t level, std::size_t v) const
   {
-    return level == 0 ? v : points[level][v];
+    return level == 0 ? v : names[level][v];
   }
 };
 
@@ -217,4 +186,4 @@ struct Net_hierarchy
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_NET_HIERARCHY_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_NET_HIERARCHY_H

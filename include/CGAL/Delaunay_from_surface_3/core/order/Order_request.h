@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_ORDER_REQUEST_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_ORDER_REQUEST_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// What Surface_net_rounds says of its constants holds for these.
+constexpr double net_stall = 0.9;
+constexpr std::size_t coarsest_net = 64;
+constexpr std::size_t cells_per_point_of_nets = 64;
+constexpr std::size_t large_cluster = 32;
+
+// Which order points are to be inserted in.
+struct Order_request
+{
+  // By nets of their graph, as Surface_net_rounds; or by random rounds, as Geometric_rounds.
+  enum Kind { NETS, GEOMETRIC } kind = NETS;
+
+  unsigned int seed = 0;
+
+  // Of random rounds: 0 < ratio < 1, first_round > 0.
+  double ratio = 0.125;
+  std::size_t first_round = 64;
+
+  // Of nets: so many successive vertices of very many are a block. See Random_blocks.
+  std::size_t block = 1024;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_ORDER_REQUEST_H

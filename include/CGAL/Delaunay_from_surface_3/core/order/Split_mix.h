@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPLIT_MIX_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPLIT_MIX_H
+
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Random numbers that depend on the seed alone, with any library: splitmix64 (Steele, Lea, Flood
+// 2014).
+class Split_mix
+{
+public:
+  explicit Split_mix(std::uint64_t seed)
+    : m_state(seed)
+  {
+  }
+
+  std::uint64_t operator()()
+  {
+    std::uint64_t x = m_state += 0x9e3779b97f4a7c15;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+  }
+
+  // One of 0, …, n-1, for any n > 0: the numbers of 64 bits are dealt out as evenly as they can be.
+  std::uint64_t below(std::uint64_t n)
+  {
+    const std::uint64_t x = (*this)();
+    if (n >> 32 != 0)
+      return x % n;
+    return ((x >> 32) * n + ((x & 0xffffffff) * n >> 32)) >> 32; // x n / 2^64
+  }
+
+  // Every order is as likely as any other, as far as the numbers are random.
+  template <class Iterator>
+  void shuffle(Iterator first, Iterator last)
+  {
+    using std::swap;
+    for (auto n = static_cast<std::uint64_t>(last - first); n > 1; --n)
+      swap(first[n - 1], first[below(n)]);
+  }
+
+private:
+  std::uint64_t m_state;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPLIT_MIX_H
