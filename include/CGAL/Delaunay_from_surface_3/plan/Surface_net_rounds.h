@@ -45,9 +45,8 @@ order of the indices it would be as regular as the numbering: CAD numbers vertic
 and rings, and such nets destroyed 2.5 times as many cells as random rounds did on an airfoil of
 200,000 points. Vertices with
 more than three times as many edges as the average come first: it is better to insert the middle of
-a fan before the fan. The members of a cluster of more than `large_cluster` are sorted by halves, as
-the rounds of `Geometric_rounds` are, and start at the point before if that is nearer than the net
-vertex.
+a fan before the fan. The members of a cluster of more than `large_cluster` come in the order of
+`Geometric_rounds`, and start at the point before if that is nearer than the net vertex.
 
 Where there are no edges or more than \f$2^{32}\f$, or they join points that are not near each
 other, as a look at a thousand of them on two levels tells, `Geometric_rounds` orders the points,
@@ -77,7 +76,7 @@ public:
   /// on adversarial ones any number.
   static constexpr std::size_t cells_per_point = internal::cells_per_point_of_nets;
 
-  /// the size from which the inside of a cluster is sorted in space.
+  /// the size from which the inside of a cluster is ordered by `Geometric_rounds`.
   static constexpr std::size_t large_cluster = internal::large_cluster;
 
   /*!

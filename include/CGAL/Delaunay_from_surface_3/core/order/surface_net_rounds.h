@@ -16,7 +16,6 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_request.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
@@ -27,7 +26,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -82,18 +80,19 @@ class Rounds_of_nets
   using Sequence = Large_vector<Placed>;
 
 public:
-  Rounds_of_nets(const Point_array& points, const Net_hierarchy& nets)
+  Rounds_of_nets(const Point_array& points, const Net_hierarchy& nets, const Order_request& request)
     : m_points(points)
     , m_nets(nets)
+    , m_request(request)
   {
   }
 
-  Insertion_order order(const Order_request& request)
+  Insertion_order order()
   {
     m_result = Insertion_order();
     m_result.order.reserve(m_points.size());
     m_result.starting_places.reserve(m_points.size());
-    Sequence sequence = append_coarsest(request);
+    Sequence sequence = append_coarsest();
     for (std::size_t level = m_nets.clusters.size(); level-- > 0;)
       sequence = append_round(level, sequence);
     return std::move(m_result);
@@ -110,14 +109,13 @@ private:
   }
 
   // The first rounds: the vertices of the coarsest level. Returns them in their order.
-  Sequence append_coarsest(const Order_request& request)
+  Sequence append_coarsest()
   {
     const std::size_t level = m_nets.number_of_levels() - 1;
     const std::vector<double> coordinates = coordinates_of(
         m_nets.number_of_coarsest, [&](std::size_t v) { return m_nets.point(level, v); });
     Insertion_order coarse =
-        geometric_rounds(Point_array(coordinates.data(), m_nets.number_of_coarsest), request.seed,
-                         request.ratio, request.first_round);
+        random_rounds(Point_array(coordinates.data(), m_nets.number_of_coarsest));
     m_result.round_ends = std::move(coarse.round_ends);
     Sequence sequence;
     sequence.reserve(coarse.order.size());
@@ -150,27 +148,34 @@ private:
   }
 
   // The members of one cluster but its net vertex, which was placed last. A walk from there would
-  // lead through half of the fan: they are sorted by halves, and start at the point before if that
+  // lead through half of the fan: they come in random rounds, and start at the point before if that
   // is nearer.
   void append_large_cluster(std::size_t level, const std::uint32_t* first,
                             const std::uint32_t* last, Sequence& sequence)
   {
-    const std::size_t size = std::size_t(last - first); // the net vertex is point 0
+    const std::uint32_t* const members = first + 1;
+    const std::size_t size = std::size_t(last - members);
     const std::vector<double> coordinates =
-        coordinates_of(size, [&](std::size_t k) { return m_nets.point(level, first[k]); });
-    const Point_array points(coordinates.data(), size);
-    std::vector<std::size_t> order(size - 1);
-    std::iota(order.begin(), order.end(), std::size_t(1));
-    Sort_by_halves()(points, order.data(), order.data() + order.size());
-
+        coordinates_of(size, [&](std::size_t k) { return m_nets.point(level, members[k]); });
+    const Point_array fan(coordinates.data(), size);
+    const std::size_t center = m_nets.point(level, *first);
     const std::uint32_t place_of_center = sequence.back().place;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      const bool previous_is_nearer = k > 0 && points.squared_distance(order[k], order[k - 1]) <
-                                                   points.squared_distance(order[k], 0);
-      const std::uint32_t vertex = first[order[k]];
-      const std::size_t start = previous_is_nearer ? m_result.order.size() - 1 : place_of_center;
-      sequence.push_back({vertex, append(level, vertex, start)});
+    std::size_t previous = center, place_of_previous = place_of_center;
+    for (const std::size_t k : random_rounds(fan).order) {
+      const std::size_t point = m_nets.point(level, members[k]);
+      const bool previous_is_nearer =
+          m_points.squared_distance(point, previous) < m_points.squared_distance(point, center);
+      const std::uint32_t place =
+          append(level, members[k], previous_is_nearer ? place_of_previous : place_of_center);
+      sequence.push_back({members[k], place});
+      previous = point;
+      place_of_previous = place;
     }
+  }
+
+  Insertion_order random_rounds(const Point_array& points) const
+  {
+    return geometric_rounds(points, m_request.seed, m_request.ratio, m_request.first_round);
   }
 
   // Of the points name(0), …, name(n-1).
@@ -186,6 +191,7 @@ private:
 
   Point_array m_points;
   const Net_hierarchy& m_nets;
+  Order_request m_request;
   Insertion_order m_result;
 };
 
@@ -197,7 +203,7 @@ inline Insertion_order surface_net_rounds(const Point_array& points, Lists<std::
   const Net_hierarchy nets(std::move(lower), points, request.seed, request.block, executor);
   if (!joins_near_points(points, nets))
     return geometric_rounds(points, request.seed, request.ratio, request.first_round);
-  return Rounds_of_nets(points, nets).order(request);
+  return Rounds_of_nets(points, nets, request).order();
 }
 
 } // namespace internal
