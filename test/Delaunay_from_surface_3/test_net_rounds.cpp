@@ -17,6 +17,9 @@
 #include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/order_of_points.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/lower_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
@@ -151,6 +154,60 @@ BOOST_AUTO_TEST_CASE(finest_round_is_beside_a_maximal_independent_set)
   }
   BOOST_TEST(strangers == 0u);
   BOOST_TEST(far == 0u);
+}
+
+// Also where 32 random bits would make some numbers twice as likely as others, or are too few.
+BOOST_AUTO_TEST_CASE(random_numbers_are_even)
+{
+  BOOST_TEST(DFS::internal::Split_mix(0)() == 0xe220a8397b1dcdafu); // the author's own
+  const std::uint64_t large = std::uint64_t(1) << 32;
+  for (const std::uint64_t n : {std::uint64_t(3), large / 4 * 3, large - 1, large, 3 * large}) {
+    DFS::internal::Split_mix random(5);
+    std::size_t in_third[3] = {}, of_rest[3] = {};
+    for (int i = 0; i < 30000; ++i) {
+      const std::uint64_t k = random.below(n);
+      BOOST_TEST_REQUIRE(k < n);
+      ++in_third[k / (n / 3 + (n % 3 != 0))];
+      ++of_rest[k % 3];
+    }
+    for (int t = 0; t < 3; ++t) { // 6 standard deviations
+      BOOST_TEST((9500 < in_third[t] && in_third[t] < 10500));
+      BOOST_TEST((9500 < of_rest[t] && of_rest[t] < 10500));
+    }
+  }
+  BOOST_TEST(DFS::internal::Split_mix(1).below(1) == 0u);
+}
+
+// The core's own call: what the plans return, without a type of CGAL's.
+BOOST_AUTO_TEST_CASE(order_of_points_by_request)
+{
+  using namespace DFS::internal;
+  const surfaces::Indexed_surface surface = surfaces::genus_surface(1, 4000, 0.05);
+  const Graph graph = graph_of(surface);
+  const std::size_t n = surface.points.size();
+  std::vector<double> coordinates;
+  for (const Point& p : surface.points)
+    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  const auto order = [&](const Order_request& request, bool has_edges) {
+    Lists<std::uint32_t> lower;
+    if (has_edges)
+      lower = lower_neighbors(graph, get(boost::vertex_index, graph), n);
+    return order_of_points(Point_array(coordinates.data(), n), std::move(lower), request, Alone());
+  };
+  const auto planned = [&](const auto& plan) {
+    return plan(surface.points, Kernel(), graph, get(boost::vertex_index, graph));
+  };
+  const DFS::Surface_net_rounds nets(3, 64);
+  BOOST_TEST((order(nets.order_request(), true).order == planned(nets).order));
+  BOOST_TEST((order(nets.order_request(), true).starting_places == planned(nets).starting_places));
+  BOOST_TEST((order(nets.order_request(), false).order == planned(nets.fallback_plan()).order));
+  const DFS::Geometric_rounds rounds(3, 0.5, 100);
+  for (const bool has_edges : {false, true}) {
+    const DFS::Insertion_order same = order(rounds.order_request(), has_edges);
+    BOOST_TEST((same.order == planned(rounds).order));
+    BOOST_TEST((same.round_ends == rounds.round_ends(n)));
+    BOOST_TEST(same.starting_places.empty());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(random_blocks_are_permutations)

@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPLIT_MIX_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPLIT_MIX_H
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -44,8 +45,8 @@ public:
   void shuffle(Iterator first, Iterator last)
   {
     using std::swap;
-    for (auto n = static_cast<std::uint64_t>(last - first); n > 1; --n)
-      swap(first[n - 1], first[below(n)]);
+    for (std::ptrdiff_t n = last - first; n > 1; --n)
+      swap(first[n - 1], first[static_cast<std::ptrdiff_t>(below(std::uint64_t(n)))]);
   }
 
 private:
