@@ -87,8 +87,7 @@ Json measure_sample(const uniform::Sample& sample, const std::vector<double>& fa
 
 // Each point is located from the one before it.
 template <class Plan>
-using With_plan = CGAL::Surface_insertion_policies_3<DFS::Full_graph, Plan, DFS::Previous_hint_3,
-                                                     DFS::Compact_delaunay_3>;
+using With_plan = CGAL::Surface_insertion_policies_3<DFS::Full_graph, Plan, DFS::Previous_hint_3>;
 
 template <class Traits>
 Json destroyed(const Indexed_surface& surface, const Traits& traits)

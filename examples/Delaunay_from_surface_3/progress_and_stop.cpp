@@ -26,21 +26,17 @@ using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 // The base class does nothing; only what is of interest is written anew.
 struct My_visitor : CGAL::Default_surface_insertion_visitor_3
 {
-  std::size_t inserted = 0, limit = 0;
+  std::size_t inserted = 0, points_of_round = 0, limit = 0;
 
   void round_begins(std::size_t round, std::size_t number_of_points)
   {
+    inserted += points_of_round;
+    points_of_round = number_of_points;
     std::cout << "round " << round << ": " << number_of_points << " points\n";
   }
 
-  // Is asked before each insertion; a real program would look at a clock or a button here.
-  bool go_further()
-  {
-    if (inserted == limit)
-      return false;
-    ++inserted;
-    return true;
-  }
+  // Is asked in each round, every 256 points; a real program would look at a clock or a button here.
+  bool go_further() { return inserted < limit; }
 };
 
 int main(int argc, char* argv[])
@@ -55,7 +51,7 @@ int main(int argc, char* argv[])
 
   // Visitors are copied; std::ref() hands over this one, which can be asked afterwards.
   My_visitor visitor;
-  visitor.limit = mesh.number_of_vertices() / 2;
+  visitor.limit = mesh.number_of_vertices() / 8;
   try {
     CGAL::insert_surface_vertices_3(tr, mesh, CGAL::parameters::visitor(std::ref(visitor)));
   } catch (const CGAL::Surface_input_error& error) {

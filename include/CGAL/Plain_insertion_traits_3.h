@@ -29,6 +29,8 @@ struct Plain_insertion_traits_3
                                  Delaunay_from_surface_3::Spatial_sort_order,
                                  Delaunay_from_surface_3::Previous_hint_3>
 {
+  /// `false`: CGAL's own insertion is what is to be compared with.
+  static constexpr bool through_core = false;
 };
 
 } // namespace CGAL

@@ -5,7 +5,6 @@
 #ifndef CGAL_POINT_INSERTION_TRAITS_3_H
 #define CGAL_POINT_INSERTION_TRAITS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
@@ -25,9 +24,9 @@ Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions t
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Point_insertion_traits_3
-  : Surface_insertion_policies_3<
-        Delaunay_from_surface_3::Full_graph, Delaunay_from_surface_3::Geometric_rounds,
-        Delaunay_from_surface_3::Previous_hint_3, Delaunay_from_surface_3::Compact_delaunay_3>
+  : Surface_insertion_policies_3<Delaunay_from_surface_3::Full_graph,
+                                 Delaunay_from_surface_3::Geometric_rounds,
+                                 Delaunay_from_surface_3::Previous_hint_3>
 {
 };
 

@@ -5,7 +5,7 @@
 #ifndef CGAL_SURFACE_INSERTION_POLICIES_3_H
 #define CGAL_SURFACE_INSERTION_POLICIES_3_H
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/internal/trace/Starts_in_core.h>
 
 namespace CGAL {
 
@@ -24,14 +24,11 @@ using My_traits =
 \tparam InsertionPlan a model of `InsertionPlan`, constructible from a seed
 \tparam InsertionHints a template whose instances with a target and a subgraph model
 `InsertionHints_3`
-\tparam InsertionTarget a template whose instances with a triangulation model `InsertionTarget_3`
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
 template <class SurfaceSubgraph, class InsertionPlan,
-          template <class Target, class Subgraph> class InsertionHints,
-          template <class Triangulation> class InsertionTarget =
-              Delaunay_from_surface_3::Triangulation_target_3>
+          template <class Target, class Subgraph> class InsertionHints>
 struct Surface_insertion_policies_3
 {
   /// the functor that makes T.
@@ -44,9 +41,15 @@ struct Surface_insertion_policies_3
   template <class Target, class Subgraph>
   using Insertion_hints_3 = InsertionHints<Target, Subgraph>;
 
-  /// what the points are inserted into.
-  template <class Triangulation>
-  using Insertion_target_3 = InsertionTarget<Triangulation>;
+  /// whether the points go through the core, in which nothing is traced: with `Planned_hints_3` and
+  /// `Previous_hint_3`. Any other policy traces, or asks, the triangulation of the user.
+  static constexpr bool through_core =
+      Delaunay_from_surface_3::internal::Starts_in_core<InsertionHints>::value;
+
+  /// \cond
+  static constexpr bool uses_starting_places =
+      Delaunay_from_surface_3::internal::Starts_in_core<InsertionHints>::uses_starting_places;
+  /// \endcond
 
   /// returns the functor that makes T.
   Surface_subgraph surface_subgraph_object() const { return Surface_subgraph(); }

@@ -5,7 +5,6 @@
 #ifndef CGAL_SURFACE_INSERTION_TRAITS_3_H
 #define CGAL_SURFACE_INSERTION_TRAITS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
@@ -26,9 +25,9 @@ measured (`Delaunay_from_surface_3::Surface_net_rounds`), plus what the insertio
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Surface_insertion_traits_3
-  : Surface_insertion_policies_3<
-        Delaunay_from_surface_3::Full_graph, Delaunay_from_surface_3::Surface_net_rounds,
-        Delaunay_from_surface_3::Planned_hints_3, Delaunay_from_surface_3::Compact_delaunay_3>
+  : Surface_insertion_policies_3<Delaunay_from_surface_3::Full_graph,
+                                 Delaunay_from_surface_3::Surface_net_rounds,
+                                 Delaunay_from_surface_3::Planned_hints_3>
 {
 };
 

@@ -6,85 +6,72 @@
 #define CGAL_DELAUNAY_3_ARRAYS_H
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Visitor_watcher.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_into_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
-#include <CGAL/Point_insertion_traits_3.h>
-#include <CGAL/Surface_insertion_traits_3.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
+#include <optional>
+#include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// From anything with coordinates [0], [1] and [2] that are numbers of C++, or a point of any
-// kernel.
-template <class Item>
-struct Coordinates_map
+// The order that the named parameters ask for.
+template <class NamedParameters>
+Order_request order_of_arrays(Order_request::Kind kind, const NamedParameters& np)
 {
-  using key_type = Item;
-  using value_type = Array_point;
-  using reference = Array_point;
-  using category = boost::readable_property_map_tag;
+  Order_request request;
+  request.kind = kind;
+  request.seed = static_cast<unsigned int>(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0));
+  return request;
+}
 
-  friend Array_point get(const Coordinates_map&, const Item& item)
-  {
-    if constexpr (std::is_convertible<const Item&, Array_point>::value)
-      return item;
-    else if constexpr (std::is_arithmetic<std::decay_t<decltype(item[0])>>::value)
-      return Array_point(double(item[0]), double(item[1]), double(item[2]));
-    else
-      return converted_point<Array_point>(item);
-  }
-};
-
-// The named parameters of both forms.
-template <class Traits, class ConcurrencyTag, class Index, class PointRange, class MakeOrder,
-          class NamedParameters>
-Delaunay_3_arrays<Index> arrays_of_points(const PointRange& points, const MakeOrder& make_order,
-                                          const NamedParameters& np)
+// The door into arrays: one of those that the core has.
+template <class Index, class Executor, class NamedParameters>
+Delaunay_3_arrays<Index> insert_into_arrays(const Point_array& points, Order_source& orders,
+                                            const std::optional<std::string>& irregularity,
+                                            const Executor& executor, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using Item = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
-
-  const auto point_map =
-      choose_parameter(get_parameter(np, internal_np::point_map), Coordinates_map<Item>());
-  const auto seed =
-      static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0));
+  using Point = Exact_predicates_inexact_constructions_kernel::Point_3;
+  using Id = std::make_unsigned_t<Index>;
   check_named_parameters<internal_np::point_t, internal_np::random_seed_t, internal_np::visitor_t>(
       np);
-  auto&& visitor =
-      visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
-                            get_parameter(np, internal_np::visitor)),
-                        std::size_t(std::distance(std::begin(points), std::end(points))));
+  auto&& visitor = visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
+                                         get_parameter(np, internal_np::visitor)),
+                                     points.size());
   using Visitor = std::remove_reference_t<decltype(visitor)>;
-  static_assert(!accepts_points<Visitor, Array_point>(),
+  static_assert(!accepts_points<Visitor, Point>(),
                 "delaunay_3_arrays() leaves no point out: its visitor has no accept()");
-
   const Rounding_to_nearest rounding;
-  Visitor_in_mode_of_caller<Visitor> observer(visitor, rounding);
-  return arrays_by_plan<Traits, typename Executor_of_tag<ConcurrencyTag>::type, Index>(
-      [&] { return read_points<Array_point>(points, point_map); },
-      Traits().insertion_plan_object(seed),
-      [&](const auto& read, const auto& plan) { return make_order(read, plan, observer); },
-      observer);
+  const std::vector<Point> not_asked_for;
+  Visitor_watcher<Visitor, Point> watcher(visitor, rounding, not_asked_for);
+  if (irregularity)
+    watcher.surface_is_irregular(*irregularity);
+  Request request;
+  request.adds_apex = true;
+  Built<Id> built =
+      build<Id, Crew<Executor>::template Insert>(points, orders, request, watcher, executor);
+  const Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(built, points);
+  watcher.phase_begins(Surface_insertion_phase::DONE);
+  return arrays;
 }
 
 } // namespace internal
@@ -146,17 +133,12 @@ template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, cla
 Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using Traits = Point_insertion_traits_3;
-  return Delaunay_from_surface_3::internal::arrays_of_points<Traits, ConcurrencyTag, Index>(
-      points,
-      [](const auto& read, const auto& plan, const auto&) {
-        using Triangulation = Delaunay_from_surface_3::internal::Array_triangulation;
-        const Delaunay_from_surface_3::internal::Lower_neighbor_graph
-            no_graph; // nor is one looked at
-        return plan(read, Triangulation::Geom_traits(), no_graph,
-                    Delaunay_from_surface_3::internal::Identity_index_map());
-      },
-      np);
+  using namespace Delaunay_from_surface_3::internal;
+  const Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
+  const auto no_edges = [] { return Lists<std::uint32_t>(); };
+  Order_of_core orders(read.points(), order_of_arrays(Order_request::GEOMETRIC, np), no_edges);
+  return insert_into_arrays<Index>(read.points(), orders, std::nullopt,
+                                   typename Executor_of_tag<ConcurrencyTag>::type(), np);
 }
 
 /*!
@@ -178,21 +160,15 @@ template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, cla
 Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceRange& faces,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using Traits = Surface_insertion_traits_3;
-  if (std::begin(faces) == std::end(faces))
-    return delaunay_3_arrays<Index, ConcurrencyTag>(points, np);
-  return Delaunay_from_surface_3::internal::arrays_of_points<Traits, ConcurrencyTag, Index>(
-      points,
-      [&](const auto& read, const auto& plan, auto& visitor) {
-        using namespace Delaunay_from_surface_3::internal;
-        const typename Executor_of_tag<ConcurrencyTag>::type executor{};
-        const Soup_graph soup = soup_graph(faces, read.size(), executor);
-        if (soup.irregularity)
-          visitor.surface_is_irregular(*soup.irregularity);
-        return make_order(executor, plan, read, Array_triangulation::Geom_traits(), soup.graph,
-                          Identity_index_map());
-      },
-      np);
+  using namespace Delaunay_from_surface_3::internal;
+  const typename Executor_of_tag<ConcurrencyTag>::type executor;
+  const Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
+  Soup_graph soup = soup_graph(faces, read.points().size(), executor);
+  const auto edges = [&soup] { return soup.graph.take_lists(); };
+  const auto kind =
+      std::begin(faces) == std::end(faces) ? Order_request::GEOMETRIC : Order_request::NETS;
+  Order_of_core orders(read.points(), order_of_arrays(kind, np), edges);
+  return insert_into_arrays<Index>(read.points(), orders, soup.irregularity, executor, np);
 }
 
 } // namespace CGAL

@@ -6,7 +6,7 @@
 #define CGAL_INSERT_POINTS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Point_insertion_traits_3.h>
@@ -18,26 +18,6 @@
 #include <cstddef>
 
 namespace CGAL {
-
-namespace Delaunay_from_surface_3 {
-namespace internal {
-
-// Without a graph: the traits look at the points alone.
-template <class ConcurrencyTag, class Triangulation, class Range, class NamedParameters>
-std::ptrdiff_t insert_range_of_points(Triangulation& tr, const Range& items,
-                                      const NamedParameters& np)
-{
-  return with_points_and_infos(tr, items, np, [&](const auto& points, const auto& infos) {
-    const Lower_neighbor_graph no_graph;
-    const Insertion_input input{points,          no_graph,        Identity_index_map(),
-                                no_irregularity, Identity_name(), infos};
-    return insert_surface<internal_np::point_t>(
-        tr, input, with_concurrency<ConcurrencyTag>(tr, Point_insertion_traits_3()), np);
-  });
-}
-
-} // namespace internal
-} // namespace Delaunay_from_surface_3
 
 /*!
 \ingroup PkgDelaunayFromSurface3Points
@@ -122,7 +102,14 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                const PointRange& points,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Delaunay_from_surface_3::internal::insert_range_of_points<ConcurrencyTag>(tr, points, np);
+  using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(points, np);
+  const Lower_neighbor_graph no_graph;
+  const Insertion_input input{read.points(),   no_graph,        Identity_index_map(),
+                              no_irregularity, Identity_name(), read.infos()};
+  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t>(
+      tr, input, Point_insertion_traits_3(), np);
 }
 
 /// \ingroup PkgDelaunayFromSurface3Points
@@ -133,8 +120,15 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, 
                                InputIterator last,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Delaunay_from_surface_3::internal::insert_range_of_points<ConcurrencyTag>(
-      tr, make_range(first, last), np);
+  using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  const Read_items<Triangulation, Iterator_range<InputIterator>, CGAL_NP_CLASS> read(
+      make_range(first, last), np);
+  const Lower_neighbor_graph no_graph;
+  const Insertion_input input{read.points(),   no_graph,        Identity_index_map(),
+                              no_irregularity, Identity_name(), read.infos()};
+  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t>(
+      tr, input, Point_insertion_traits_3(), np);
 }
 
 } // namespace CGAL

@@ -5,8 +5,8 @@
 #ifndef CGAL_INSERT_POINTS_ALONG_GRAPH_3_H
 #define CGAL_INSERT_POINTS_ALONG_GRAPH_3_H
 
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Surface_insertion_traits_3.h>
@@ -32,6 +32,16 @@ auto vertex_index_map(const Graph& graph, const NamedParameters& np)
     return get(boost::vertex_index, graph);
   else
     return parameters::get_parameter(np, internal_np::vertex_index);
+}
+
+// Refers to what was read and to the graph, whose indices are checked.
+template <class Items, class Graph, class NamedParameters>
+auto input_along_graph(const Items& read, const Graph& graph, const NamedParameters& np)
+{
+  const auto index_map = vertex_index_map(graph, np);
+  check_indices(graph, index_map, read.points().size());
+  return Insertion_input{read.points(),   graph,           index_map,
+                         no_irregularity, Identity_name(), read.infos()};
 }
 
 } // namespace internal
@@ -63,7 +73,7 @@ edges does not matter, nor do loops and multiple edges
 \param points the points
 \param graph its vertex with index i stands for the i-th point. A wrong graph costs time, never the
 result.
-\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
+\param traits order, subgraph and starting cells; `Surface_insertion_traits_3` if left
 out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below; any other does not compile
@@ -132,14 +142,11 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
-  return with_points_and_infos(tr, points, np, [&](const auto& converted, const auto& infos) {
-    const auto index_map = vertex_index_map(graph, np);
-    check_indices(graph, index_map, converted.size());
-    const Insertion_input input{converted,       graph,           index_map,
-                                no_irregularity, Identity_name(), infos};
-    return insert_surface<internal_np::point_t, internal_np::vertex_index_t>(
-        tr, input, with_concurrency<ConcurrencyTag>(tr, traits), np);
-  });
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(points, np);
+  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t,
+                        internal_np::vertex_index_t>(tr, input_along_graph(read, graph, np), traits,
+                                                     np);
 }
 
 /// \ingroup PkgDelaunayFromSurface3Graph
@@ -150,7 +157,11 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
                                            const PointRange& points, const Graph& graph,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return insert_points_along_graph_3<ConcurrencyTag>(tr, points, graph,
+  using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(points, np);
+  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t,
+                        internal_np::vertex_index_t>(tr, input_along_graph(read, graph, np),
                                                      Surface_insertion_traits_3(), np);
 }
 

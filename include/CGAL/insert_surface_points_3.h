@@ -5,11 +5,9 @@
 #ifndef CGAL_INSERT_SURFACE_POINTS_3_H
 #define CGAL_INSERT_SURFACE_POINTS_3_H
 
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Read_soup.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/points_on_line.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -45,7 +43,7 @@ if its iterators have random access
 \param tr the triangulation into which the points are inserted
 \param points the points, those in no face included
 \param faces the faces: for each the indices of its points in order
-\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
+\param traits order, subgraph and starting cells; `Surface_insertion_traits_3` if left
 out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below; any other does not compile
@@ -108,19 +106,10 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
 {
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
-  return with_points_and_infos(tr, points, np, [&](const auto& converted, const auto& infos) {
-    constexpr bool is_told = is_given<CGAL_NP_CLASS, internal_np::visitor_t>;
-    Soup_graph soup =
-        !is_told && first_different_point(converted) == converted.size()
-            ? soup_graph_without_edges(faces, converted.size())
-            : soup_graph(faces, converted.size(),
-                         typename Executor_by_tag<ConcurrencyTag, Triangulation>::type());
-    const Graph_of_faces<FaceRange> graph(std::move(soup.graph), faces);
-    const Insertion_input input{converted,         graph,           Identity_index_map(),
-                                soup.irregularity, Identity_name(), infos};
-    return insert_surface<internal_np::point_t>(tr, input,
-                                                with_concurrency<ConcurrencyTag>(tr, traits), np);
-  });
+  using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
+  const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
+                                                                            Executor());
+  return insert_surface<Executor, internal_np::point_t>(tr, read.input(), traits, np);
 }
 
 /// \ingroup PkgDelaunayFromSurface3Soup
@@ -131,8 +120,13 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
                                        const PointRange& points, const FaceRange& faces,
                                        const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return insert_surface_points_3<ConcurrencyTag>(tr, points, faces, Surface_insertion_traits_3(),
-                                                 np);
+  using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
+  const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
+                                                                            Executor());
+  return insert_surface<Executor, internal_np::point_t>(tr, read.input(),
+                                                        Surface_insertion_traits_3(), np);
 }
 
 } // namespace CGAL

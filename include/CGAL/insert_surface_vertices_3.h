@@ -5,52 +5,16 @@
 #ifndef CGAL_INSERT_SURFACE_VERTICES_3_H
 #define CGAL_INSERT_SURFACE_VERTICES_3_H
 
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Read_mesh.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/with_concurrency.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 namespace CGAL {
-
-namespace Delaunay_from_surface_3 {
-namespace internal {
-
-template <class FaceGraph>
-std::optional<std::string> irregularity_of_mesh(const FaceGraph& mesh)
-{
-  std::size_t non_triangles = 0;
-  for (const auto f : faces(mesh))
-    non_triangles += !is_triangle(halfedge(f, mesh), mesh);
-  if (non_triangles == 0)
-    return std::nullopt;
-  return "faces that are not triangles: " + std::to_string(non_triangles);
-}
-
-// CGAL's helper is asked only where no map is given: its assertion wants one without gaps.
-template <class FaceGraph, class NamedParameters>
-auto vertex_index_map_of_mesh(const FaceGraph& mesh, const NamedParameters& np)
-{
-  if constexpr (parameters::is_default_parameter<NamedParameters,
-                                                 internal_np::vertex_index_t>::value)
-    return get_initialized_vertex_index_map(mesh);
-  else
-    return parameters::get_parameter(np, internal_np::vertex_index);
-}
-
-} // namespace internal
-} // namespace Delaunay_from_surface_3
 
 /*!
 \ingroup PkgDelaunayFromSurface3Mesh
@@ -83,7 +47,7 @@ exact predicates.
 
 \param tr the triangulation into which the vertices are inserted
 \param mesh the surface
-\param traits order, subgraph, starting cells and insertion; `Surface_insertion_traits_3` if left
+\param traits order, subgraph and starting cells; `Surface_insertion_traits_3` if left
 out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below; any other does not compile
@@ -156,29 +120,10 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using Point = typename Delaunay_triangulation_3<Gt, Tds, Lp, Slds>::Point;
-
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                          get_const_property_map(vertex_point, mesh));
-  const auto sparse_map = vertex_index_map_of_mesh(mesh, np);
-
-  const std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> descriptors(
-      vertices(mesh).begin(), vertices(mesh).end());
-  const std::vector<std::size_t> dense =
-      dense_indices(descriptors, sparse_map, std::vector<std::size_t>().max_size());
-  const std::vector<Point> points = read_points<Point>(descriptors, point_map);
-  const auto name_of = [&](std::size_t i) { return descriptors[i]; };
-  const Insertion_input input{
-      points,
-      mesh,
-      Dense_index_map<std::decay_t<decltype(sparse_map)>>(sparse_map, dense),
-      irregularity_of_mesh(mesh),
-      name_of,
-      No_infos()};
-  return insert_surface<internal_np::vertex_point_t, internal_np::vertex_index_t>(
-      tr, input, with_concurrency<ConcurrencyTag>(tr, traits), np);
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  const Read_mesh<Triangulation, FaceGraph, CGAL_NP_CLASS> read(mesh, np);
+  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::vertex_point_t,
+                        internal_np::vertex_index_t>(tr, read.input(), traits, np);
 }
 
 /// \ingroup PkgDelaunayFromSurface3Mesh
@@ -189,7 +134,12 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
                                          const FaceGraph& mesh,
                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return insert_surface_vertices_3<ConcurrencyTag>(tr, mesh, Surface_insertion_traits_3(), np);
+  using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  const Read_mesh<Triangulation, FaceGraph, CGAL_NP_CLASS> read(mesh, np);
+  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::vertex_point_t,
+                        internal_np::vertex_index_t>(tr, read.input(), Surface_insertion_traits_3(),
+                                                     np);
 }
 
 } // namespace CGAL

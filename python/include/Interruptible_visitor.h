@@ -9,18 +9,14 @@
 
 #include <pybind11/pybind11.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <string>
 
 namespace python {
 
 namespace py = pybind11;
 
-// Says at once, and then every 50 ms, that it is time. It is asked before each point, of which one
-// may take a microsecond and another a millisecond: the clock is looked at for each point once a
-// look came late, and otherwise for ever fewer, up to every 64th.
+// Says at once, and then every 50 ms, that it is time; it is asked every 256 points.
 class Alarm_clock
 {
   using Clock = std::chrono::steady_clock;
@@ -28,13 +24,7 @@ class Alarm_clock
 public:
   bool is_time()
   {
-    if (--m_calls_before_look > 0)
-      return false;
     const Clock::time_point now = Clock::now();
-    const bool is_late = now - m_last_look > std::chrono::milliseconds(1);
-    m_calls_between_looks = is_late ? 1 : (std::min)(2 * m_calls_between_looks, 64);
-    m_calls_before_look = m_calls_between_looks;
-    m_last_look = now;
     if (m_has_rung && now - m_last_ring < std::chrono::milliseconds(50))
       return false;
     m_has_rung = true;
@@ -43,9 +33,8 @@ public:
   }
 
 private:
-  int m_calls_before_look = 1, m_calls_between_looks = 1;
   bool m_has_rung = false;
-  Clock::time_point m_last_look, m_last_ring;
+  Clock::time_point m_last_ring;
 };
 
 // Takes the interpreter lock now and then, for signals and for the user's function. What that
@@ -59,17 +48,16 @@ public:
   {
   }
 
-  void order_is_replaced(const std::string&) { m_asked = 0; }
+  using CGAL::Default_surface_insertion_visitor_3::go_further;
 
-  bool go_further()
+  bool go_further(std::size_t inserted)
   {
-    ++m_asked;
     if (!m_clock.is_time())
       return true;
     const py::gil_scoped_acquire lock;
     if (PyErr_CheckSignals() != 0)
       throw py::error_already_set();
-    return m_progress.is_none() || is_content(double(m_asked - 1));
+    return m_progress.is_none() || is_content(double(inserted));
   }
 
   // Whether the user's function has stopped the work.
@@ -89,7 +77,7 @@ private:
     return !m_is_stopped;
   }
 
-  std::size_t m_number_of_points, m_asked = 0;
+  std::size_t m_number_of_points;
   const py::object& m_progress;
   Alarm_clock m_clock;
   bool m_is_stopped = false;

@@ -4,6 +4,7 @@
 
 // The traits of the package, and mixtures that a user may make.
 
+#include "core_traits.h"
 #include "check_insertion.h"
 #include "insertion_ways.h"
 
@@ -11,7 +12,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
@@ -68,27 +68,22 @@ private:
   unsigned int m_seed;
 };
 
-// Enough for 2^6 cells, so that wider ids take over on the way.
-template <class Tr>
-using With_8_bits = Compact_delaunay_with_ids_3<Tr, std::uint8_t>;
-template <class Tr>
-using With_64_bits = Compact_delaunay_with_ids_3<Tr, std::uint64_t>;
+template <class Plan, template <class, class> class Hints>
+using Core = Surface_insertion_policies_3<Full_graph, Plan, Hints>;
 
-template <class Subgraph, class Plan, template <class, class> class Hints>
-using Compact = Surface_insertion_policies_3<Subgraph, Plan, Hints, Compact_delaunay_3>;
-
-using Random_compact = Compact<Full_graph, Random_plan, Planned_hints_3>;
-using Geometric_compact = Compact<Full_graph, Geometric_rounds, Planned_hints_3>;
-using Traced_compact = Compact<Spanning_forest, Log_star_rounds, Traced_hints_3>;
-using Neighbor_compact = Compact<Full_graph, Spatial_sort_order, Neighbor_hints_3>;
-using Started_compact = Compact<Full_graph, Neighbor_started_rounds<Random_plan>, Planned_hints_3>;
-using Random_with_8_bits =
-    Surface_insertion_policies_3<Full_graph, Random_plan, Previous_hint_3, With_8_bits>;
+using Random_core = Core<Random_plan, Planned_hints_3>;
+using Geometric_core = Core<Geometric_rounds, Planned_hints_3>;
+using Started_core = Core<Neighbor_started_rounds<Random_plan>, Planned_hints_3>;
+using Spatial_core = Core<Spatial_sort_order, Previous_hint_3>;
+// Enough for 2^6 cells, so that CGAL's insertion takes over on the way.
+using Random_with_8_bits = tests::Traits_with_ids<std::uint8_t, Random_plan, Previous_hint_3>;
 using Hilbert_with_64_bits =
-    Surface_insertion_policies_3<Full_graph, Hilbert_sorted_rounds<Log_star_rounds>,
-                                 Previous_hint_3, With_64_bits>;
+    tests::Traits_with_ids<std::uint64_t, Hilbert_sorted_rounds<Log_star_rounds>, Previous_hint_3>;
 using Nets_through_cgal =
     Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Neighbor_hints_3>;
+using Planned_through_cgal = tests::Round_the_core<Random_core>;
+using Traced_random =
+    Surface_insertion_policies_3<Spanning_forest, Log_star_rounds, Traced_hints_3>;
 
 using Tr = Delaunay_triangulation_3<Exact_predicates_inexact_constructions_kernel>;
 
@@ -103,11 +98,12 @@ std::vector<Insertion_way> ways_by_traits()
           {"tracing, mesh", check_insertion<Tr, Tracing_traits_3, As_mesh>},
           {"history, mesh", check_insertion<Tr, History_tracing_traits_3, As_mesh>},
           {"plain order, soup", check_insertion<Tr, Plain_insertion_traits_3, As_soup>},
-          {"random plan, compact", check_insertion<Tr, Random_compact, As_soup>},
-          {"geometric rounds, compact", check_insertion<Tr, Geometric_compact, As_graph>},
-          {"traces, compact", check_insertion<Tr, Traced_compact, As_soup>},
-          {"neighbours, compact", check_insertion<Tr, Neighbor_compact, As_graph>},
-          {"started random plan, compact", check_insertion<Tr, Started_compact, As_graph>},
+          {"random plan, core", check_insertion<Tr, Random_core, As_soup>},
+          {"geometric rounds, core", check_insertion<Tr, Geometric_core, As_graph>},
+          {"started random plan, core", check_insertion<Tr, Started_core, As_graph>},
+          {"spatial order, core", check_insertion<Tr, Spatial_core, As_soup>},
+          {"random plan through CGAL", check_insertion<Tr, Planned_through_cgal, As_graph>},
+          {"traces of a forest", check_insertion<Tr, Traced_random, As_soup>},
           {"random plan, 8 bits", check_insertion<Tr, Random_with_8_bits, As_soup>},
           {"Hilbert rounds, 64 bits", check_insertion<Tr, Hilbert_with_64_bits, As_graph>},
           {"nets through CGAL", check_insertion<Tr, Nets_through_cgal, As_soup>}};

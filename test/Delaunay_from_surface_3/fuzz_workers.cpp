@@ -87,11 +87,12 @@ class Workers : public Subject
       tests::Parallel_outcome outcome;
       const auto insert_and_cancel = [&](const auto& cancel) {
         std::size_t asked = 0;
-        outcome = tests::insert_by_many(points, tests::DFS::internal::Tbb_executor(), c.rules, [&] {
-          if (asked++ == c.cancelled_at)
-            cancel();
-          return true;
-        });
+        outcome = tests::insert_by_many(points, tests::DFS::internal::Tbb_executor(), c.rules,
+                                        [&](std::size_t) {
+                                          if (asked++ == c.cancelled_at)
+                                            cancel();
+                                          return true;
+                                        });
       };
       if (c.runner == Runner::TASKS)
         insert_and_cancel([]{});

@@ -7,9 +7,9 @@
 #define BOOST_TEST_MODULE test_accept
 #include <boost/test/included/unit_test.hpp>
 
+#include "core_traits.h"
 #include "input.h"
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
@@ -137,8 +137,9 @@ public:
     return plan;
   }
 };
-template <template <class, class> class Hints, template <class> class Target>
-using In_order = CGAL::Surface_insertion_policies_3<DFS::Full_graph, Input_order, Hints, Target>;
+template <template <class, class> class Hints>
+using In_order = CGAL::Surface_insertion_policies_3<DFS::Full_graph, Input_order, Hints>;
+using Round_the_core = tests::Round_the_core<In_order<DFS::Planned_hints_3>>;
 
 // Gives way to another after its first insertions.
 struct Dear_order : Input_order
@@ -166,7 +167,7 @@ void check(const Points& points, const Rule& rule, const Insert& insert,
   BOOST_TEST((visitor.threads == 1 || points.empty()));
 }
 
-// By all hints and both targets, and the order of the input.
+// By all hints, in the core and by CGAL's insertion, and the order of the input.
 template <class Rule>
 void check_everywhere(const Points& points, const Rule& rule,
                       const Triangulation& tr = Triangulation())
@@ -185,12 +186,12 @@ void check_everywhere(const Points& points, const Rule& rule,
         },
         tr);
   };
-  along(In_order<DFS::Previous_hint_3, DFS::Compact_delaunay_3>());
-  along(In_order<DFS::Planned_hints_3, DFS::Compact_delaunay_3>());
-  along(In_order<DFS::Traced_hints_3, DFS::Compact_delaunay_3>());
-  along(In_order<DFS::Neighbor_hints_3, DFS::Compact_delaunay_3>());
-  along(In_order<DFS::Planned_hints_3, DFS::Triangulation_target_3>());
-  along(In_order<DFS::Conflict_history_hints_3, DFS::Triangulation_target_3>());
+  along(In_order<DFS::Previous_hint_3>());
+  along(In_order<DFS::Planned_hints_3>());
+  along(In_order<DFS::Traced_hints_3>());
+  along(In_order<DFS::Neighbor_hints_3>());
+  along(Round_the_core());
+  along(In_order<DFS::Conflict_history_hints_3>());
   along(CGAL::Surface_insertion_traits_3());
   along(CGAL::Tracing_traits_3());
   along(CGAL::History_tracing_traits_3());
@@ -265,9 +266,9 @@ BOOST_AUTO_TEST_CASE(equals_a_loop_over_cgal)
             parameters::visitor(Thinning_visitor(points, {distance})));
         BOOST_TEST((tr == expected));
       };
-      insert(In_order<DFS::Previous_hint_3, DFS::Compact_delaunay_3>());
-      insert(In_order<DFS::Planned_hints_3, DFS::Compact_delaunay_3>());
-      insert(In_order<DFS::Planned_hints_3, DFS::Triangulation_target_3>());
+      insert(In_order<DFS::Previous_hint_3>());
+      insert(In_order<DFS::Planned_hints_3>());
+      insert(Round_the_core());
     }
   }
 }
@@ -353,8 +354,7 @@ BOOST_AUTO_TEST_CASE(first_points_in_one_plane)
       Triangulation tr;
       Index_map map;
       CGAL::insert_points_along_graph_3(
-          tr, points, Graph(points.size()),
-          In_order<DFS::Planned_hints_3, DFS::Compact_delaunay_3>(),
+          tr, points, Graph(points.size()), In_order<DFS::Planned_hints_3>(),
           parameters::visitor(std::ref(visitor))
               .vertex_to_vertex_output_iterator(std::back_inserter(map)));
       visitor.check(tr, map);
@@ -487,8 +487,8 @@ BOOST_AUTO_TEST_CASE(stops_and_exceptions)
 // The work begins anew, and so do the questions.
 BOOST_AUTO_TEST_CASE(order_that_is_too_dear)
 {
-  using Traits = CGAL::Surface_insertion_policies_3<DFS::Full_graph, Dear_order,
-                                                    DFS::Planned_hints_3, DFS::Compact_delaunay_3>;
+  using Traits =
+      CGAL::Surface_insertion_policies_3<DFS::Full_graph, Dear_order, DFS::Planned_hints_3>;
   struct Beginning : Checking_visitor<Far>
   {
     using Checking_visitor::Checking_visitor;

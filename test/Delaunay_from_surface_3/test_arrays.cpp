@@ -75,14 +75,32 @@ std::vector<Point> grid(int x, int y, int z)
 namespace DFS = CGAL::Delaunay_from_surface_3;
 
 // The nets with a budget that nothing keeps.
-struct Starved_nets : DFS::Surface_net_rounds
+template <class Edges>
+class Starved_nets final : public DFS::internal::Order_source
 {
-  static constexpr std::size_t cells_per_point = 1;
-  using DFS::Surface_net_rounds::Surface_net_rounds;
-};
+public:
+  Starved_nets(const DFS::internal::Point_array& points, const Edges& edges)
+    : m_orders(points, DFS::internal::Order_request(), edges)
+  {
+  }
+  DFS::Insertion_order make(const DFS::internal::Executor& executor) override
+  {
+    return m_orders.make(executor);
+  }
+  DFS::internal::Insertion_budget budget() const override
+  {
+    return m_is_first ? DFS::internal::Insertion_budget(1) : m_orders.budget();
+  }
+  bool go_on() override
+  {
+    m_is_first = false;
+    return m_orders.go_on();
+  }
 
-using Starved_traits =
-    CGAL::Surface_insertion_policies_3<DFS::Full_graph, Starved_nets, DFS::Planned_hints_3>;
+private:
+  DFS::internal::Order_of_core<Edges> m_orders;
+  bool m_is_first = true;
+};
 
 } // namespace
 
@@ -92,15 +110,15 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
   for (const std::size_t n : {250, 2000}) {
     const auto surface = surfaces::sphere(n, 0.05);
     Reasons_visitor visitor;
-    const auto make_order = [&](const auto& points, const auto& plan, const auto&) {
-      const auto soup = DFS::internal::soup_graph(surface.faces, points.size());
-      return plan(points, tests::arrays::Kernel(), soup.graph,
-                  get(boost::vertex_index, soup.graph));
-    };
-    check_arrays(
-        DFS::internal::arrays_of_points<Starved_traits, CGAL::Sequential_tag, std::int32_t>(
-            surface.points, make_order, CGAL::parameters::visitor(std::ref(visitor))),
-        surface.points);
+    const auto coordinates = DFS::internal::rounded_coordinates(surface.points);
+    const DFS::internal::Point_array points(coordinates.data(), surface.points.size());
+    Starved_nets orders(points, [&] {
+      return DFS::internal::soup_graph(surface.faces, points.size()).graph.take_lists();
+    });
+    check_arrays(DFS::internal::insert_into_arrays<std::int32_t>(
+                     points, orders, std::nullopt, DFS::internal::Alone(),
+                     CGAL::parameters::visitor(std::ref(visitor))),
+                 surface.points);
     BOOST_TEST(visitor.orders_replaced == (n > 1000 ? 1u : 0u));
   }
 }
@@ -273,11 +291,14 @@ BOOST_AUTO_TEST_CASE(refusals_and_stops)
   std::vector<Point> points = grid(4, 4, 4);
   BOOST_CHECK_THROW(delaunay_3_arrays(points, Faces{{0, 1, 64}}), CGAL::Surface_input_error);
   BOOST_CHECK_THROW(delaunay_3_arrays(points, Faces{{0, 1, -1}}), CGAL::Surface_input_error);
-  Reasons_visitor visitor;
-  visitor.stop_before = 30;
-  const auto arrays = delaunay_3_arrays(points, CGAL::parameters::visitor(std::ref(visitor)));
-  BOOST_TEST(arrays.dimension() == -1);
-  BOOST_TEST(arrays.number_of_cells() == 0u);
+  for (const std::size_t stop_before : {0, 1}) { // the rounds: 8 points, and 56
+    Reasons_visitor visitor;
+    visitor.stop_before = stop_before;
+    const auto arrays = delaunay_3_arrays(points, CGAL::parameters::visitor(std::ref(visitor)));
+    BOOST_TEST(visitor.asked == stop_before + 1);
+    BOOST_TEST(arrays.dimension() == -1);
+    BOOST_TEST(arrays.number_of_cells() == 0u);
+  }
   Reasons_visitor irregular;
   check_arrays(delaunay_3_arrays(points, std::vector<std::vector<int>>{{0, 1, 2, 3}},
                                  CGAL::parameters::visitor(std::ref(irregular))),

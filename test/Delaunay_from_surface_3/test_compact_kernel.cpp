@@ -2,12 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Compact_delaunay_3: equal to CGAL's own insertion on every input, whatever order and hints it is
+// The core: equal to CGAL's own insertion on every input, whatever order and hints it is
 // given; and what it does where it cannot serve.
 
 #define BOOST_TEST_MODULE test_compact_kernel
 #include <boost/test/included/unit_test.hpp>
 
+#include "core_traits.h"
 #include "differential.h"
 #include "points_and_graphs.h"
 
@@ -17,7 +18,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
@@ -46,13 +46,6 @@ using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
 using tests::Graph;
 using tests::random_points;
 
-template <class Tr>
-using Compact_with_16_bits = DFS::Compact_delaunay_with_ids_3<Tr, std::uint16_t>;
-
-// Ids of another size than 32 bits are served by scalar code.
-template <class Tr>
-using Compact_with_64_bits = DFS::Compact_delaunay_with_ids_3<Tr, std::uint64_t>;
-
 // In the order of the points.
 struct As_given
 {
@@ -68,10 +61,6 @@ struct As_given
   }
 };
 
-template <class Plan, template <class> class Target>
-using Traits =
-    CGAL::Surface_insertion_policies_3<DFS::Full_graph, Plan, DFS::Planned_hints_3, Target>;
-
 struct Fallback_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   std::string reason;
@@ -81,13 +70,12 @@ struct Fallback_visitor : CGAL::Default_surface_insertion_visitor_3
 namespace {
 
 // Inserts the points with the compact kernel, which must serve, and compares.
-template <class Tr = Triangulation, class Plan = As_given,
-          template <class> class Target = DFS::Compact_delaunay_3>
+template <class Tr = Triangulation, class Plan = As_given, class Id = std::uint32_t>
 void check_equal(const std::vector<Point>& points, const Graph& graph)
 {
   Fallback_visitor visitor;
   Tr tr;
-  CGAL::insert_points_along_graph_3(tr, points, graph, Traits<Plan, Target>(),
+  CGAL::insert_points_along_graph_3(tr, points, graph, tests::Traits_with_ids<Id, Plan>(),
                                     CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.reason == "");
   BOOST_TEST(tr.is_valid());
@@ -98,8 +86,8 @@ void check_equal(const std::vector<Point>& points)
 {
   check_equal<Triangulation>(points, Graph(points.size()));
   check_equal<Triangulation, DFS::Spatial_sort_order>(points, Graph(points.size()));
-  check_equal<Triangulation, DFS::Spatial_sort_order, Compact_with_64_bits>(points,
-                                                                            Graph(points.size()));
+  // Ids of another size than 32 bits are served by scalar code.
+  check_equal<Triangulation, DFS::Spatial_sort_order, std::uint64_t>(points, Graph(points.size()));
 }
 
 template <class Tr, class T>
@@ -224,12 +212,12 @@ BOOST_AUTO_TEST_CASE(more_cells_than_ids)
   const std::vector<Point> few = random_points(1000), many = random_points(4000);
   Triangulation tr;
   CGAL::insert_points_along_graph_3(tr, few, Graph(few.size()),
-                                    Traits<DFS::Geometric_rounds, Compact_with_16_bits>());
+                                    tests::Traits_with_ids<std::uint16_t, DFS::Geometric_rounds>());
   BOOST_TEST((tr == Triangulation(few.begin(), few.end())));
   Fallback_visitor visitor;
   Triangulation wider;
   CGAL::insert_points_along_graph_3(wider, many, Graph(many.size()),
-                                    Traits<DFS::Geometric_rounds, Compact_with_16_bits>(),
+                                    tests::Traits_with_ids<std::uint16_t, DFS::Geometric_rounds>(),
                                     CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.reason == "ids of 16 bits are too few for its cells");
   BOOST_TEST((wider == Triangulation(many.begin(), many.end())));
@@ -238,7 +226,7 @@ BOOST_AUTO_TEST_CASE(more_cells_than_ids)
   const std::vector<Point> most = random_points(40000);
   Triangulation widest;
   CGAL::insert_points_along_graph_3(widest, most, Graph(most.size()),
-                                    Traits<DFS::Geometric_rounds, Compact_with_16_bits>());
+                                    tests::Traits_with_ids<std::uint16_t, DFS::Geometric_rounds>());
   BOOST_TEST((widest == Triangulation(most.begin(), most.end())));
 }
 
@@ -252,7 +240,7 @@ BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
     Complex complex(points.size(), [&](std::size_t i) { return points[i]; });
     complex.start({1, 2, 3, 4});
     DFS::internal::Compact_triangulation<std::uint32_t> triangulation(complex);
-    triangulation.insert(5, triangulation.locate(5, 0).cell, [](const auto*, const auto*) {});
+    triangulation.insert(5, triangulation.locate(5, 0).cell);
     spoil(complex);
     return DFS::internal::is_delaunay(complex);
   };
@@ -281,9 +269,10 @@ BOOST_AUTO_TEST_CASE(labels_start_again_when_ids_run_out)
   for (unsigned int seed = 0; seed < 3; ++seed) {
     const std::vector<Point> points = surfaces::sphere(2000, 0.05).points;
     Triangulation tr;
-    CGAL::insert_points_along_graph_3(tr, points, Graph(points.size()),
-                                      Traits<DFS::Geometric_rounds, Compact_with_16_bits>(),
-                                      CGAL::parameters::random_seed(seed));
+    CGAL::insert_points_along_graph_3(
+        tr, points, Graph(points.size()),
+        tests::Traits_with_ids<std::uint16_t, DFS::Geometric_rounds>(),
+        CGAL::parameters::random_seed(seed));
     BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
   }
 }
@@ -332,8 +321,7 @@ struct Nothing_replaced : Kernel
 };
 
 template <class Gt>
-constexpr bool
-    is_served = DFS::Compact_delaunay_3<CGAL::Delaunay_triangulation_3<Gt>>::serves_geom_traits();
+constexpr bool is_served = DFS::internal::serves_geom_traits<CGAL::Delaunay_triangulation_3<Gt>>();
 
 BOOST_AUTO_TEST_CASE(traits_with_predicates_of_their_own_are_not_served)
 {

@@ -11,7 +11,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
@@ -162,8 +161,7 @@ struct Counted_rounds : DFS::Geometric_rounds
 };
 
 using Counted_traits =
-    CGAL::Surface_insertion_policies_3<DFS::Full_graph, Counted_rounds, DFS::Planned_hints_3,
-                                       DFS::Compact_delaunay_3>;
+    CGAL::Surface_insertion_policies_3<DFS::Full_graph, Counted_rounds, DFS::Planned_hints_3>;
 
 static std::size_t orders_made(const std::vector<Point>& points)
 {

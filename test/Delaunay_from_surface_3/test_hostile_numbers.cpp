@@ -9,9 +9,9 @@
 #define BOOST_TEST_MODULE test_hostile_numbers
 #include <boost/test/included/unit_test.hpp>
 
+#include "core_traits.h"
 #include "check_insertion.h"
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
@@ -32,13 +32,7 @@ using Triangulation =
 namespace parts = CGAL::Delaunay_from_surface_3;
 
 template <class Id>
-struct Traits_with_bits
-  : CGAL::Surface_insertion_policies_3<parts::Full_graph, parts::Geometric_rounds,
-                                       parts::Planned_hints_3>
-{
-  template <class Tr>
-  using Insertion_target_3 = parts::Compact_delaunay_with_ids_3<Tr, Id>;
-};
+using Traits_with_bits = tests::Traits_with_ids<Id, parts::Geometric_rounds>;
 
 namespace {
 

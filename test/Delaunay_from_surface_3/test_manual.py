@@ -200,9 +200,9 @@ class Standalone(unittest.TestCase):
             self.assertNotRegex(text, r'namespaceCGAL\.html" title="[^"]*">CGAL</a>', path.name)
 
     def test_members_in_the_order_of_the_source(self):
-        text = self.page("classInsertionTarget__3.html")
+        text = self.page("classSurfaceInsertionTraits__3.html")
         places = [text.index(f'<h2 class="groupheader">{name}</h2>')
-                  for name in ("Types", "Creation", "Access", "Location", "Insertion")]
+                  for name in ("Types", "Way", "Operations")]
         self.assertEqual(places, sorted(places))
 
     def test_every_page_is_linked(self):

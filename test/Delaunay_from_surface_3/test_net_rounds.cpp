@@ -14,7 +14,8 @@
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/rounded_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
@@ -99,23 +100,26 @@ struct Destroyed
 // Cells destroyed per insertion.
 Destroyed destroyed(const std::vector<Point>& all, const DFS::Insertion_order& plan)
 {
-  const std::vector<Point> points =
-      CGAL::Delaunay_from_surface_3::internal::permuted(all, plan.order);
-  Triangulation tr;
-  DFS::Compact_delaunay_3<Triangulation> target(tr, points);
-  DFS::Null_update_observer observer;
+  namespace core = DFS::internal;
+  const auto coordinates = core::rounded_coordinates(all);
+  core::Watcher nobody;
+  DFS::Insertion_order order = plan;
+  order.starting_places.clear();
+  core::Ordered_complex<std::uint32_t> complex(core::Point_array(coordinates.data(), all.size()),
+                                               std::move(order), nullptr, nobody);
+  core::Insert_alone<std::uint32_t> insert(complex, core::Alone(), nobody);
   Destroyed result;
-  std::size_t i = 0, before = 0;
+  std::size_t first = 0, before = 0;
   for (const std::size_t end : plan.round_ends) {
-    const double size = double(end - i);
-    for (; i < end; ++i)
-      target.insert(i, target.locate(i, target.cell(target.vertex(i == 0 ? 0 : i - 1))), observer);
-    const std::size_t now = target.counts().cells_destroyed;
+    insert(first, end);
+    const std::size_t now = insert.counts().cells_destroyed;
     result.by_round +=
-        " " + std::to_string(int(double(now - before) / size * 10) / 10.).substr(0, 4);
+        " " +
+        std::to_string(int(double(now - before) / double(end - first) * 10) / 10.).substr(0, 4);
     before = now;
+    first = end;
   }
-  result.in_all = double(before) / double(points.size());
+  result.in_all = double(before) / double(all.size());
   return result;
 }
 

@@ -10,12 +10,12 @@
 #define BOOST_TEST_MODULE test_order_costs
 #include <boost/test/included/unit_test.hpp>
 
+#include "build_in_order.h"
 #include "order_cases.h"
 
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
@@ -43,7 +43,6 @@ using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
 namespace {
 
 using DFS::internal::Index_graph;
-using Target = DFS::Compact_delaunay_3<Triangulation>;
 
 // Of one point on average.
 struct Cost
@@ -51,24 +50,37 @@ struct Cost
   double destroyed, tested_to_start;
 };
 
-template <template <class, class> class Hints>
-Cost cost(const std::vector<Point>& points, const Index_graph& graph,
-          const DFS::Insertion_order& plan)
+// Each point from where the order says, or from the one before it.
+Cost cost(const std::vector<Point>& points, const DFS::Insertion_order& order)
 {
-  const std::vector<Point> s = DFS::internal::permuted(points, plan.order);
-  const std::vector<std::size_t> numbers = DFS::internal::inverse(plan.order);
-  Index_graph subgraph;
-  if (Hints<Target, Index_graph>::uses_subgraph)
-    subgraph = DFS::internal::index_graph(DFS::Full_graph(), graph, get(boost::vertex_index, graph),
-                                          numbers);
-  Triangulation tr;
-  Target target(tr, s);
-  Hints<Target, Index_graph> hints(target, subgraph, plan);
-  for (std::size_t i = 0; i < s.size(); ++i)
-    target.insert(i, target.locate(i, hints.start(i)), hints);
-  const double n = double(s.size());
-  return {double(target.counts().cells_destroyed) / n,
-          double(target.counts().cells_tested_to_start) / n};
+  const auto built = tests::build_in_order(points, order);
+  const double n = double(points.size());
+  return {double(built.counts.cells_destroyed) / n, double(built.counts.cells_tested_to_start) / n};
+}
+
+// The order, with each point from the nearest of its neighbours that comes before it.
+DFS::Insertion_order from_nearest_neighbors(const std::vector<Point>& points,
+                                            const Index_graph& graph, DFS::Insertion_order order)
+{
+  const std::vector<std::size_t> places = DFS::internal::inverse(order.order);
+  std::vector<std::size_t>& start = order.starting_places;
+  start.assign(points.size(), points.size());
+  const auto offer = [&](std::size_t k, std::size_t place) {
+    const Point& p = points[order.order[k]];
+    if (place < k && (start[k] == points.size() ||
+                      CGAL::has_larger_distance_to_point(p, points[order.order[start[k]]],
+                                                         points[order.order[place]])))
+      start[k] = place;
+  };
+  for (auto [e, end] = edges(graph); e != end; ++e) {
+    const std::size_t s = places[source(*e, graph)], t = places[target(*e, graph)];
+    offer(s, t);
+    offer(t, s);
+  }
+  for (std::size_t k = 0; k < start.size(); ++k)
+    if (start[k] == points.size())
+      start[k] = k == 0 ? 0 : k - 1;
+  return order;
 }
 
 template <class Plan>
@@ -97,10 +109,9 @@ void check(const std::vector<tests::Order_case>& cases)
       const std::vector<Point>& points = surface.points;
       const Index_graph graph = graph_of(surface);
       const auto nets = plan_of<DFS::Surface_net_rounds>(points, graph);
-      const Cost plain = cost<DFS::Previous_hint_3>(
-          points, graph, plan_of<DFS::Spatial_sort_order>(points, graph));
-      const Cost planned = cost<DFS::Planned_hints_3>(points, graph, nets);
-      const Cost neighbor = cost<DFS::Neighbor_hints_3>(points, graph, nets);
+      const Cost plain = cost(points, plan_of<DFS::Spatial_sort_order>(points, graph));
+      const Cost planned = cost(points, nets);
+      const Cost neighbor = cost(points, from_nearest_neighbors(points, graph, nets));
       BOOST_TEST_MESSAGE(a_case.name << ": cells destroyed per point: nets " << planned.destroyed
                                      << ", plain CGAL's order " << plain.destroyed
                                      << "; tested to start: planned " << planned.tested_to_start
@@ -134,10 +145,8 @@ BOOST_AUTO_TEST_CASE(walks_on_a_smooth_torus)
 {
   const surfaces::Indexed_surface surface = surfaces::winding_torus(46368);
   const Index_graph graph = graph_of(surface);
-  const Cost nets = cost<DFS::Planned_hints_3>(
-      surface.points, graph, plan_of<DFS::Surface_net_rounds>(surface.points, graph));
-  const Cost rounds = cost<DFS::Previous_hint_3>(
-      surface.points, graph, plan_of<DFS::Geometric_rounds>(surface.points, graph));
+  const Cost nets = cost(surface.points, plan_of<DFS::Surface_net_rounds>(surface.points, graph));
+  const Cost rounds = cost(surface.points, plan_of<DFS::Geometric_rounds>(surface.points, graph));
   BOOST_TEST_MESSAGE("tested to start: nets " << nets.tested_to_start << ", random rounds "
                                               << rounds.tested_to_start);
   BOOST_TEST(nets.tested_to_start < 6.);
@@ -155,8 +164,7 @@ BOOST_AUTO_TEST_CASE(walks_of_points_in_thin_boxes)
         points.emplace_back(x, y, random.uniform(0, a));
       }
       const Index_graph no_graph(points.size());
-      const Cost rounds = cost<DFS::Previous_hint_3>(
-          points, no_graph, plan_of<DFS::Geometric_rounds>(points, no_graph));
+      const Cost rounds = cost(points, plan_of<DFS::Geometric_rounds>(points, no_graph));
       BOOST_TEST_MESSAGE((is_flat ? "slab 1 : 1 : " : "box 1 : a : a, a = ")
                          << a << ": tested to start " << rounds.tested_to_start);
       BOOST_TEST(rounds.tested_to_start < 4.);

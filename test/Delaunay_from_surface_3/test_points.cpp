@@ -302,7 +302,7 @@ BOOST_AUTO_TEST_CASE(order_of_the_input_that_cannot_be_had)
         [&](Triangulation& tr) { CGAL::insert_points_3(tr, flat, np); });
   check(cube_of_points(), "the triangulation is not empty",
         [&](Triangulation& tr) { CGAL::insert_points_3(tr, torus().points, np); });
-  check(Triangulation(), "that needs the compact triangulation, which the traits do not name",
+  check(Triangulation(), "that needs traits that go through the core",
         [&](Triangulation& tr) {
           CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces,
                                         CGAL::Plain_insertion_traits_3(), np);

@@ -53,12 +53,18 @@ void check_stop_in_other_triangulation(std::size_t stop_before)
 template <class Traits>
 void check_stops()
 {
-  const std::size_t n = torus().points.size();
-  for (const std::size_t stop_before :
-       {std::size_t(0), std::size_t(1), std::size_t(3), n / 2, n - 1}) {
-    check_stop_in_empty_triangulation<Traits>(stop_before);
-    check_stop_in_other_triangulation<Traits>(stop_before);
+  Triangulation whole;
+  const std::size_t asked = watch<Traits>(whole).asked, n = torus().points.size();
+  if (Traits::through_core) { // once in each round, and in each of more than 256 points again
+    BOOST_TEST(asked >= n / 256);
+    BOOST_TEST(asked < n / 256 + 12);
+  } else {
+    BOOST_TEST(asked == n);
   }
+  for (const std::size_t stop_before : {std::size_t(0), std::size_t(1), asked / 2, asked - 1})
+    check_stop_in_empty_triangulation<Traits>(stop_before);
+  for (const std::size_t stop_before : {std::size_t(0), std::size_t(3), n / 2, n - 1})
+    check_stop_in_other_triangulation<Traits>(stop_before);
 }
 
 // Not derived from the default visitor.
@@ -67,6 +73,8 @@ struct Logging
   std::string log;
   void surface_is_irregular(const std::string&) { log += "irregular "; }
   void subgraph_is_replaced(const std::string&) { log += "replaced "; }
+  void target_is_replaced(const std::string&) { log += "by CGAL "; }
+  void order_is_replaced(const std::string&) { log += "anew "; }
   void insertion_begins(std::size_t) {}
   void phase_begins(CGAL::Surface_insertion_phase phase) { log += "PSLUTFD"[int(phase)]; }
   void round_begins(std::size_t h, std::size_t n)

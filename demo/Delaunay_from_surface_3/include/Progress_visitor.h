@@ -37,7 +37,7 @@ public:
   void order_is_replaced(const std::string& reason)
   {
     m_messages.note("another order of the points is tried: " + reason);
-    m_inserted = 0;
+    m_next_shown = 0;
     m_order_is_replaced = true;
   }
 
@@ -58,17 +58,20 @@ public:
       m_messages.step("inserting");
   }
 
-  bool go_further()
+  // The core says how many are inserted; CGAL's insertion asks before each.
+  bool go_further(std::size_t inserted)
   {
-    if (m_inserted++ % 4096 == 0)
-      m_messages.show("inserting: " + std::to_string(100 * (m_inserted - 1) / m_number_of_points) +
-                      " %");
+    if (inserted >= m_next_shown) {
+      m_messages.show("inserting: " + std::to_string(100 * inserted / m_number_of_points) + " %");
+      m_next_shown = inserted + 4096;
+    }
     return true;
   }
+  bool go_further() { return go_further(m_asked++); }
 
 private:
   Messages& m_messages;
-  std::size_t m_number_of_points, m_inserted = 0;
+  std::size_t m_number_of_points, m_asked = 0, m_next_shown = 0;
   bool m_order_is_replaced = false;
 };
 

@@ -12,11 +12,14 @@ What is remembered must be vertices, not cells. While points are only inserted a
 a cell does with the next insertion near it, and its memory may then hold another cell. A policy
 that observes conflict zones may remember the history of the cells instead.
 
-A model is a class template with two parameters: `Target`, a model of `InsertionTarget_3`, and
-`Subgraph`, a model of `boost::AdjacencyGraph` whose vertices are the numbers of the points, of type
-`std::size_t`. It stands for T, the subgraph of the surface that a `SurfaceSubgraph` has chosen, and
-every edge of T can be followed in both directions. Points are numbered in the order of their
-insertion, as in the target.
+A model is a class template with two parameters: `Target`, which is
+`CGAL::Delaunay_from_surface_3::Triangulation_target_3<Triangulation>`, and `Subgraph`, a model of
+`boost::AdjacencyGraph` whose vertices are the numbers of the points, of type `std::size_t`. It stands
+for T, the subgraph of the surface that a `SurfaceSubgraph` has chosen, and every edge of T can be
+followed in both directions. Points are numbered in the order of their insertion, as in the target.
+
+With `Planned_hints_3` and `Previous_hint_3` the points can go through the core
+(`SurfaceInsertionTraits_3::through_core`), which starts them in the same way.
 
 \cgalRefines{UpdateObserver_3}
 
@@ -41,19 +44,10 @@ public:
   static constexpr bool uses_subgraph = unspecified_value;
 
   /*!
-  may be left out, which is `false`. If it is `true`, several threads may insert, each with a copy of
-  the hints: it asks that copy for starts, and tells it of its own insertions only. The copy may
-  call `vertex()` and `cell()` of the target meanwhile. If it is `false`, a single thread inserts,
-  whatever the concurrency tag says.
-  */
-  static constexpr bool is_concurrent = unspecified_value;
-
-  /*!
   makes the hints for one insertion. All three objects outlive this one, so references to them may
   be kept.
 
-  \param target what the points are inserted into. None of its rounds has begun, but a few points may
-  be vertices already: `Compact_delaunay_3` begins with four of them.
+  \param target what the points are inserted into. No round has begun.
   \param subgraph the graph T on the numbers 0, …, `target.size()`-1 if `uses_subgraph` is `true`,
   else an empty graph
   \param plan the plan that was made; point i of `target` is the one at place i of its order, so that
@@ -65,8 +59,7 @@ public:
   /*!
   returns the cell from which the location of point `i` starts (line 2b). It is called just before
   that, for `i` = 0, 1, and so on. Where a visitor leaves points out, points before `i` may have no
-  vertex. If several threads insert, each calls it for some of the points, for a point again if its
-  insertion gave way to that of another thread, and points before `i` may still have no vertex.
+  vertex.
 
   \return a cell that is alive now. `target.cell(v)` gives one for every vertex `v`, and for none.
   */

@@ -36,10 +36,7 @@ public:
   /*!
   returns the order of n points and the ends of the rounds.
 
-  \tparam Point the points of the triangulation. Where a kernel has other numbers than `double` but
-  all coordinates are doubles, they are handed over as points of
-  `CGAL::Exact_predicates_inexact_constructions_kernel`, if the target serves the kernel and the plan
-  can be called with them.
+  \tparam Point the points of the triangulation
   \tparam GeomTraits the geometric traits class of these points, a model of
   `DelaunayTriangulationTraits_3`
   \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, directed or not
@@ -67,8 +64,8 @@ public:
   /// A plan may have both of the following, or neither. They bound what an unlucky order can cost:
   /// when the insertions have destroyed more cells than the budget allows, or tested twice as many on
   /// their walks, those made so far are dropped and the work begins anew with `fallback_plan()`. It is
-  /// looked at between calls of `InsertionTarget_3::insert_round()`, while points are left. A target
-  /// that counts nothing, as `Triangulation_target_3`, never exceeds it.
+  /// looked at every 256 points, by threads more rarely, while points are left, and in the core alone:
+  /// %CGAL's insertion counts nothing.
   /// @{
 
   /// how many cells the insertions may destroy for each point inserted, on average; as many as for a

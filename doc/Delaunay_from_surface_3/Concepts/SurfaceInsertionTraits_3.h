@@ -2,11 +2,11 @@
 \ingroup PkgDelaunayFromSurface3Concepts
 \cgalConcept
 
-A `SurfaceInsertionTraits_3` binds a plan, a subgraph, a hint policy and a target together: all that
-the algorithm of the package leaves open. The functions of the package take an object of such a
+A `SurfaceInsertionTraits_3` binds a plan, a subgraph and a hint policy together: all that the
+algorithm of the package leaves open. The functions of the package take an object of such a
 class. None of its parts changes the triangulation that comes out.
 
-`CGAL::Surface_insertion_policies_3` makes a model of four parts.
+`CGAL::Surface_insertion_policies_3` makes a model of three parts.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Surface_insertion_traits_3}
@@ -29,15 +29,22 @@ public:
   /// a model of `InsertionPlan`.
   using Insertion_plan = unspecified_type;
 
-  /// a model of `InsertionHints_3` for every subgraph, and for these targets: that of the traits, those
-  /// that it names (`Wider_target`, and `Parallel_target` if the hints are concurrent), and
-  /// `CGAL::Delaunay_from_surface_3::Triangulation_target_3`, which takes its place.
+  /// a model of `InsertionHints_3`. It is not looked at if `through_core` is `true`.
   template <class Target, class Subgraph>
   using Insertion_hints_3 = unspecified_type;
 
-  /// a model of `InsertionTarget_3` for every `CGAL::Delaunay_triangulation_3`.
-  template <class Triangulation>
-  using Insertion_target_3 = unspecified_type;
+  /// @}
+
+  /// \name Way
+  /// @{
+
+  /*!
+  decides who inserts. If it is `true` the points go, in the order of the plan and from the starting
+  places that it names, through the core: into the compact triangulation, in which nothing is traced.
+  %CGAL's own insertion takes over where that cannot serve, and the visitor is told. If it is
+  `false`, %CGAL inserts, with T and traces.
+  */
+  static constexpr bool through_core = unspecified_value;
 
   /// @}
 

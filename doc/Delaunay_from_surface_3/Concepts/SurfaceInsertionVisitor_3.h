@@ -19,8 +19,8 @@ For points p, q, …, in two rounds, the calls come in this order:
 | `target_is_replaced(reason)` | only if it applies |
 | `insertion_begins(1)` | with the number of threads |
 | `round_begins(0, n_0)` | |
-| `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on for each point of the round |
-| `phase_begins(TRACE)`, `trace_ends(k)` | |
+| `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on for each point of the round; in the core `go_further()` for every 256th only |
+| `phase_begins(TRACE)`, `trace_ends(k)` | not in the core |
 | `round_begins(1, n_1)` | |
 | `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for q, and so on |
 | `insertion_ends(target, hints)`, `phase_begins(FINISH)` | left out after a stop |
@@ -30,8 +30,7 @@ A visitor with `accept()` is asked by it after `phase_begins(UPDATE)`; about the
 those accepted do not lie in one plane, already before `target_is_replaced(reason)`.
 
 If the order is too costly, `order_is_replaced(reason)` comes after an insertion, and all from
-`phase_begins(PLAN)` on comes again. `delaunay_3_arrays()` makes no T, and so has no phase `SUBGRAPH`;
-it reads faces in the phase `PLAN`, and calls `surface_is_irregular()` there.
+`phase_begins(PLAN)` on comes again.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_surface_insertion_visitor_3}
@@ -51,11 +50,10 @@ public:
   void surface_is_irregular(const std::string& reason);
 
   /*!
-  is called before the first round if the insertion target of the traits cannot serve. This is no
-  error: CGAL's own insertion takes its place, and the result is the same. It is called in the
-  middle of the work if a target has too few ids: the rounds then begin anew with its
-  `Wider_target`.
-  \param reason what stands against it: `InsertionTarget_3::obstacle()`
+  is called before the first round if the compact triangulation of the core cannot serve. This is no
+  error: %CGAL's own insertion takes its place, and the result is the same. It is called in the
+  middle of the work if there are more cells than numbers of 32 bits: the rounds then begin anew.
+  \param reason what stands against it, in words
   */
   void target_is_replaced(const std::string& reason);
 
@@ -82,7 +80,8 @@ public:
   */
   void insertion_begins(std::size_t number_of_threads);
 
-  /// is called when `phase` begins; the phase before it ends there.
+  /// is called when `phase` begins; the phase before it ends there. Where it is the default's, nobody
+  /// is told of points.
   void phase_begins(CGAL::Surface_insertion_phase phase);
 
   /*!
@@ -94,7 +93,7 @@ public:
   void round_begins(std::size_t round, std::size_t number_of_points);
 
   /*!
-  is called after the trace that ends a round; there is one after every round but the last.
+  is called after the trace that ends a round: every round but the last where %CGAL inserts.
 
   \param number_of_located_points what `InsertionHints_3::trace()` returned
   */
@@ -103,18 +102,27 @@ public:
   /*!
   is called after the last insertion, before the triangulation is handed over: here their counts can
   be had. Not after a stop.
-  \tparam Target a model of `InsertionTarget_3`
-  \tparam Hints a model of `InsertionHints_3`
+  \param target an object with a function `counts()` that returns
+  `CGAL::Delaunay_from_surface_3::Insertion_counts`; where %CGAL inserts, a
+  `CGAL::Delaunay_from_surface_3::Triangulation_target_3`, which counts nothing
+  \param hints a model of `InsertionHints_3`; where the core inserts, an object without functions
   */
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints& hints);
 
   /*!
-  is called before each insertion.
+  is called before each insertion of %CGAL's; in the core before every 256th, and at the beginning of
+  each round.
 
   \return `false` to stop the work here
   */
   bool go_further();
+
+  /*!
+  may be left out. In the core it is asked in place of the other, with the number of points inserted,
+  of several threads about so many.
+  */
+  bool go_further(std::size_t inserted);
 
   /*!
   is called before the insertion of a point: whether it may be inserted. This function can be left
@@ -125,9 +133,8 @@ public:
   an empty triangulation, nor where a vertex stands at the point already: that is then the point's
   vertex. What is left out depends on the order: on traits, seed, and the order of the input. So the
   insertions go one by one in a single thread, whatever the concurrency tag says, and
-  `insertion_begins()` tells 1. If the work begins anew (`order_is_replaced()`, or
-  `target_is_replaced()` for want of ids), so do the questions; but in the latter case, where the
-  order stays, the answers to the very first ones, asked before there is a target, stand.
+  `insertion_begins()` tells 1. In each order the question is asked once, whoever inserts: if another
+  order takes its place (`order_is_replaced()`), the questions begin anew.
 
   A point that is left out gets no vertex: it is not written to
   `vertex_to_vertex_output_iterator`, has no info to give, and stands in nobody's way. The
@@ -139,8 +146,7 @@ public:
   insertion anyway; a point that is left out costs it on top of its location. %CGAL's own insertion
   passes the stars on the way to the nearest vertex.
 
-  With `delaunay_3_arrays()`, and with a target without `InsertionTarget_3::insert_if()`, a visitor
-  that has this function does not compile.
+  With `delaunay_3_arrays()` a visitor that has this function does not compile.
 
   \param i the point: its index in the input; for a mesh, its place in `vertices(mesh)`
   \param nearest the index of the first point inserted at the nearest vertex; `std::size_t(-1)` if

@@ -2,8 +2,9 @@
 \ingroup PkgDelaunayFromSurface3Concepts
 \cgalConcept
 
-An `UpdateObserver_3` is told by an `InsertionTarget_3` what each insertion changes
-(\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2c). Points are known by their numbers in the target.
+An `UpdateObserver_3` is told by `CGAL::Delaunay_from_surface_3::Triangulation_target_3` what each
+insertion changes (\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2c). Points are known by their numbers in
+the target.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Null_update_observer}
@@ -23,10 +24,7 @@ public:
 
   /*!
   is called before point `i` is inserted, if `observes_conflict_zone` is `true` and the target knows
-  the conflict zone. `CGAL::Delaunay_from_surface_3::Triangulation_target_3` knows it in dimension
-  3, without `Fast_location`, for points that are not there already;
-  `CGAL::Delaunay_from_surface_3::Compact_delaunay_3` for all of these but the four points that it
-  begins with.
+  the conflict zone: in dimension 3, without `Fast_location`, for points that are not there already.
 
   \tparam CellIterator an input iterator with the value type `Cell` of the target
   \param i the number of the point
@@ -36,8 +34,7 @@ public:
   void before_update(std::size_t i, CellIterator first, CellIterator last);
 
   /*!
-  is called after point `i` was inserted, or left out in its turn. Of points that were left out before
-  the target was made, as `SurfaceInsertionVisitor_3` says, nothing is told.
+  is called after point `i` was inserted, or left out.
 
   \tparam Vertex the type `Vertex` of the target
   \param i the number of the point

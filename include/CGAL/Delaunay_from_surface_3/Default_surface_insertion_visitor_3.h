@@ -42,8 +42,8 @@ struct Default_surface_insertion_visitor_3
   /// is called before the first phase if the surface is not a manifold mesh of triangles.
   void surface_is_irregular(const std::string& /* reason */) {}
 
-  /// is called before the first round if the insertion target of the traits cannot serve and CGAL's
-  /// own insertion takes its place.
+  /// is called before the first round if the core cannot serve and CGAL's own insertion takes its
+  /// place.
   void target_is_replaced(const std::string& /* reason */) {}
 
   /// is called in the phase `SUBGRAPH` if the subgraph of the traits refuses the surface and a
@@ -55,8 +55,8 @@ struct Default_surface_insertion_visitor_3
   void order_is_replaced(const std::string& /* reason */) {}
 
   /// is called before the first round, with the number of threads that may insert. If it is more
-  /// than one the phases `LOCATION` and `UPDATE` are not told, and `go_further()` is asked before
-  /// the insertions of the calling thread only. All functions are called by that thread.
+  /// than one the phases `LOCATION` and `UPDATE` are not told. All functions are called by the thread
+  /// that called.
   void insertion_begins(std::size_t /* number_of_threads */) {}
 
   /// is called whenever another phase begins.
@@ -74,7 +74,8 @@ struct Default_surface_insertion_visitor_3
   {
   }
 
-  /// is called before each insertion; `false` stops the work.
+  /// is called every 256 points, by many threads at each portion of the one that called; by CGAL's own
+  /// insertion before each point. `false` stops the work.
   bool go_further() { return true; }
 };
 

@@ -30,7 +30,7 @@ enum Exact_stage {
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
 
-says what the insertions of an `InsertionTarget_3` did. It tells a good order from a bad one on any
+says what the insertions of the core did. It tells a good order from a bad one on any
 machine. Most of the time goes into what `cells_destroyed` and `sphere_tests` count.
 */
 struct Insertion_counts

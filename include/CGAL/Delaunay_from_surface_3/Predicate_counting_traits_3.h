@@ -67,7 +67,7 @@ struct Predicate_counts
 
 is a geometric traits class for `Delaunay_triangulation_3` that counts the calls of its predicates.
 It is a type of its own, for which CGAL does not take its inexact walk, whose steps cannot be
-observed, and `Compact_delaunay_3` leaves it to CGAL's insertion, since it would filter calls away:
+observed, and the core leaves it to CGAL's insertion, since it would filter calls away:
 all steps are counted, and times taken with it mean nothing. All copies share one
 `Predicate_counts`; they are not to be used by several threads.
 

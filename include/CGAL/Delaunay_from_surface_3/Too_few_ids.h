@@ -14,8 +14,7 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
 
-is thrown by an insertion target that numbers its cells or vertices and runs out of numbers. The
-work then begins anew with the target's `Wider_target`, if it has one.
+is thrown by `delaunay_3_arrays()` if there are more cells than its indices can number.
 */
 struct Too_few_ids : std::length_error
 {

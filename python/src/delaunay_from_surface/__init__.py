@@ -75,7 +75,7 @@ def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: b
     seed
         Decides the order of insertion, and with it the order of the simplices.
     progress
-        Is called every 50 ms with the share of the points that are inserted, and at last with 1. If it
+        Is called about every 50 ms with the share of the points that are inserted, and at last with 1. If it
         returns False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and
         Ctrl-C is seen, once the order of the points is made. The interpreter lock is released in between.
 

@@ -172,64 +172,6 @@ private:
   const Target& m_target;
 };
 
-// InsertionTarget_3: CGAL's, with everything hidden that the concept does not name.
-template <class Triangulation>
-class Target_archetype
-{
-  using Hidden = CGAL::Delaunay_from_surface_3::Triangulation_target_3<Triangulation>;
-
-public:
-  using Vertex = typename Hidden::Vertex;
-  using Cell = typename Hidden::Cell;
-  struct Location // neither default-constructible nor assignable
-  {
-    explicit Location(const typename Hidden::Location& location)
-      : cell(location.cell)
-      , hidden(location)
-    {
-    }
-    const Cell cell;
-    const typename Hidden::Location hidden;
-  };
-
-  static constexpr bool serves_everything = true;
-
-  Target_archetype(Triangulation& tr, const std::vector<typename Triangulation::Point>& points)
-    : m_hidden(tr, points)
-  {
-  }
-  Target_archetype(const Target_archetype&) = delete;
-  Target_archetype& operator=(const Target_archetype&) = delete;
-
-  std::size_t size() const { return m_hidden.size(); }
-  Vertex vertex(std::size_t i) const { return m_hidden.vertex(i); }
-  Cell cell(Vertex v) const { return m_hidden.cell(v); }
-  Location locate(std::size_t i, Cell start) const { return Location(m_hidden.locate(i, start)); }
-  Vertex nearest_vertex(std::size_t i, const Location& location) const
-  {
-    return m_hidden.nearest_vertex(i, location.hidden);
-  }
-  bool is_closer(std::size_t i, Vertex v, Vertex w) const { return m_hidden.is_closer(i, v, w); }
-  template <class Observer>
-  void insert(std::size_t i, const Location& location, Observer& observer)
-  {
-    m_hidden.insert(i, location.hidden, observer);
-  }
-  template <class Hints, class Visitor>
-  bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor)
-  {
-    return CGAL::Delaunay_from_surface_3::insert_one_by_one(*this, first, last, hints, visitor);
-  }
-  CGAL::Delaunay_from_surface_3::Insertion_counts counts() const { return {}; }
-  std::size_t number_of_threads() const { return 1; }
-  std::size_t size_of_piece(std::size_t) const { return 1; }
-  void finish() { m_hidden.finish(); }
-  std::vector<Vertex> take_vertices() { return m_hidden.take_vertices(); }
-
-private:
-  Hidden m_hidden;
-};
-
 // SurfaceInsertionTraits_3: not default-constructible, and its functors neither.
 class Traits_archetype
 {
@@ -238,8 +180,7 @@ public:
   using Insertion_plan = Plan_archetype;
   template <class Target, class Subgraph>
   using Insertion_hints_3 = Hints_archetype<Target, Subgraph>;
-  template <class Triangulation>
-  using Insertion_target_3 = Target_archetype<Triangulation>;
+  static constexpr bool through_core = false;
 
   explicit Traits_archetype(const std::string& name)
     : m_name(name)

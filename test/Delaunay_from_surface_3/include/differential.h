@@ -8,10 +8,10 @@
 // The cases of the differential test on generated surfaces, for any triangulation. One unit per
 // kernel, since the sanitizers have no time for an exact one.
 
+#include "core_traits.h"
 #include "check_equal.h"
 
 #include <CGAL/Surface_insertion_traits_3.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
@@ -39,7 +39,8 @@ void check_all_hints(const Case& stock_case)
   using namespace CGAL::Delaunay_from_surface_3;
   stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Traced_hints_3>>(1);
   stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Neighbor_hints_3>>(2);
-  stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Previous_hint_3>>(3);
+  stock_case.template check<
+      Round_the_core<Surface_insertion_policies_3<Subgraph, Plan, Previous_hint_3>>>(3);
 }
 
 template <class Subgraph, class Case>
@@ -53,22 +54,22 @@ void check_all_plans_and_hints(const Case& stock_case)
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Surface_net_rounds>(stock_case);
 }
 
-// Nets through CGAL's insertion, and the compact kernel with other plans and hints.
+// Nets through CGAL's insertion, and the core with other plans.
 template <class Case>
 void check_nets_and_compact_kernel_apart(const Case& stock_case, unsigned int seed = 0)
 {
   using namespace CGAL;
   using namespace CGAL::Delaunay_from_surface_3;
+  stock_case.template check<Round_the_core<
+      Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>>(seed);
+  stock_case
+      .template check<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Planned_hints_3>>(
+          seed);
+  stock_case
+      .template check<Surface_insertion_policies_3<Full_graph, Log_star_rounds, Previous_hint_3>>(
+          seed);
   stock_case.template check<
-      Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(seed);
-  stock_case.template check<Surface_insertion_policies_3<Full_graph, Geometric_rounds,
-                                                         Planned_hints_3, Compact_delaunay_3>>(
-      seed);
-  stock_case.template check<Surface_insertion_policies_3<Spanning_forest, Log_star_rounds,
-                                                         Traced_hints_3, Compact_delaunay_3>>(seed);
-  stock_case.template check<Surface_insertion_policies_3<Full_graph, Spatial_sort_order,
-                                                         Neighbor_hints_3, Compact_delaunay_3>>(
-      seed);
+      Surface_insertion_policies_3<Full_graph, Spatial_sort_order, Planned_hints_3>>(seed);
 }
 
 template <class Case>

@@ -93,7 +93,10 @@ struct Subject
     : complex(points.size(), [&](std::size_t i) { return points[i]; })
     , vertex_of(points.size(), 0)
   {
-    any_vertex = DFS::internal::start_complex(complex, vertex_of);
+    any_vertex = DFS::internal::start_complex(
+        DFS::internal::starting_simplex(points.size(),
+                                        [&](std::size_t i) { return points[i].data(); }),
+        complex, vertex_of);
   }
 
   // The finite and infinite cells, each point by the smallest number of its duplicates.
@@ -128,7 +131,7 @@ inline std::vector<std::array<Id, 4>> cells_by_one(const std::vector<Coordinates
     const auto location = triangulation.locate(p, hints.start(i));
     subject.vertex_of[i] = location.vertex != 0 ? location.vertex : p;
     if (location.vertex == 0)
-      triangulation.insert(p, location.cell, [](const Id*, const Id*) {});
+      triangulation.insert(p, location.cell);
   }
   return subject.cells();
 }
@@ -142,7 +145,7 @@ struct Parallel_outcome
 
 struct Never_stop
 {
-  bool operator()() const { return true; }
+  bool operator()(std::size_t) const { return true; }
 };
 
 // In rounds that double. `go_further` returns true.
@@ -154,8 +157,7 @@ Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
                                 const GoFurther& go_further = GoFurther())
 {
   Subject subject(points);
-  DFS::internal::Parallel_triangulation<Id, Executor, Worker> triangulation(subject.complex,
-                                                                            executor, rules);
+  DFS::internal::Parallel_triangulation<Id, Worker> triangulation(subject.complex, executor, rules);
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t first = 0, last = 30; first < points.size(); first = last, last *= 2) {
     last = (std::min)(last, points.size());

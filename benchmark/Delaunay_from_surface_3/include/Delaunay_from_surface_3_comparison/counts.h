@@ -13,7 +13,6 @@
 #include <Delaunay_from_surface_3_comparison/triangulations.h>
 
 #include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
 
@@ -22,7 +21,6 @@
 #include <iterator>
 #include <numeric>
 #include <string>
-#include <type_traits>
 
 namespace comparison {
 
@@ -34,7 +32,7 @@ struct Counted_calls
 
 using Counting_visitor = CGAL::Delaunay_from_surface_3::Metering_visitor_3<Counted_calls>;
 
-// Targets and hints live and die inside an insertion: what they have counted is taken at its end.
+// What core and hints have counted is taken at the end of an insertion, inside which they live.
 struct Take_counts : CGAL::Default_surface_insertion_visitor_3
 {
   CGAL::Delaunay_from_surface_3::Insertion_counts kernel;
@@ -85,11 +83,6 @@ public:
 private:
   std::size_t m_cells_destroyed = 0;
 };
-
-template <class Traits>
-inline constexpr bool is_compact =
-    std::is_same<typename Traits::template Insertion_target_3<Triangulation>,
-                 CGAL::Delaunay_from_surface_3::Compact_delaunay_3<Triangulation>>::value;
 
 template <class Traits>
 struct Zone_counting_traits : Traits
@@ -170,7 +163,7 @@ Json counts_of_insertion(const Mesh& mesh, unsigned int seed)
                                   double(mesh.number_of_vertices()))}};
 }
 
-// This package through its compact triangulation: the kernel's own counts.
+// This package through the core: its own counts.
 template <class Traits>
 Json counts_of_kernel(const Mesh& mesh, unsigned int seed)
 {

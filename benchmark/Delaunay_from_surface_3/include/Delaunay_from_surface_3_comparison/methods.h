@@ -15,7 +15,6 @@
 
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
@@ -30,6 +29,7 @@
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
 #include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 
 #include <array>
@@ -99,12 +99,19 @@ Method surface_method(const std::string& name, const std::string& description)
 {
   Method method = {name, description, build_by_package<Triangulation, Traits>,
                    phases_of_package<Triangulation, Traits>, nullptr};
-  if constexpr (is_compact<Traits>)
+  if constexpr (Traits::through_core)
     method.count = counts_of_kernel<Traits>;
   else
     method.count = counts_of_insertion<Traits>;
   return method;
 }
+
+// Policies that the core could serve, but CGAL's insertion does.
+template <class Policies>
+struct By_cgal : Policies
+{
+  static constexpr bool through_core = false;
+};
 
 // Plain CGAL is the first: the others are compared with it.
 inline std::vector<Method> all_methods()
@@ -121,19 +128,18 @@ inline std::vector<Method> all_methods()
       {"default-fast", "the same into a triangulation with Fast_location",
        build_by_package<Fast_triangulation, Default>,
        phases_of_package<Fast_triangulation, Default>, nullptr},
-      surface_method<Surface_insertion_policies_3<Full_graph, Spatial_sort_order, Previous_hint_3,
-                                                  Compact_delaunay_3>>(
+      surface_method<Surface_insertion_policies_3<Full_graph, Spatial_sort_order, Previous_hint_3>>(
           "compact-spatial", "plain CGAL's order, which needs no surface; compact triangulation"),
-      surface_method<Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(
+      surface_method<By_cgal<Default>>(
           "nets", "nets of the surface, their starting points, CGAL's insertion"),
       surface_method<Plain_insertion_traits_3>(
           "plain-order", "Plain_insertion_traits_3: plain CGAL's insertions, our loop"),
-      surface_method<Surface_insertion_policies_3<
-          Full_graph, Neighbor_started_rounds<Geometric_rounds>, Planned_hints_3>>(
+      surface_method<By_cgal<Surface_insertion_policies_3<
+          Full_graph, Neighbor_started_rounds<Geometric_rounds>, Planned_hints_3>>>(
           "geometric-started", "rounds that grow geometrically, neighbour inserted last before"),
       surface_method<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Neighbor_hints_3>>(
           "geometric-neighbor", "rounds that grow geometrically, nearest inserted neighbour"),
-      surface_method<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Previous_hint_3>>(
+      surface_method<By_cgal<Point_insertion_traits_3>>(
           "geometric-previous", "rounds that grow geometrically, point inserted before"),
       surface_method<
           Surface_insertion_policies_3<Bounded_degree_subgraph, Geometric_rounds, Traced_hints_3>>(

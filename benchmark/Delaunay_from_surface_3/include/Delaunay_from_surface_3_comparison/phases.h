@@ -39,7 +39,7 @@ class Stage_visitor : public CGAL::Default_surface_insertion_visitor_3
 public:
   void phase_begins(Phase phase)
   {
-    // Constants at every call: nothing is left of this where points are inserted.
+    // Where points are inserted, a few comparisons are left of this.
     if (phase == Phase::PLAN)
       begin(0);
     else if (phase == Phase::SUBGRAPH)

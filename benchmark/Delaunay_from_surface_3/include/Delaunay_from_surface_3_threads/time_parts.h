@@ -5,29 +5,23 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_THREADS_TIME_PARTS_H
 #define DELAUNAY_FROM_SURFACE_3_THREADS_TIME_PARTS_H
 
-// Where the time of a call goes that threads share. The parts are told apart by the visitor, by a
-// plan that looks at the clock, and by an executor that does: of the export each call of it is a
-// part.
+// Where the time of a call goes that threads share. The parts are told apart by the visitor and by
+// an executor that looks at the clock: of the export each call of it is a part.
 
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Compact_delaunay_3.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Read_soup.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_insertion_policies_3.h>
-#include <CGAL/insert_surface_points_3.h>
-#include <CGAL/tags.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
-#include <utility>
 
 namespace threads {
 
@@ -82,54 +76,49 @@ inline Part_clock& part_clock()
   return clock;
 }
 
-template <class Executor>
-class Timed_executor : public Executor
+template <class ExecutorOfCall>
+class Timed_executor final : public CGAL::Delaunay_from_surface_3::internal::Executor
 {
 public:
+  std::size_t number_of_workers() const override { return m_executor.number_of_workers(); }
   void run(std::size_t number,
            const CGAL::Delaunay_from_surface_3::internal::Task& task) const override
   {
     part_clock().begin_call_of_export();
-    Executor::run(number, task);
+    m_executor.run(number, task);
     part_clock().end_call_of_export();
   }
+
+private:
+  ExecutorOfCall m_executor;
 };
 
-struct Timed_plan : CGAL::Delaunay_from_surface_3::Surface_net_rounds
+} // namespace threads
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+template <>
+struct Crew<threads::Timed_executor<Alone>> : Crew<Alone>
 {
-  using Base = CGAL::Delaunay_from_surface_3::Surface_net_rounds;
-  using Base::Base;
-
-  template <class... Arguments>
-  auto operator()(const Arguments&... arguments) const
-  {
-    part_clock().begin("plan");
-    auto plan = Base::operator()(arguments...);
-    part_clock().begin("permute");
-    return plan;
-  }
 };
 
-template <class Executor>
-struct Timed
-{
-  template <class Triangulation>
-  struct Target
-    : CGAL::Delaunay_from_surface_3::Compact_delaunay_with_ids_3<Triangulation, std::uint32_t,
-                                                                 Timed_executor<Executor>>
-  {
-    using CGAL::Delaunay_from_surface_3::Compact_delaunay_with_ids_3<
-        Triangulation, std::uint32_t, Timed_executor<Executor>>::Compact_delaunay_with_ids_3;
-    using Parallel_target = Target;
-  };
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
 
-  using Traits =
-      CGAL::Surface_insertion_policies_3<CGAL::Delaunay_from_surface_3::Full_graph, Timed_plan,
-                                         CGAL::Delaunay_from_surface_3::Planned_hints_3, Target>;
-};
+namespace threads {
 
 struct Timing_visitor : CGAL::Default_surface_insertion_visitor_3
 {
+  void phase_begins(CGAL::Surface_insertion_phase phase)
+  {
+    if (phase == CGAL::Surface_insertion_phase::PLAN)
+      part_clock().begin("plan");
+    else if (phase == CGAL::Surface_insertion_phase::SUBGRAPH)
+      part_clock().begin("permute");
+  }
   void insertion_begins(std::size_t) { part_clock().begin("insertion"); }
   template <class Target, class Hints>
   void insertion_ends(const Target&, const Hints&)
@@ -138,15 +127,21 @@ struct Timing_visitor : CGAL::Default_surface_insertion_visitor_3
   }
 };
 
-template <class ConcurrencyTag, class Executor>
+// As insert_surface_points_3() calls it, but for the executor.
+template <class Executor>
 std::map<std::string, double> seconds_of_parts(const surfaces::Indexed_surface& surface)
 {
+  using namespace CGAL::Delaunay_from_surface_3::internal;
+  using Triangulation = CGAL::Delaunay_triangulation_3<CGAL::Epick>;
+  using Timed = Timed_executor<Executor>;
   part_clock() = Part_clock();
-  CGAL::Delaunay_triangulation_3<CGAL::Epick> tr;
+  Triangulation tr;
+  const auto np = CGAL::parameters::visitor(Timing_visitor());
   part_clock().begin("read");
-  CGAL::insert_surface_points_3<ConcurrencyTag>(tr, surface.points, surface.faces,
-                                                typename Timed<Executor>::Traits(),
-                                                CGAL::parameters::visitor(Timing_visitor()));
+  const Read_soup<Triangulation, decltype(surface.points), decltype(surface.faces), decltype(np)>
+      read(surface.points, surface.faces, np, Timed());
+  insert_surface<Timed, CGAL::internal_np::point_t>(tr, read.input(),
+                                                    CGAL::Surface_insertion_traits_3(), np);
   part_clock().end();
   return part_clock().seconds();
 }
@@ -158,8 +153,8 @@ inline std::map<std::string, double> seconds_of_parts(const surfaces::Indexed_su
                                                       std::size_t number_of_threads)
 {
   using namespace CGAL::Delaunay_from_surface_3::internal;
-  return number_of_threads == 1 ? seconds_of_parts<CGAL::Sequential_tag, Alone>(surface)
-                                : seconds_of_parts<CGAL::Parallel_tag, Tbb_executor>(surface);
+  return number_of_threads == 1 ? seconds_of_parts<Alone>(surface)
+                                : seconds_of_parts<Tbb_executor>(surface);
 }
 
 } // namespace threads

@@ -9,7 +9,6 @@
 // walk that stands for Q in lines 2a and 2b.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/insert_one_by_one.h>
 
 #include <CGAL/Triangulation_hierarchy_3.h>
 #include <CGAL/assertions.h>
@@ -40,8 +39,6 @@ below 3.
 Memory: a vertex handle per point.
 
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`
-
-\cgalModels{InsertionTarget_3}
 */
 template <class Triangulation>
 class Triangulation_target_3
@@ -63,9 +60,6 @@ public:
     int li;                                   ///< which vertex, edge or facet of the cell that is.
     int lj;                                   ///< the second vertex of an edge.
   };
-
-  /// `true`: any points can be inserted into any triangulation.
-  static constexpr bool serves_everything = true;
 
   /// whether observers are told of every conflict zone in dimension 3: not with `Fast_location`.
   static constexpr bool reports_conflict_zones =
@@ -149,24 +143,8 @@ public:
     insert(i, location, observer);
   }
 
-  /// returns 1.
-  std::size_t number_of_threads() const { return 1; }
-
-  /// returns how many points a call of `insert_round()` should have at once.
-  std::size_t size_of_piece(std::size_t /* inserted */) const { return 256; }
-
-  /// inserts the points `first`, …, `last - 1` one after the other.
-  template <class Hints, class Visitor>
-  bool insert_round(std::size_t first, std::size_t last, Hints& hints, Visitor& visitor)
-  {
-    return Delaunay_from_surface_3::insert_one_by_one(*this, first, last, hints, visitor);
-  }
-
   /// returns nothing but zeros: CGAL's insertion does not count.
   Delaunay_from_surface_3::Insertion_counts counts() const { return {}; }
-
-  /// does nothing: the triangulation is complete at any time.
-  void finish() {}
 
   /// gives the vertices of the points away, none for points not inserted; to be called last.
   std::vector<Vertex> take_vertices() { return std::move(m_vertices); }

@@ -73,6 +73,8 @@ public:
   }
 
   /// \cond
+  using Plan_of_core = Geometric_rounds;
+
   internal::Order_request order_request() const
   {
     internal::Order_request request;

@@ -118,6 +118,8 @@ public:
   Geometric_rounds fallback_plan() const { return Geometric_rounds(m_seed); }
 
   /// \cond
+  using Plan_of_core = Surface_net_rounds;
+
   internal::Order_request order_request() const
   {
     internal::Order_request request;

@@ -29,7 +29,7 @@ plan should keep them coherent.
 
 As many distance comparisons per point as it has neighbours in T. No trace, no memory of its own.
 
-\tparam Target a model of `InsertionTarget_3`
+\tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points
 
 \cgalModels{InsertionHints_3}

@@ -10,6 +10,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/internal/trace/Starts_in_core.h>
 
 #include <cstddef>
 #include <vector>
@@ -21,13 +22,13 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion from a cell of the point that the plan names in
-`Insertion_order::starting_places`; if that has no vertex, since it was left out or another thread
-has not inserted it yet, from the point that the plan names for it, and so on. If the plan names
-none, the start is a cell of the vertex inserted last.
+`Insertion_order::starting_places`; if that has no vertex, since it was left out, from the point that
+the plan names for it, and so on. If the plan names none, the start is a cell of the vertex inserted
+last. Traits with this policy go through the core, which starts in the same way.
 
 \f$O(1)\f$ per point where all are inserted. No trace, no subgraph, no memory of its own.
 
-\tparam Target a model of `InsertionTarget_3`
+\tparam Target a `Triangulation_target_3`
 \tparam Subgraph is not used
 
 \cgalModels{InsertionHints_3}
@@ -40,9 +41,6 @@ class Planned_hints_3 : public Null_update_observer
 public:
   /// `false`: no subgraph need be computed.
   static constexpr bool uses_subgraph = false;
-
-  /// `true`: each of many threads can have a copy.
-  static constexpr bool is_concurrent = true;
 
   /// keeps references to `target` and `plan`.
   Planned_hints_3(const Target& target, const Subgraph&, const Insertion_order& plan)
@@ -59,7 +57,7 @@ public:
       return m_target.cell(m_previous);
     std::size_t place = m_places[i];
     Vertex v = m_target.vertex(place);
-    while (v == Vertex() && place != 0) // left out; or, with many threads, not inserted yet
+    while (v == Vertex() && place != 0) // left out
       v = m_target.vertex(place = m_places[place]);
     return m_target.cell(v == Vertex() ? m_previous : v);
   }
@@ -76,6 +74,15 @@ private:
   Vertex m_previous = {};
 };
 
+namespace internal {
+
+template <>
+struct Starts_in_core<Planned_hints_3> : std::true_type
+{
+  static constexpr bool uses_starting_places = true;
+};
+
+} // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/internal/trace/Starts_in_core.h>
 
 #include <cstddef>
 
@@ -20,11 +21,12 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion from a cell of the vertex inserted last, as
-`Delaunay_triangulation_3::insert(first, last)` does. The surface is not looked at.
+`Delaunay_triangulation_3::insert(first, last)` does. The surface is not looked at. Traits with this
+policy go through the core, which starts in the same way.
 
 \f$O(1)\f$ per point. No trace, no subgraph, no memory of its own.
 
-\tparam Target a model of `InsertionTarget_3`
+\tparam Target a `Triangulation_target_3`
 \tparam Subgraph is not used
 
 \cgalModels{InsertionHints_3}
@@ -35,9 +37,6 @@ class Previous_hint_3 : public Null_update_observer
 public:
   /// `false`: no subgraph need be computed.
   static constexpr bool uses_subgraph = false;
-
-  /// `true`: each of many threads can have a copy, and follows the points that it inserted itself.
-  static constexpr bool is_concurrent = true;
 
   /// keeps a reference to `target`.
   explicit Previous_hint_3(const Target& target, const Subgraph& = Subgraph(),
@@ -60,6 +59,15 @@ private:
   typename Target::Vertex m_previous = {};
 };
 
+namespace internal {
+
+template <>
+struct Starts_in_core<Previous_hint_3> : std::true_type
+{
+  static constexpr bool uses_starting_places = false;
+};
+
+} // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -25,7 +25,7 @@ Time: \f$O(n)\f$ for the traversal, plus the cells that the locations enter. Mem
 point, and during a trace at most an index and a cell handle per point. There is no recursion: T may
 be a path of millions of vertices.
 
-\tparam Target a model of `InsertionTarget_3`
+\tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
 */
 template <class Target, class Subgraph>

@@ -39,7 +39,7 @@ A trace takes \f$O(n)\f$ expected time if T has bounded degree and consists of D
 the triangulation has linear expected size (Theorem 3); \f$O(n)\f$ of it is the traversal. Memory: a
 vertex handle and a byte per point, and during a trace at most an index and a cell handle per point.
 
-\tparam Target a model of `InsertionTarget_3`
+\tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
 
 \cgalModels{InsertionHints_3}

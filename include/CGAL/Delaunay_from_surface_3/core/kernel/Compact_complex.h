@@ -74,6 +74,9 @@ public:
   static constexpr std::size_t max_cells = std::size_t((std::numeric_limits<Id>::max)() >> 2) + 1;
   static constexpr std::size_t cells_of_gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
 
+  // Without vertices.
+  Compact_complex() = default;
+
   // The vertices of n points, in no cell yet; coordinates(i) returns those of the i-th.
   template <class Coordinates>
   Compact_complex(std::size_t n, const Coordinates& coordinates)
@@ -246,7 +249,7 @@ private:
   std::vector<std::array<double, 3>> m_own_coordinates;
   std::size_t m_cells_end = 0;
   std::size_t m_cells_ready = 0; // from m_cells_end to here nothing is to be asked for
-  std::size_t m_number_of_vertices;
+  std::size_t m_number_of_vertices = 0;
 };
 
 } // namespace internal

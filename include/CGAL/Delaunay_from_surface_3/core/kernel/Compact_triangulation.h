@@ -18,7 +18,6 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/nearest_vertex.h>
-#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
 #include <cstddef>
@@ -38,37 +37,29 @@ public:
   using Location = Compact_location<Id>;
 
   // Of the vertices of `complex`, which has started. Keeps a reference.
-  explicit Compact_triangulation(Complex& complex, const Alone& = Alone())
+  explicit Compact_triangulation(Complex& complex)
     : m_complex(complex)
   {
   }
 
-  // Where vertex p, in no cell yet, goes, from cell `start`. Counted, or not.
+  // Where vertex p, in no cell yet, goes, from cell `start`.
   Location locate(Id p, Id start)
   {
     Predicates predicates(m_complex, m_zone.counts);
     return walk(predicates, p, start);
   }
-  Location locate(Id p, Id start) const
-  {
-    Insertion_counts uncounted;
-    Predicates predicates(m_complex, uncounted);
-    return walk(predicates, p, start);
-  }
 
-  // Puts p where a cell is in conflict with it. `before(first, last)` is given the cells in
-  // conflict. Returns p.
-  template <class Before>
-  Id insert(Id p, Id cell, const Before& before)
+  // Puts p where a cell is in conflict with it. Returns p.
+  Id insert(Id p, Id cell)
   {
     dig(p, cell);
-    fill(p, before);
+    m_fill_star(m_complex, m_zone, p);
     return p;
   }
 
   // The same if accepts(v) for the vertex v nearest to p; else nothing changes, and v is returned.
-  template <class Before, class Accepts>
-  Id insert_if(Id p, Id cell, const Before& before, const Accepts& accepts)
+  template <class Accepts>
+  Id insert_if(Id p, Id cell, const Accepts& accepts)
   {
     dig(p, cell);
     const Id nearest = nearest_vertex_of_zone(m_complex, m_zone, p);
@@ -76,16 +67,11 @@ public:
       m_zone.revive(m_complex);
       return nearest;
     }
-    fill(p, before);
+    m_fill_star(m_complex, m_zone, p);
     return p;
   }
 
   const Insertion_counts& counts() const { return m_zone.counts; }
-
-  // The same words as those of many threads (Parallel_triangulation.h).
-  static constexpr std::size_t number_of_workers() { return 1; }
-  static constexpr std::size_t size_of_piece(std::size_t) { return 256; }
-  static void finish() {}
 
 private:
   Location walk(Predicates& predicates, Id p, Id start) const
@@ -107,13 +93,6 @@ private:
     }
 #endif
     Dig_conflict_zone<Explore_neighbors>()(m_complex, predicates, m_zone, p, cell);
-  }
-
-  template <class Before>
-  void fill(Id p, const Before& before)
-  {
-    before(m_zone.cells.data(), m_zone.cells.data() + m_zone.number_of_cells);
-    m_fill_star(m_complex, m_zone, p);
   }
 
   Complex& m_complex;

@@ -60,17 +60,14 @@ Starting_simplex starting_simplex(std::size_t n, const PointOf& point)
 // Starts a complex with such points, and notes them in vertex_of, by point. Returns one of these
 // vertices; 0 if the points lie in one plane.
 template <class Id>
-Id start_complex(Compact_complex<Id>& complex, std::vector<Id>& vertex_of)
+Id start_complex(const Starting_simplex& simplex, Compact_complex<Id>& complex,
+                 std::vector<Id>& vertex_of)
 {
-  using Complex = Compact_complex<Id>;
-  const auto simplex = starting_simplex(vertex_of.size(), [&](std::size_t i) {
-    return complex.exact_coordinates(Complex::vertex_of_point(i));
-  });
   if (simplex.dimension < 3)
     return 0;
   std::array<Id, 4> v;
   for (std::size_t k = 0; k < 4; ++k)
-    v[k] = vertex_of[simplex.points[k]] = Complex::vertex_of_point(simplex.points[k]);
+    v[k] = vertex_of[simplex.points[k]] = Compact_complex<Id>::vertex_of_point(simplex.points[k]);
   complex.start(v);
   return v[0];
 }

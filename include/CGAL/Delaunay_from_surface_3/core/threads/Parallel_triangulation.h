@@ -36,8 +36,8 @@ struct Parallel_rules
   std::size_t chunk = 256;
 };
 
-// Executor: see blocks.h. Worker: how one inserts a point beside others; tests have others.
-template <class Id, class Executor, class Worker = Insertion_worker<Id>>
+// Worker: how one inserts a point beside others; tests have others.
+template <class Id, class Worker = Insertion_worker<Id>>
 class Parallel_triangulation
 {
   using Complex = Compact_complex<Id>;
@@ -62,8 +62,8 @@ public:
   }
 
   // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker
-  // has a copy of `hints`. `go_further` is asked by the caller's thread; returns false if it said
-  // no.
+  // has a copy of `hints`. go_further(i) is asked by the caller's thread whenever it takes a chunk, of
+  // which point i is the first; returns false if it said no.
   template <class Hints, class GoFurther>
   bool insert_round(std::size_t first, std::size_t last, std::vector<Id>& vertex_of,
                     const Hints& hints, const GoFurther& go_further)
@@ -147,6 +147,8 @@ private:
         const Segments::Range chunk = round.segments.take(t, m_rules.chunk);
         if (chunk.first == chunk.second)
           break;
+        if (!may_go_further(round, t, chunk.first))
+          break;
         const std::size_t clashes = insert_chunk(round, t, chunk);
         // Where more than half of the points clash, there are too many workers: the first one
         // stays.
@@ -158,6 +160,14 @@ private:
         round.error = std::current_exception();
       round.is_stopped = true;
     }
+  }
+
+  template <class Round>
+  bool may_go_further(Round& round, std::size_t t, std::size_t i)
+  {
+    if (t == 0 && !round.go_further(i))
+      round.is_stopped = true;
+    return !round.is_stopped;
   }
 
   // Returns the number of clashes.
@@ -183,10 +193,6 @@ private:
     auto& own = round.own[t];
     if (round.is_full || round.is_stopped)
       return false;
-    if (t == 0 && !round.go_further()) {
-      round.is_stopped = true;
-      return false;
-    }
     Id vertex = Complex::vertex_of_point(i);
     if (round.vertex_of[i] != 0) // one of the first four
       return true;
@@ -213,13 +219,14 @@ private:
       m_counts.put_off += own.put_off.size();
       m_counts.clashes += own.clashes;
       own.clashes = 0;
-      for (const std::size_t i : own.put_off)
-        while (!insert_point(round, 0, i, any)) {
-          if (round.is_stopped)
-            return false;
+      for (std::size_t k = 0; k < own.put_off.size(); ++k) {
+        if (k % m_rules.chunk == 0 && !may_go_further(round, 0, own.put_off[k]))
+          return false;
+        while (!insert_point(round, 0, own.put_off[k], any)) {
           m_shared.grow(); // alone it does not clash
           round.is_full = false;
         }
+      }
       own.put_off.clear();
     }
     return true;
@@ -229,7 +236,7 @@ private:
   static constexpr std::size_t most_cells_of_walk = 10000;
 
   Shared_complex<Id> m_shared;
-  const Executor m_executor;
+  const Executor& m_executor;
   const Parallel_rules m_rules;
   std::vector<std::unique_ptr<Worker>> m_workers;
   Insertion_counts m_counts; // those that are not a worker's

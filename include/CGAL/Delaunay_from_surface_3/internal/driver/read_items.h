@@ -64,37 +64,67 @@ void reserve_for(const Range& items, std::vector<T>& into)
     into.reserve(std::size_t(std::distance(std::begin(items), std::end(items))));
 }
 
-// Reads the items once, and calls use(points, infos).
-template <class Triangulation, class Range, class NamedParameters, class Use>
-std::ptrdiff_t with_points_and_infos(const Triangulation&, const Range& items,
-                                     const NamedParameters& np, const Use& use)
+// The points of a range, checked, and the infos that came with them. A range is read once.
+template <class Triangulation, class Range, class NamedParameters>
+class Read_items
 {
-  using Point = typename Triangulation::Point;
-  using Item = typename std::iterator_traits<decltype(std::begin(items))>::value_type;
-  std::vector<Point> points;
-  reserve_for(items, points);
-  if constexpr (is_given<NamedParameters, internal_np::point_t> || !Point_and_info<Item>::value) {
-    const auto point_map = parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::point_map), Identity_property_map<const Item>());
+  using Item =
+      typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::value_type;
+  static constexpr bool has_infos =
+      Point_and_info<Item>::value && !is_given<NamedParameters, internal_np::point_t>;
+  struct No_info
+  {
+    using Info = char;
+  };
+  using Read = std::conditional_t<has_infos, Point_and_info<Item>, No_info>;
+
+public:
+  Read_items(const Range& items, const NamedParameters& np)
+  {
+    reserve_for(items, m_points);
+    if constexpr (has_infos)
+      read_pairs(items);
+    else
+      read_points(
+          items, parameters::choose_parameter(parameters::get_parameter(np, internal_np::point_map),
+                                              Identity_property_map<const Item>()));
+  }
+
+  const std::vector<typename Triangulation::Point>& points() const { return m_points; }
+
+  // By the index of the point.
+  auto infos() const
+  {
+    if constexpr (has_infos)
+      return Infos{m_infos.cbegin()};
+    else
+      return No_infos();
+  }
+
+private:
+  using Infos = Infos_in_order<typename std::vector<typename Read::Info>::const_iterator>;
+
+  template <class PointMap>
+  void read_points(const Range& items, const PointMap& point_map)
+  {
     for (auto&& item : items)
-      append_checked(get(point_map, item), points);
-    return use(points, No_infos());
-  } else {
-    using Read = Point_and_info<Item>;
-    std::vector<typename Read::Info> infos;
-    using Infos = Infos_in_order<decltype(infos.cbegin())>;
+      append_checked(get(point_map, item), m_points);
+  }
+
+  void read_pairs(const Range& items)
+  {
     if constexpr (check_infos<typename Triangulation::Vertex, Infos>()) {
-      reserve_for(items, infos);
+      reserve_for(items, m_infos);
       for (auto&& item : items) {
-        append_checked(Read::point(item), points);
-        infos.push_back(Read::info(item));
+        append_checked(Read::point(item), m_points);
+        m_infos.push_back(Read::info(item));
       }
-      return use(points, Infos{infos.cbegin()});
-    } else {
-      return 0; // what was said does not compile
     }
   }
-}
+
+  std::vector<typename Triangulation::Point> m_points;
+  std::vector<typename Read::Info> m_infos;
+};
 
 // The name of a point of a range is its index.
 struct Identity_name

@@ -44,12 +44,8 @@ public:
   {
   }
 
-  void phase_begins(Surface_insertion_phase phase)
-  {
-    if (phase == Surface_insertion_phase::PLAN)
-      m_asked = 0; // another order may begin anew
-  }
-
+  // By the core, now and then; by CGAL's insertion, before each.
+  bool go_further(std::size_t inserted) { return tell(inserted); }
   bool go_further() { return m_asked++ % interval != 0 || tell(m_asked - 1); }
 
   template <class Target, class Hints>

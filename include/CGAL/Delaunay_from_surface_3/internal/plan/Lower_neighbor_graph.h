@@ -91,6 +91,7 @@ public:
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
   std::size_t number_of_edges() const { return m_lists.items.size(); }
   const Lists<std::uint32_t>& lists() const { return m_lists; }
+  Lists<std::uint32_t> take_lists() { return std::move(m_lists); }
 
 private:
   Lists<std::uint32_t> m_lists; // empty if there are no edges

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_ARRAYS_OF_BUILT_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_ARRAYS_OF_BUILT_H
+
+// From the core's complex to arrays.
+
+#include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/flat_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/partition_cells.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// By vertex: the smallest index of its points.
+template <class Index, class Id>
+std::vector<Index> names_of_vertices(const Built<Id>& built)
+{
+  const std::vector<std::size_t>& order = built.order.order;
+  std::vector<Index> names(built.vertex_of.size() + 1, Index(-1));
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    Index& name = names[built.vertex_of[k]];
+    name = name == Index(-1) ? Index(order[k]) : (std::min)(name, Index(order[k]));
+  }
+  return names; // that of the infinite vertex, 0, and of an apex is -1
+}
+
+// By point: the name of its vertex.
+template <class Index, class Id>
+std::vector<Index> vertices_of_points(const Built<Id>& built, const std::vector<Index>& names)
+{
+  const std::vector<std::size_t>& order = built.order.order;
+  std::vector<Index> vertices(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    vertices[order[k]] = names[built.vertex_of[k]];
+  return vertices;
+}
+
+// The arrays of points in a plane: the triangles at the apex.
+template <class Index, class Id>
+Delaunay_3_arrays<Index> arrays_at_apex(const Built<Id>& built)
+{
+  using Arrays = Delaunay_3_arrays<Index>;
+  const std::vector<Index> names = names_of_vertices<Index>(built);
+  typename Arrays::Entries rows;
+  const auto [finite, all] = triangles_at(built.complex, built.vertex_of.back(), names, rows);
+  return Arrays(2, finite, all, std::move(rows), vertices_of_points(built, names));
+}
+
+// The arrays of points in space. Vertices become indices of points, and links the numbers of
+// neighbours; the memory of the cells is kept.
+template <class Index, class Id>
+Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built)
+{
+  using Arrays = Delaunay_3_arrays<Index>;
+  built.complex.deallocate_vertices();
+  const Numbers_of_cells numbers = partition_cells(built.complex);
+  const std::vector<Index> names = names_of_vertices<Index>(built);
+  for (std::size_t c = 0; c < numbers.all; ++c)
+    for (std::size_t k = 0; k < 4; ++k) {
+      Compact_cell<Id>& cell = built.complex.cell(c);
+      cell.v[k] = Id(names[cell.v[k]]);
+      cell.links[k] >>= 2;
+    }
+  return Arrays(3, numbers.finite, numbers.all,
+                typename Arrays::Entries(built.complex.take_cells()),
+                vertices_of_points(built, names));
+}
+
+// What was built of the points, with an apex if they lie in a plane; empty after a stop. Throws a
+// std::length_error if the cells are more than an Index can number. Linear.
+template <class Index>
+Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& built,
+                                         const Point_array& points)
+{
+  switch (built.outcome) {
+  case Insertion_outcome::TOO_FEW_IDS:
+    throw Too_few_ids(std::numeric_limits<std::make_unsigned_t<Index>>::digits);
+  case Insertion_outcome::FLAT:
+    return arrays_on_line<Index>(points.size(), [&](std::size_t i) {
+      return std::array<double, 3>{points[i][0], points[i][1], points[i][2]};
+    });
+  case Insertion_outcome::COMPLETE:
+    return built.has_apex ? arrays_at_apex<Index>(built) : arrays_in_space<Index>(built);
+  default:
+    return {};
+  }
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_ARRAYS_OF_BUILT_H

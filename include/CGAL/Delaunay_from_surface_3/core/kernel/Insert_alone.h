@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERT_ALONE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERT_ALONE_H
+
+// One piece of a round of Choi 2002, Fig. 1, lines 2b and 2c, by the thread that calls it.
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Watcher.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+template <class Id>
+class Insert_alone
+{
+  using Complex = Compact_complex<Id>;
+  using Phase = Surface_insertion_phase;
+
+public:
+  // Keeps references.
+  Insert_alone(Ordered_complex<Id>& points, const Executor&, Watcher& watcher)
+    : m_points(points)
+    , m_watcher(watcher)
+    , m_triangulation(points.complex)
+    , m_starting_cells(points.starting_cells())
+    , m_follows_points(watcher.follows_points())
+    , m_leaves_points_out(watcher.leaves_points_out())
+  {
+  }
+
+  // How many points a piece should have when so many are inserted.
+  static constexpr std::size_t size_of_piece(std::size_t /* inserted */) { return 256; }
+  static constexpr std::size_t number_of_threads() { return 1; }
+
+  // Inserts the points at the places first, …, last - 1; false if the watcher stopped it.
+  bool operator()(std::size_t first, std::size_t last)
+  {
+    if (!m_watcher.go_further(first))
+      return false;
+    for (std::size_t k = first; k < last; ++k)
+      if (!m_points.has_left_out(k))
+        insert(k);
+    return true;
+  }
+
+  // To be called when all is inserted.
+  void finish() {}
+
+  const Insertion_counts& counts() const { return m_triangulation.counts(); }
+
+private:
+  void insert(std::size_t k)
+  {
+    const Id p = Complex::vertex_of_point(k);
+    Id& vertex = m_points.vertex_of[k];
+    if (vertex != p) { // it is none of the first four
+      begin(Phase::LOCATION);
+      const auto location = m_triangulation.locate(p, m_starting_cells.start(k)); // 2b
+      begin(Phase::UPDATE);
+      vertex = location.vertex; // that of an equal point, if there is one
+      if (vertex == 0 && may_be_left_out(k))
+        return insert_if_accepted(k, location.cell);
+      if (vertex == 0)
+        vertex = m_triangulation.insert(p, location.cell); // 2c
+    }
+    m_starting_cells.after_update(k, vertex);
+  }
+
+  bool may_be_left_out(std::size_t k) const { return m_leaves_points_out && !m_points.is_known(k); }
+
+  void insert_if_accepted(std::size_t k, Id cell)
+  {
+    const Id p = Complex::vertex_of_point(k);
+    const Id v = m_triangulation.insert_if(p, cell, [&](Id nearest) {
+      const auto& order = m_points.order.order;
+      return m_watcher.accepts(order[k], order[Complex::point_of_vertex(nearest)]);
+    });
+    m_points.vertex_of[k] = v == p ? p : 0;
+    m_starting_cells.after_update(k, v);
+  }
+
+  void begin(Phase phase)
+  {
+    if (m_follows_points)
+      m_watcher.phase_begins(phase);
+  }
+
+  Ordered_complex<Id>& m_points;
+  Watcher& m_watcher;
+  Compact_triangulation<Id> m_triangulation;
+  Starting_cells<Id> m_starting_cells;
+  const bool m_follows_points, m_leaves_points_out;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERT_ALONE_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WATCHER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WATCHER_H
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Is told what the core does, and can stop it. All functions are called by the thread that called
+// the core.
+class Watcher
+{
+public:
+  virtual ~Watcher() = default;
+
+  virtual void phase_begins(Surface_insertion_phase) {}
+  virtual void order_is_replaced(const char* /* reason */) {}
+  virtual void insertion_begins(std::size_t /* number_of_threads */) {}
+  virtual void round_begins(std::size_t /* round */, std::size_t /* number_of_points */) {}
+  virtual void insertion_ends(const Insertion_counts&) {}
+
+  // Is asked every 256 points, when so many are inserted; `false` stops the work.
+  virtual bool go_further(std::size_t /* inserted */) { return true; }
+
+  // Is it told of the phases LOCATION and UPDATE, point by point? Not with many threads.
+  virtual bool follows_points() const { return false; }
+
+  // Is it asked which points are inserted?
+  virtual bool leaves_points_out() const { return false; }
+
+  // May point i be inserted? The vertex nearest to it is that of point `nearest`. Both are what the
+  // caller calls them. Not asked of a point that has a vertex at its place.
+  virtual bool accepts(std::size_t /* i */, std::size_t /* nearest */) { return true; }
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WATCHER_H

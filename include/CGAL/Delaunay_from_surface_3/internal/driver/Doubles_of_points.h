@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_DOUBLES_OF_POINTS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_DOUBLES_OF_POINTS_H
+
+#include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// The coordinates of a caller's points as doubles: the numbers themselves, or, if that is not so of
+// all of them, what is near enough to make an order of.
+template <class Point>
+class Doubles_of_points
+{
+public:
+  // Linear.
+  explicit Doubles_of_points(const std::vector<Point>& points)
+    : m_size(points.size())
+    , m_not_double(points.size())
+  {
+    m_coordinates.reserve(3 * m_size);
+    for (std::size_t i = 0; i < m_size; ++i)
+      if (const auto p = double_coordinates(points[i])) {
+        m_coordinates.insert(m_coordinates.end(), p->begin(), p->end());
+      } else {
+        m_not_double = (std::min)(m_not_double, i);
+        for (const double x :
+             {to_double(points[i].x()), to_double(points[i].y()), to_double(points[i].z())})
+          m_coordinates.push_back(x);
+      }
+  }
+
+  Point_array points() const { return Point_array(m_coordinates.data(), m_size); }
+
+  // Why they are not the numbers themselves; empty if they are.
+  std::string obstacle() const
+  {
+    return m_not_double < m_size
+               ? "a coordinate of point " + std::to_string(m_not_double) + " is not a double"
+               : std::string();
+  }
+
+  // Gives the memory back.
+  void clear() { Large_vector<double>().swap(m_coordinates); }
+
+private:
+  Large_vector<double> m_coordinates;
+  std::size_t m_size;
+  std::size_t m_not_double; // the first point of which one is not, or the number of points
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_DOUBLES_OF_POINTS_H

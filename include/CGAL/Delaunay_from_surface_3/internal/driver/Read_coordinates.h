@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_READ_COORDINATES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_READ_COORDINATES_H
+
+#include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// A point of doubles, from anything with coordinates [0], [1] and [2] that are numbers of C++, or a
+// point of any kernel.
+template <class Item>
+struct Coordinates_map
+{
+  using value_type = Exact_predicates_inexact_constructions_kernel::Point_3;
+  using key_type = Item;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  friend value_type get(const Coordinates_map&, const Item& item)
+  {
+    if constexpr (std::is_convertible<const Item&, value_type>::value)
+      return item;
+    else if constexpr (std::is_arithmetic<std::decay_t<decltype(item[0])>>::value)
+      return value_type(double(item[0]), double(item[1]), double(item[2]));
+    else
+      return converted_point<value_type>(item);
+  }
+};
+
+// The coordinates of a range of points, checked, as doubles; those of a
+// std::vector<std::array<double, 3>> stay where they are.
+template <class PointRange, class NamedParameters>
+class Read_coordinates
+{
+  using Item = typename std::iterator_traits<decltype(std::begin(
+      std::declval<const PointRange&>()))>::value_type;
+  using Point = typename Coordinates_map<Item>::value_type;
+
+public:
+  // Keeps a reference to the points if they stay where they are.
+  Read_coordinates(const PointRange& points, const NamedParameters& np)
+  {
+    const auto point_map = parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::point_map), Coordinates_map<Item>());
+    constexpr bool stays = std::is_same<PointRange, std::vector<std::array<double, 3>>>::value &&
+                           !is_given<NamedParameters, internal_np::point_t>;
+    if constexpr (!stays)
+      m_copy.reserve(3 * std::size_t(std::distance(std::begin(points), std::end(points))));
+    for (const auto& item : points) {
+      const Point p = converted_point<Point>(get(point_map, item));
+      check_point(p, m_size++);
+      if constexpr (!stays)
+        m_copy.insert(m_copy.end(), {p.x(), p.y(), p.z()});
+    }
+    m_coordinates = m_copy.data();
+    if constexpr (stays)
+      m_coordinates = points.empty() ? nullptr : points.front().data();
+  }
+
+  Point_array points() const { return Point_array(m_coordinates, m_size); }
+
+private:
+  Large_vector<double> m_copy;
+  const double* m_coordinates;
+  std::size_t m_size = 0;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_READ_COORDINATES_H

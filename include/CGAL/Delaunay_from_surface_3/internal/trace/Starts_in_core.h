@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_TRACE_STARTS_IN_CORE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_TRACE_STARTS_IN_CORE_H
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Is a hint policy one that needs no trace, and that the core has of its own? Such a policy says so in
+// its header.
+template <template <class Target, class Subgraph> class InsertionHints>
+struct Starts_in_core : std::false_type
+{
+  static constexpr bool uses_starting_places = true;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_TRACE_STARTS_IN_CORE_H

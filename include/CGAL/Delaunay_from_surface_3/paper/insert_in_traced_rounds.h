@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_INSERT_IN_TRACED_ROUNDS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_INSERT_IN_TRACED_ROUNDS_H
+
+// Choi 2002, Fig. 1: the loop, on CGAL's own triangulation.
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+// Points are numbered by their places in the order; the watcher knows them by what the caller calls
+// them. A vertex that is `nearest` to a point may be that of none of them: then it is no place.
+template <class Watcher, class Point>
+bool may_insert(Watcher& watcher, const Insertion_order& plan, std::size_t i, std::size_t nearest,
+                const Point& point)
+{
+  const std::size_t n = plan.order.size();
+  return watcher.accepts(plan.order[i], nearest < n ? plan.order[nearest] : nearest, point);
+}
+
+// Round h ends before s_{N_h}, N_h = round_ends[h]. Returns false if the watcher stopped it.
+template <class Target, class Hints, class Watcher>
+bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints& hints,
+                             Watcher& watcher)
+{
+  using Phase = Surface_insertion_phase;
+  watcher.insertion_begins(1);
+  std::size_t i = 0;
+  for (std::size_t h = 0; h < plan.round_ends.size(); ++h) {
+    const std::size_t N_h = plan.round_ends[h];
+    watcher.round_begins(h, N_h - i);
+    for (; i < N_h; ++i) {
+      if (!watcher.go_further())
+        return false;
+      watcher.phase_begins(Phase::LOCATION);
+      const typename Target::Location d_i = target.locate(i, hints.start(i)); // 2b
+      watcher.phase_begins(Phase::UPDATE);
+      if constexpr (Watcher::is_asked)
+        target.insert_if(i, d_i, hints, [&](std::size_t nearest, const auto& point) {
+          return may_insert(watcher, plan, i, nearest, point);
+        });
+      else
+        target.insert(i, d_i, hints); // 2c
+    }
+    if (N_h < target.size()) {
+      watcher.phase_begins(Phase::TRACE);
+      watcher.trace_ends(hints.trace()); // 2a
+    }
+  }
+  watcher.insertion_ends(target, hints);
+  watcher.phase_begins(Phase::FINISH);
+  return true;
+}
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_INSERT_IN_TRACED_ROUNDS_H

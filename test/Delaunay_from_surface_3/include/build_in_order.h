@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DELAUNAY_FROM_SURFACE_3_TESTS_BUILD_IN_ORDER_H
+#define DELAUNAY_FROM_SURFACE_3_TESTS_BUILD_IN_ORDER_H
+
+// The core, without a door.
+
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/rounded_coordinates.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace tests {
+
+namespace core = CGAL::Delaunay_from_surface_3::internal;
+
+// An order that is there, and may cost anything.
+class Given_order final : public core::Order_source
+{
+public:
+  explicit Given_order(CGAL::Delaunay_from_surface_3::Insertion_order order)
+    : m_order(std::move(order))
+  {
+  }
+  CGAL::Delaunay_from_surface_3::Insertion_order make(const core::Executor&) override
+  {
+    return m_order;
+  }
+  core::Insertion_budget budget() const override { return {}; }
+  bool go_on() override { return false; }
+
+private:
+  CGAL::Delaunay_from_surface_3::Insertion_order m_order;
+};
+
+template <class Point>
+core::Built<std::uint32_t>
+build_in_order(const std::vector<Point>& points,
+               const CGAL::Delaunay_from_surface_3::Insertion_order& order,
+               bool uses_starting_places = true)
+{
+  const auto coordinates = core::rounded_coordinates(points);
+  Given_order orders(order);
+  core::Watcher nobody;
+  return core::build<std::uint32_t>(core::Point_array(coordinates.data(), points.size()), orders,
+                                    {false, uses_starting_places}, nobody, core::Alone());
+}
+
+} // namespace tests
+
+#endif // DELAUNAY_FROM_SURFACE_3_TESTS_BUILD_IN_ORDER_H

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DELAUNAY_FROM_SURFACE_3_TESTS_CORE_TRAITS_H
+#define DELAUNAY_FROM_SURFACE_3_TESTS_CORE_TRAITS_H
+
+// Traits that go through the core with ids of another size, or round it.
+
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Way_through_core.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+
+namespace tests {
+
+template <class Id, class Plan,
+          template <class, class> class Hints = CGAL::Delaunay_from_surface_3::Planned_hints_3>
+struct Traits_with_ids
+  : CGAL::Surface_insertion_policies_3<CGAL::Delaunay_from_surface_3::Full_graph, Plan, Hints>
+{
+};
+
+// As if the hint policy traced.
+template <class Traits>
+struct Round_the_core : Traits
+{
+  static constexpr bool through_core = false;
+};
+
+} // namespace tests
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+template <class Id, class Plan, template <class, class> class Hints>
+struct Id_of_core<tests::Traits_with_ids<Id, Plan, Hints>>
+{
+  using type = Id;
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // DELAUNAY_FROM_SURFACE_3_TESTS_CORE_TRAITS_H
