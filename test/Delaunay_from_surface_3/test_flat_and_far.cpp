@@ -23,6 +23,7 @@
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
+#include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include "points_and_graphs.h"
 
@@ -111,6 +112,28 @@ BOOST_AUTO_TEST_CASE(flat_sheets)
       }
   for (const Left_open& open : insert_and_compare(surfaces::dented_sheet(1000, 1e-17)))
     BOOST_TEST((open.by_stages < .1 || !has_integers));
+}
+
+// Flat boxes next to others, along each axis: what is asked first in the one is of no use in the
+// other.
+BOOST_AUTO_TEST_CASE(sheets_beside_a_sphere)
+{
+  surfaces::Indexed_surface surface = surfaces::sphere(500, 0.01, 1);
+  for (int axis = 0; axis < 3; ++axis) {
+    const surfaces::Indexed_surface sheet = surfaces::noisy_sheet(500, 60, 1);
+    const std::size_t first = surface.points.size();
+    for (const Point& p : sheet.points) {
+      const double x[3] = {p.x() / 16, p.y() / 16, p.z()};
+      surface.points.emplace_back(x[axis], x[(axis + 1) % 3], x[(axis + 2) % 3]);
+    }
+    for (auto face : sheet.faces) {
+      for (auto& v : face)
+        v += first;
+      surface.faces.push_back(face);
+    }
+  }
+  for (const Left_open& open : insert_and_compare(surface))
+    BOOST_TEST(open.by_stages < .1);
 }
 
 BOOST_AUTO_TEST_CASE(thin_tubes)

@@ -11,6 +11,7 @@
 #include "exact_signs_of_points.h"
 #include "fuzz_tally.h"
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
@@ -198,13 +199,13 @@ inline void check_cell(Quintuple q, Checked_signs& signs)
   if (machine_has_vectors()) {
     check_view<Wide_sphere_filter>("wide", q, sphere, signs);
     check_neighbors("wide", wide_signs(q), neighbors, signs);
-    check_neighbors("wide, flat", Wide_sphere_filter::flat_signs(v.data(), opposite.data(), p),
-                    neighbors, signs);
+    signs.may_say("wide, by columns", wide_sphere_sign_by_columns(v.data(), p), sphere);
   }
 #endif
   if (is_vertex(q, 4)) // found before any exact stage is asked
     return;
   const int perturbed = perturbed_side_of_sphere(q.v[0], q.v[1], q.v[2], q.v[3], q.p);
+  signs.may_say("by columns", sphere_sign_by_columns(v.data(), p), sphere);
   signs.may_say("double doubles", close_sphere_sign({v.data(), p}), sphere);
   if (has_fused_products())
     signs.may_say("fused double doubles", fused_close_sphere_sign({v.data(), p}), sphere);

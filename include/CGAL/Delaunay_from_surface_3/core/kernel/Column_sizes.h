@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COLUMN_SIZES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COLUMN_SIZES_H
 
-// The second bound of the first filter: by columns. It is the smaller one where a coordinate
-// differs much less than another: sheets that are nearly flat and parallel to two axes, wires along
-// one.
+// The determinants of Sphere_filter.h with another bound on their error: by columns. It is the
+// smaller one where a coordinate differs much less than another: sheets that are nearly flat and
+// parallel to two axes, wires along one.
 //
 // A determinant of 4 rows is a sum of 24 products x y z w of at most 17 roundings each (see
 // Sphere_filter.h). Let X, Y, Z, W be the largest of the columns in absolute value, as computed:
@@ -20,6 +20,7 @@
 // 2^181: less than `tiny` altogether. Where coordinates themselves were rounded, by at most 2^-1075
 // (Compact_complex.h), that is nothing beside columns of at least `least`.
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 
 #include <algorithm>
@@ -28,8 +29,6 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-constexpr double unit_of_double = 1. / 9007199254740992.; // 2^-53
 
 struct Column_sizes
 {
@@ -46,28 +45,46 @@ struct Column_sizes
   }
 
   // Whether the box with these edges fills so little of a cube around it that these bounds decide
-  // much that the others do not. (Lattices are seldom so flat, and their signs are often 0.)
+  // much that the others do not.
   bool are_flat() const
   {
     const double m = (std::max)((std::max)(x, y), z);
     return x * y * z < 0x1p-20 * (m * m * m);
   }
 
+  void add(const Row<double>& r) { add(std::abs(r.x), std::abs(r.y), std::abs(r.z)); }
+  void add(double dx, double dy, double dz) // none negative
+  {
+    x = (std::max)(x, dx);
+    y = (std::max)(y, dy);
+    z = (std::max)(z, dz);
+  }
+
   // w: at least the largest in that column.
   double bound_of_four(double w) const
   {
-    return four * unit_of_double * ((x * y) * (z * w)) + tiny;
+    return four * Filter_bounds::unit * ((x * y) * (z * w)) + tiny;
   }
-  double bound_of_three() const { return three * unit_of_double * (x * y * z) + tiny; }
-
-private:
-  void add(const Row<double>& r)
-  {
-    x = (std::max)(x, std::abs(r.x));
-    y = (std::max)(y, std::abs(r.y));
-    z = (std::max)(z, std::abs(r.z));
-  }
+  double bound_of_three() const { return three * Filter_bounds::unit * (x * y * z) + tiny; }
 };
+
+// Of a positively oriented cell, and of an infinite one; 0: not decided.
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int sphere_sign_by_columns(const double* const* vertices,
+                                                              const double* p)
+{
+  const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p),
+                    d = row(vertices[3], p);
+  const double m = (std::max)(largest_square(a, b, c), d.w);
+  return certified_sign(Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d),
+                        Column_sizes(a, b, c, d).bound_of_four(m));
+}
+
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int beyond_sign_by_columns(const double* const* vertices,
+                                                              const double* p)
+{
+  const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p);
+  return -certified_sign(determinant_of(a, b, c), Column_sizes(a, b, c).bound_of_three());
+}
 
 } // namespace internal
 } // namespace Delaunay_from_surface_3

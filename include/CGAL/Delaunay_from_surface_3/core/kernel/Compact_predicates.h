@@ -11,20 +11,23 @@
 //
 //   stage           what it decides                                  cost  header
 //   first filter    signs farther from 0 than doubles err              15  Sphere_filter.h
-//   by columns      the same where points lie in a flat box             -  Column_sizes.h
 //   flat circle     infinite cells in planes across an axis             -  flat_beyond_sign.h
 //   HALF_DIGIT      differences as integers of 30 bits, 0 included     80  exact_signs.h
 //   ONE_DIGIT       the same of 60 bits                               135  exact_signs.h
-//   BALANCED        doubles, of points at very different distances      -  balanced_signs.h
+//   BALANCED        doubles, of points in a flat box,                   -  Column_sizes.h
+//                   or at very different distances                      -  balanced_signs.h
 //   DOUBLE_DOUBLE   farther from 0 than sums of two doubles err       240  Double_double.h
 //   TWO_DIGITS      integers of 120 bits, 0 included                  440  exact_signs.h
 //   ANY_WIDTH       all that is left                                    -  Wide_integer.h
 //
-// Where the sign is 0, the stage goes on with CGAL's perturbation.
+// Where the sign is 0, the stage goes on with CGAL's perturbation. Sheets are flat all over: where
+// the last test was decided in a flat box, the columns are asked before the integers.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/flat_beyond_sign.h>
@@ -36,7 +39,17 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 
-// The predicates of one insertion. The new point is a vertex p, in no cell yet.
+// By columns, in vectors where the machine has them.
+inline int flat_sphere_sign(const double* const* vertices, const double* p)
+{
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  if (machine_has_vectors())
+    return wide_sphere_sign_by_columns(vertices, p);
+#endif
+  return sphere_sign_by_columns(vertices, p);
+}
+
+// The predicates of insertions, one after another. The new point is a vertex p, in no cell yet.
 template <class Id>
 class Compact_predicates
 {
@@ -87,12 +100,12 @@ public:
     const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
     const double* const v[3] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2])};
     const double* const q = at(p);
-    if (!m_complex.is_rounded()) {
+    if (!m_complex.is_rounded())
       if (const int flat = flat_beyond_sign(v, q))
         return flat > 0;
+    if (m_is_flat)
       if (const int sign = beyond_sign_by_columns(v, q))
         return sign > 0;
-    }
     const Exact_sign exact = m_complex.is_rounded() ? wide_sign<Exact_beyond>(v, q)
                                                     : exact_beyond_sign(v, q, m_is_fused);
     ++m_counts.facet_tests_by_stage[exact.stage];
@@ -100,30 +113,10 @@ public:
     return exact.sign > 0;
   }
 
-  // Whether p and the finite cell lie in a box that is flat and parallel to axes.
-  bool is_flat(const Cell& cell, Id p) const
-  {
-    return !m_complex.is_rounded() && column_sizes(cell, coordinates(p)).are_flat();
-  }
-
-  // What the view of a finite cell left open.
-  bool is_in_sphere_of_view(const Cell& cell, Id p)
-  {
-    return is_flat(cell, p) ? is_in_conflict(cell, p) : is_in_close_sphere(cell, p);
-  }
-
   // What the first filter left open.
   bool is_in_close_sphere(const Cell& cell, Id p)
   {
-    const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
-    const double* const v[4] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2]),
-                                at(cell.v[3])};
-    const double* const q = at(p);
-    const Exact_sign exact = m_complex.is_rounded() ? wide_sign<Exact_sphere>(v, q)
-                                                    : exact_sphere_sign(v, q, m_is_fused);
-    ++m_counts.sphere_tests_by_stage[exact.stage];
-    m_counts.perturbed += exact.is_perturbed;
-    return exact.sign > 0;
+    return m_is_flat ? is_in_flat_sphere(cell, p) : is_in_sphere_exactly(cell, p);
   }
 
   // The same for any cell, with all filters.
@@ -140,6 +133,28 @@ public:
   }
 
 private:
+  bool is_in_sphere_exactly(const Cell& cell, Id p)
+  {
+    const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
+    const double* const v[4] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2]),
+                                at(cell.v[3])};
+    const double* const q = at(p);
+    const Exact_sign exact = m_complex.is_rounded() ? wide_sign<Exact_sphere>(v, q)
+                                                    : exact_sphere_sign(v, q, m_is_fused);
+    ++m_counts.sphere_tests_by_stage[exact.stage];
+    m_counts.perturbed += exact.is_perturbed;
+    m_is_flat = exact.is_flat;
+    return exact.sign > 0;
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART bool is_in_flat_sphere(const Cell& cell, Id p)
+  {
+    const double* const v[4] = {coordinates(Complex::first_vertex(cell)), coordinates(cell.v[1]),
+                                coordinates(cell.v[2]), coordinates(cell.v[3])};
+    const int sign = flat_sphere_sign(v, coordinates(p));
+    return sign != 0 ? sign > 0 : is_in_sphere_exactly(cell, p);
+  }
+
   // Of tiny coordinates the pushes underflow first; where the cell is flat, the bound is too large.
   unsigned close_facet(const Cell& cell, const Cell_view& view, Id p) const
   {
@@ -175,6 +190,7 @@ private:
   const Complex& m_complex;
   Insertion_counts& m_counts;
   const bool m_is_fused = has_fused_products();
+  bool m_is_flat = false; // whether columns decided the last sphere test that integers left open
 };
 
 } // namespace internal

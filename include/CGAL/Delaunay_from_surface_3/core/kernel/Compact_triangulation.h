@@ -41,13 +41,10 @@ public:
     : m_complex(complex)
   {
   }
+  Compact_triangulation(const Compact_triangulation&) = delete;
 
   // Where vertex p, in no cell yet, goes, from cell `start`.
-  Location locate(Id p, Id start)
-  {
-    Predicates predicates(m_complex, m_zone.counts);
-    return walk(predicates, p, start);
-  }
+  Location locate(Id p, Id start) { return walk(p, start); }
 
   // Puts p where a cell is in conflict with it. Returns p.
   Id insert(Id p, Id cell)
@@ -74,29 +71,29 @@ public:
   const Insertion_counts& counts() const { return m_zone.counts; }
 
 private:
-  Location walk(Predicates& predicates, Id p, Id start) const
+  Location walk(Id p, Id start)
   {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
     if (m_is_wide)
-      return Walk_to_conflict<Wide_sphere_filter>()(m_complex, predicates, p, start);
+      return Walk_to_conflict<Wide_sphere_filter>()(m_complex, m_predicates, p, start);
 #endif
-    return Walk_to_conflict<Sphere_filter>()(m_complex, predicates, p, start);
+    return Walk_to_conflict<Sphere_filter>()(m_complex, m_predicates, p, start);
   }
 
   void dig(Id p, Id cell)
   {
-    Predicates predicates(m_complex, m_zone.counts);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
     if (m_is_wide) {
-      Dig_conflict_zone<Widest_explore_neighbors<Id>>()(m_complex, predicates, m_zone, p, cell);
+      Dig_conflict_zone<Widest_explore_neighbors<Id>>()(m_complex, m_predicates, m_zone, p, cell);
       return;
     }
 #endif
-    Dig_conflict_zone<Explore_neighbors>()(m_complex, predicates, m_zone, p, cell);
+    Dig_conflict_zone<Explore_neighbors>()(m_complex, m_predicates, m_zone, p, cell);
   }
 
   Complex& m_complex;
   Conflict_zone<Id> m_zone;
+  Predicates m_predicates{m_complex, m_zone.counts};
   Fill_star<Id> m_fill_star;
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
   const bool m_is_wide = machine_has_vectors();

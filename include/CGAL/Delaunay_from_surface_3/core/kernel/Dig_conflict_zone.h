@@ -18,7 +18,6 @@
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <cstddef>
-#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -29,8 +28,6 @@ namespace internal {
 template <class Explore>
 struct Dig_conflict_zone
 {
-  using Filter = typename std::remove_reference_t<Explore>::Filter;
-
   // Fills the zone of point p from the cell `first`, which is in conflict with it. Returns whether
   // that succeeded: alone it does.
   template <class Id, class Predicates, class Zone>
@@ -87,58 +84,17 @@ private:
   {
     using Complex = Compact_complex<Id>;
     unsigned inside = 0;
-    bool is_known_whether_flat = !Filter::leaves_flat_cells_open;
     for (unsigned k = 0; k < 4; ++k)
       if (undecided >> k & 1) {
         const Compact_cell<Id>& neighbor = explore.neighbor(complex.cells(), cell, k);
         if (explore.is_torn())
           break;
         const bool is_filtered = !Complex::is_infinite(cell) && !Complex::is_infinite(neighbor);
-        if constexpr (Filter::leaves_flat_cells_open)
-          if (is_filtered && !is_known_whether_flat) {
-            is_known_whether_flat = true;
-            if (predicates.is_flat(cell, p)) {
-              const Sphere_signs signs = flat_signs(complex, cell, undecided, p, explore);
-              inside |= signs.inside;
-              undecided &= ~(signs.inside | signs.outside);
-              --k; // once more, if it is still undecided
-              continue;
-            }
-          }
         inside |= unsigned(is_filtered ? predicates.is_in_close_sphere(neighbor, p)
                                        : predicates.is_in_conflict(neighbor, p))
                   << k;
       }
     return inside;
-  }
-
-  // Those of them whose spheres p is inside of, or outside, as far as that can be told where p and
-  // the cell lie in a flat box.
-  template <class Id>
-  CGAL_DELAUNAY_FROM_SURFACE_3_APART static Sphere_signs
-  flat_signs(const Compact_complex<Id>& complex, const Compact_cell<Id>& cell, unsigned undecided,
-             Id p, Explore& explore)
-  {
-    using Complex = Compact_complex<Id>;
-    const double *v[4], *opposite[4];
-    unsigned finite = 0;
-    for (unsigned k = 0; k < 4; ++k) {
-      v[k] = complex.vertex(k == 0 ? Complex::first_vertex(cell) : cell.v[k]).coordinates;
-      opposite[k] = v[k];
-      if (!(undecided >> k & 1))
-        continue;
-      const Compact_cell<Id>& neighbor = explore.neighbor(complex.cells(), cell, k);
-      if (explore.is_torn())
-        return {0, 0};
-      const unsigned facet = unsigned(cell.links[k] & 3);
-      const Id e = facet == 0 ? Complex::first_vertex(neighbor) : neighbor.v[facet];
-      opposite[k] = complex.vertex(e).coordinates;
-      finite |= unsigned(!Complex::is_infinite(neighbor)) << k;
-    }
-    if (finite == 0)
-      return {0, 0};
-    const Sphere_signs signs = Filter::flat_signs(v, opposite, complex.vertex(p).coordinates);
-    return {signs.inside & finite, signs.outside & finite};
   }
 };
 

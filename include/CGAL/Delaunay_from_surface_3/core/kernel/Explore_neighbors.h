@@ -69,8 +69,6 @@ struct Explore_alone
 
 struct Explore_neighbors : Explore_alone
 {
-  using Filter = Sphere_filter;
-
   // Of the cell's neighbours. Infinite cells are left undecided.
   template <class Id>
   static Neighborhood around(const Compact_cell<Id>* cells, const Compact_vertex<Id>* vertices,

@@ -5,8 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_SPHERE_FILTER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_SPHERE_FILTER_H
 
-// The first stage of the predicates: the determinants in double, with one bound on their error,
-// and where that leaves the sign open, with another one (Column_sizes.h).
+// The first stage of the predicates: the determinants in double, with one bound on their error.
 //
 // A determinant of four rows is a sum of 24 products x y z w; each goes through at most 17
 // roundings, 3 + 5 of them in its factors. By the inequality of Hadamard type for permanents
@@ -20,7 +19,6 @@
 // three coordinates as factors: it changes a result by less than `tiny` where m is at most 1, and
 // by less than 2^-900 u m^(5/2), or u m^(3/2), where it is not.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 
 #include <algorithm>
@@ -32,7 +30,7 @@ namespace internal {
 
 struct Filter_bounds
 {
-  static constexpr double unit = unit_of_double;
+  static constexpr double unit = 1. / 9007199254740992.; // 2^-53
   static constexpr double tiny = 1e-300;
   static double four_rows(double m) { return 80 * unit * (m * m * std::sqrt(m)) + tiny; }
   static double three_rows(double m) { return 16 * unit * (m * std::sqrt(m)) + tiny; }
@@ -61,25 +59,12 @@ inline int beyond_sign(const Row<double>& a, const Row<double>& b, const Row<dou
                          Filter_bounds::three_rows(largest_square(a, b, c)));
 }
 
-// The same by the bound by columns, where these differ much.
-CGAL_DELAUNAY_FROM_SURFACE_3_APART int beyond_sign_by_columns(const double* const* vertices,
-                                                              const double* p)
-{
-  const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p);
-  const Column_sizes sizes(a, b, c);
-  return sizes.are_flat() ? -certified_sign(determinant_of(a, b, c), sizes.bound_of_three()) : 0;
-}
-
 // Of a positively oriented cell (a, b, c, d).
 inline int sphere_sign(const Row<double>& a, const Row<double>& b, const Row<double>& c,
                        const Row<double>& d)
 {
-  const double value = Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d);
-  const double m = (std::max)(largest_square(a, b, c), d.w);
-  const int sign = certified_sign(value, Filter_bounds::four_rows(m));
-  if (sign != 0 || value == 0)
-    return sign;
-  return certified_sign(value, Column_sizes(a, b, c, d).bound_of_four(m));
+  return certified_sign(Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d),
+                        Filter_bounds::four_rows((std::max)(largest_square(a, b, c), d.w)));
 }
 
 // Four sphere tests at once: those of the neighbours of a cell. Bit i of `inside` says that p is
@@ -89,7 +74,7 @@ struct Sphere_signs
   unsigned inside, outside;
 };
 
-// Where p is from a cell: in the sphere (sign), and beyond which facet; by the first bound alone.
+// Where p is from a cell: in the sphere (sign), and beyond which facet.
 struct Cell_view
 {
   int sphere;       // 1: inside, -1: outside, 0: not decided
@@ -101,9 +86,6 @@ struct Cell_view
 // Scalar code for any machine. Wide_sphere_filter.h has the same for vectors.
 struct Sphere_filter
 {
-  // neighbors() asks both bounds.
-  static constexpr bool leaves_flat_cells_open = false;
-
   // `vertices` of the cell, positively oriented; `opposite`: of each neighbour the vertex that the
   // cell has not. The tests of the facets in `wanted` are made.
   static Sphere_signs neighbors(const double* const* vertices, const double* const* opposite,

@@ -76,7 +76,7 @@ struct Walk_to_conflict
       if (view.sphere == 0) {
         if (const Id w = predicates.vertex_at(cell, p))
           return {c, w};
-        if (predicates.is_in_sphere_of_view(cell, p))
+        if (predicates.is_in_close_sphere(cell, p))
           return {c, 0};
       }
       c = cell.links[predicates.facet_towards(cell, view, p)] >> 2;

@@ -25,7 +25,6 @@ struct Wide_explore_neighbors : Explore_alone
   using Id = std::uint32_t;
   using Complex = Compact_complex<Id>;
   using Cell = Compact_cell<Id>;
-  using Filter = Wide_sphere_filter;
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Neighborhood
   around(const Cell* cells, const Compact_vertex<Id>* vertices, const Cell& cell, const double* p)

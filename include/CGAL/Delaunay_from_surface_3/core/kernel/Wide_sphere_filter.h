@@ -11,6 +11,7 @@
 // Only code marked with its target uses the wide instructions, so that the user need not compile
 // for them; the caller asks the machine first. The target has no fma.
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
@@ -35,12 +36,11 @@ struct Wide_column
   }
 };
 
-// The largest of each column in absolute value, with e in the place of the lane's own row.
-CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles largest_of(const Wide_column& column,
-                                                                       Four_doubles e)
+// The largest absolute value of a lane.
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS double largest_of(Four_doubles v)
 {
-  return max_of(max_of(max_of(e, -e), max_of(column.a, -column.a)),
-                max_of(max_of(column.b, -column.b), max_of(column.c, -column.c)));
+  const Four_doubles size = max_of(v, -v), two = max_of(size, lanes_of<2, 3, 0, 1>(size));
+  return (std::max)(two[0], two[1]);
 }
 
 // (x, y, z) - p of four points, by coordinate, and the squared lengths.
@@ -78,50 +78,20 @@ struct Wide_minors
   }
 };
 
-// Four sphere tests: the rows, and the determinants.
-struct Wide_sphere_test
-{
-  Wide_rows e;
-  Wide_column x, y, z, w;
-  Four_doubles value, largest_w;
-
-  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS
-  Wide_sphere_test(const Wide_rows& rows, const Wide_rows& opposite)
-    : e(opposite)
-    , x(rows.x)
-    , y(rows.y)
-    , z(rows.z)
-    , w(rows.w)
-  {
-    const Wide_minors xy(x, y), zw(z, w);
-    value = (e.x * zw.times(y) - e.y * zw.times(x)) + (e.z * xy.times(w) - e.w * xy.times(z));
-    largest_w = max_of(max_of(e.w, w.a), max_of(w.b, w.c));
-  }
-};
-
 struct Wide_sphere_filter
 {
-  // signs() asks the bound by rows alone.
-  static constexpr bool leaves_flat_cells_open = true;
-
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Sphere_signs
   signs(const double* const* vertices, const double* const* opposite, const double* p)
   {
-    const Wide_sphere_test test(Wide_rows(vertices, p), Wide_rows(opposite, p));
-    const Four_doubles m = test.largest_w;
-    return signs_of(test.value,
-                    m * m * sqrt_of(m) * (80 * Filter_bounds::unit) + Filter_bounds::tiny);
-  }
-
-  // The same by the bound by columns.
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Sphere_signs
-  flat_signs(const double* const* vertices, const double* const* opposite, const double* p)
-  {
-    const Wide_sphere_test test(Wide_rows(vertices, p), Wide_rows(opposite, p));
-    const Four_doubles xy = largest_of(test.x, test.e.x) * largest_of(test.y, test.e.y),
-                       zw = largest_of(test.z, test.e.z) * test.largest_w;
-    return signs_of(test.value,
-                    xy * zw * (Column_sizes::four * unit_of_double) + Column_sizes::tiny);
+    const Wide_rows rows(vertices, p), e(opposite, p);
+    const Wide_column x(rows.x), y(rows.y), z(rows.z), w(rows.w);
+    const Wide_minors xy(x, y), zw(z, w);
+    const Four_doubles value =
+        (e.x * zw.times(y) - e.y * zw.times(x)) + (e.z * xy.times(w) - e.w * xy.times(z));
+    const Four_doubles m = max_of(max_of(e.w, w.a), max_of(w.b, w.c));
+    const Four_doubles bound =
+        m * m * sqrt_of(m) * (80 * Filter_bounds::unit) + Filter_bounds::tiny;
+    return {bits_of(value > bound), bits_of(value < -bound)};
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Cell_view view(const double* const* vertices,
@@ -143,14 +113,20 @@ struct Wide_sphere_filter
     view.facet_bound = Filter_bounds::three_rows(m);
     return view;
   }
-
-private:
-  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Sphere_signs signs_of(Four_doubles value,
-                                                                              Four_doubles bound)
-  {
-    return {bits_of(value > bound), bits_of(value < -bound)};
-  }
 };
+
+// sphere_sign_by_columns() in vectors.
+CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS inline int
+wide_sphere_sign_by_columns(const double* const* vertices, const double* p)
+{
+  const Wide_rows rows(vertices, p);
+  const Wide_column x(rows.x), y(rows.y), z(rows.z);
+  const Four_doubles value = Wide_minors(x, y).times(z) * rows.w;
+  Column_sizes sizes;
+  sizes.add(largest_of(rows.x), largest_of(rows.y), largest_of(rows.z));
+  return certified_sign((value[0] + value[1]) + (value[2] + value[3]),
+                        sizes.bound_of_four(largest_of(rows.w)));
+}
 
 } // namespace internal
 } // namespace Delaunay_from_surface_3

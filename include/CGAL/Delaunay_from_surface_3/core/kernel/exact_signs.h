@@ -12,6 +12,7 @@
 // more, and all on machines without integers of 128 bits, from integers of any width.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fixed_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Integer_differences.h>
@@ -34,6 +35,7 @@ struct Exact_sign
   int sign;
   bool is_perturbed;
   Exact_stage stage;
+  bool is_flat = false; // decided by columns
 };
 
 inline bool is_lexicographically_less(const double* a, const double* b)
@@ -63,29 +65,49 @@ int perturbed_sign(const double* const* vertices, const double* p, const Sign_of
   }
 }
 
-// Whether distances between the points, or the edges of their box, differ so much that the bound of
-// close_sphere_sign() is of little use, or all are so small that its products underflow.
+// How large the differences are. Where distances between the points, or the edges of their box,
+// differ by more than `least_share`, the bound of close_sphere_sign() is of little use.
 template <int N>
-bool are_unbalanced(const Exact_differences<N>& differences)
+struct Difference_sizes
 {
-  constexpr double share = 1. / 1024, tiny = 0x1p-340;
-  const double* const d = differences.high;
-  double edges[3] = {}, longest = 0, shortest = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < N; ++k) {
-    const Row<double> r(d[3 * k], d[3 * k + 1], d[3 * k + 2]);
-    edges[0] = (std::max)(edges[0], std::abs(r.x));
-    edges[1] = (std::max)(edges[1], std::abs(r.y));
-    edges[2] = (std::max)(edges[2], std::abs(r.z));
-    longest = (std::max)(longest, r.w);
-    shortest = (std::min)(shortest, r.w);
-    for (int j = 0; j < k; ++j)
-      shortest = (std::min)(shortest,
-                            Row<double>(r.x - d[3 * j], r.y - d[3 * j + 1], r.z - d[3 * j + 2]).w);
+  static constexpr double least_share = 1. / 1024;
+
+  Column_sizes columns;
+  double longest, shortest = std::numeric_limits<double>::infinity();
+
+  explicit Difference_sizes(const Exact_differences<N>& differences)
+  {
+    for (int k = 0; k < N; ++k) {
+      const double* const d = differences.high + 3 * k;
+      const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
+      columns.add(x, y, z);
+      shortest = (std::min)(shortest, (std::max)((std::max)(x, y), z));
+    }
+    longest = (std::max)((std::max)(columns.x, columns.y), columns.z);
   }
-  const double least = (std::min)((std::min)(edges[0], edges[1]), edges[2]);
-  return longest < tiny || shortest < share * share * longest ||
-         least * least < share * share * longest;
-}
+
+  // Whether distances from p or edges do, or all are so small that products underflow.
+  bool are_unbalanced() const
+  {
+    constexpr double tiny = 0x1p-170;
+    const double least = (std::min)((std::min)(columns.x, columns.y), columns.z);
+    return longest < tiny || (std::min)(shortest, least) < least_share * longest;
+  }
+
+  // Whether distances of the other points do: seldom, and it takes longer to find out.
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART bool
+  has_close_pair(const Exact_differences<N>& differences) const
+  {
+    const double* const d = differences.high;
+    double least = std::numeric_limits<double>::infinity();
+    for (int j = 0; j < N; ++j)
+      for (int k = 0; k < j; ++k) {
+        const double *const a = d + 3 * j, *const b = d + 3 * k;
+        least = (std::min)(least, Row<double>(a[0] - b[0], a[1] - b[1], a[2] - b[2]).w);
+      }
+    return least < least_share * least_share * longest * longest;
+  }
+};
 
 // The stages in numbers that are rounded.
 template <int N>
@@ -97,19 +119,31 @@ Exact_sign balanced_sign(const double* const* vertices, const double* p, bool is
   return {signs.in_double_doubles(is_fused), false, DOUBLE_DOUBLE};
 }
 
-inline Exact_sign rounded_sphere_sign(const Exact_differences<4>& differences,
-                                      const double* const* vertices, const double* p, bool is_fused)
+CGAL_DELAUNAY_FROM_SURFACE_3_APART Exact_sign
+rounded_sphere_sign(const Exact_differences<4>& differences, const double* const* vertices,
+                    const double* p, bool is_fused)
 {
-  if (are_unbalanced(differences))
+  const Difference_sizes<4> sizes(differences);
+  if (sizes.columns.are_flat())
+    if (const int sign = sphere_sign_by_columns(vertices, p))
+      return {sign, false, BALANCED, true};
+  if (sizes.are_unbalanced())
     return balanced_sign<4>(vertices, p, is_fused);
-  return {is_fused ? fused_close_sphere_sign(differences) : close_sphere_sign(differences), false,
-          DOUBLE_DOUBLE};
+  const int sign = is_fused ? fused_close_sphere_sign(differences) : close_sphere_sign(differences);
+  if (sign == 0 && sizes.has_close_pair(differences))
+    return balanced_sign<4>(vertices, p, is_fused);
+  return {sign, false, DOUBLE_DOUBLE};
 }
 
-inline Exact_sign rounded_beyond_sign(const Exact_differences<3>& differences,
-                                      const double* const* vertices, const double* p, bool is_fused)
+CGAL_DELAUNAY_FROM_SURFACE_3_APART Exact_sign
+rounded_beyond_sign(const Exact_differences<3>& differences, const double* const* vertices,
+                    const double* p, bool is_fused)
 {
-  if (!are_unbalanced(differences)) // two digits are cheap here
+  const Difference_sizes<3> sizes(differences);
+  if (sizes.columns.are_flat())
+    if (const int sign = beyond_sign_by_columns(vertices, p))
+      return {sign, false, BALANCED, true};
+  if (!sizes.are_unbalanced() && !sizes.has_close_pair(differences)) // two digits are cheap here
     return {0, false, DOUBLE_DOUBLE};
   const Exact_sign height = balanced_sign<3>(vertices, p, is_fused);
   return {-height.sign, false, height.stage};

@@ -14,10 +14,11 @@
 // 3 m^2 in absolute value, so the error is at most 33 u m^2, and a bit: less than 40 u m^2 with
 // u = 2^-53. In the same way that of the area is less than 20 u m.
 //
-// Where that leaves something open, there are the bounds by columns: with S, T and W their largest,
-// 66 u S T W and a bit, less than 80 u S T W; the area has 6 products of 6 roundings, less than
-// 40 u S T. Underflow: as in Sphere_filter.h and Column_sizes.h.
+// Where that leaves something open in a thin box, there are the bounds by columns: with S, T and W
+// their largest, 66 u S T W and a bit, less than 80 u S T W; the area has 6 products of 6
+// roundings, less than 40 u S T. Underflow: as in Sphere_filter.h and Column_sizes.h.
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 
 #include <algorithm>
@@ -36,15 +37,25 @@ inline int axis_across(const double* const* vertices, const double* p)
   return axis;
 }
 
-CGAL_DELAUNAY_FROM_SURFACE_3_APART int
-circle_sign_by_columns(double area, double value, const Row<double> (&rows)[3], int axis)
+constexpr double Row<double>::*columns_of_row[3] = {&Row<double>::x, &Row<double>::y,
+                                                    &Row<double>::z};
+
+// Where the points lie in a long and thin box.
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int circle_sign_by_columns(const double* const* vertices,
+                                                              const double* p, int axis)
 {
+  const Row<double> rows[3] = {row(vertices[0], p), row(vertices[1], p), row(vertices[2], p)};
   const Column_sizes sizes(rows[0], rows[1], rows[2]);
   const double edges[3] = {sizes.x, sizes.y, sizes.z};
-  const double box = Filter_bounds::unit * (edges[(axis + 1) % 3] * edges[(axis + 2) % 3]);
+  const double box = edges[(axis + 1) % 3] * edges[(axis + 2) % 3];
   const double m = largest_square(rows[0], rows[1], rows[2]);
-  return certified_sign(area, 40 * box + Column_sizes::tiny) *
-         certified_sign(value, 80 * box * m + Column_sizes::tiny);
+  if (box > 0x1p-10 * m)
+    return 0;
+  const Circle_cofactors<double> cofactors(rows, columns_of_row[(axis + 1) % 3],
+                                           columns_of_row[(axis + 2) % 3]);
+  return certified_sign(cofactors.area, 40 * Filter_bounds::unit * box + Column_sizes::tiny) *
+         certified_sign(cofactors.lifted(rows),
+                        80 * Filter_bounds::unit * box * m + Column_sizes::tiny);
 }
 
 // If p and the facet (a, b, c) of the convex hull lie in a plane orthogonal to an axis: 1 if p is
@@ -54,14 +65,14 @@ inline int flat_beyond_sign(const double* const* vertices, const double* p)
   const int axis = axis_across(vertices, p);
   if (axis == 3)
     return 0;
-  constexpr double Row<double>::*columns[3] = {&Row<double>::x, &Row<double>::y, &Row<double>::z};
   const Row<double> rows[3] = {row(vertices[0], p), row(vertices[1], p), row(vertices[2], p)};
-  const Circle_cofactors<double> cofactors(rows, columns[(axis + 1) % 3], columns[(axis + 2) % 3]);
+  const Circle_cofactors<double> cofactors(rows, columns_of_row[(axis + 1) % 3],
+                                           columns_of_row[(axis + 2) % 3]);
   const double m = largest_square(rows[0], rows[1], rows[2]), value = cofactors.lifted(rows);
   const int sign =
       certified_sign(cofactors.area, 20 * Filter_bounds::unit * m + Filter_bounds::tiny) *
       certified_sign(value, 40 * Filter_bounds::unit * m * m + Filter_bounds::tiny);
-  return sign != 0 || value == 0 ? sign : circle_sign_by_columns(cofactors.area, value, rows, axis);
+  return sign != 0 || value == 0 ? sign : circle_sign_by_columns(vertices, p, axis);
 }
 
 } // namespace internal
