@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whole insertions of hostile points next to plain CGAL's: by all traits, into all triangulations,
-// along wrong surfaces, in every rounding mode, stopped at any moment, with insertions and removals
+// Whole insertions of hostile points next to plain CGAL's: by all traits, into all triangulations
+// and arrays, along wrong surfaces, in every rounding mode, stopped at any moment, with insertions and removals
 // after. See fuzz_campaign.h for the options.
 
 #include "fuzz_campaign.h"
@@ -51,8 +51,8 @@ private:
   static std::vector<Insertion_way> all_ways()
   {
     std::vector<Insertion_way> ways = ways_by_traits();
-    for (const Insertion_way& way : ways_by_triangulation())
-      ways.push_back(way);
+    for (const auto& more : {ways_by_triangulation(), ways_into_arrays()})
+      ways.insert(ways.end(), more.begin(), more.end());
     return ways;
   }
 

@@ -49,6 +49,7 @@ inline const Category categories[] = {
     {"sphere with noise", sphere_with_noise},
     {"flat", flat},
     {"tilted plane", tilted_plane},
+    {"planes of all sizes", planes_of_all_sizes},
     {"plane and one point", plane_and_one_point},
     {"plane and denormal heights", plane_and_denormal_heights},
     {"circles", circles},

@@ -39,6 +39,22 @@ inline Points tilted_plane(Random& r, std::size_t n)
   return points;
 }
 
+// In a plane through axes or diagonals, z = 0, z = x or z = x + y, exactly: the numbers have few
+// bits. Every third set lies on a line in it. Of every size.
+inline Points planes_of_all_sizes(Random& r, std::size_t n)
+{
+  const int bits = r.one_in(2) ? 3 : r.between(1, 29), plane = r.between(0, 2);
+  const bool are_collinear = r.one_in(3);
+  const int slope = r.between(-1, 1);
+  const double size = std::ldexp(1., r.one_in(3) ? r.between(-20, 20) : r.between(-1074, 990));
+  return repeated(n, [&] {
+    const double x = r.between(-(1 << bits), 1 << bits);
+    const double y = are_collinear ? slope * x : r.between(-(1 << bits), 1 << bits);
+    const double z = plane == 0 ? 0 : plane == 1 ? x : x + y;
+    return Coordinates{size * x, size * y, size * z};
+  });
+}
+
 inline Points plane_and_one_point(Random& r, std::size_t n)
 {
   Points points = flat(r, n);

@@ -5,8 +5,8 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_INSERTION_WAYS_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_INSERTION_WAYS_H
 
-// Traits and triangulations that a case may be run with, in units of their own: they take minutes
-// to compile.
+// Traits, triangulations and arrays that a case may be run with, in units of their own: they take
+// minutes to compile.
 
 #include "fuzz_tally.h"
 #include "insertion_case.h"
@@ -24,6 +24,7 @@ struct Insertion_way
 
 std::vector<Insertion_way> ways_by_traits();
 std::vector<Insertion_way> ways_by_triangulation();
+std::vector<Insertion_way> ways_into_arrays();
 
 } // namespace fuzz
 
