@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COLUMN_SIZES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COLUMN_SIZES_H
 
-// The determinants of Sphere_filter.h with another bound on their error: by columns. It is the
+// Another bound on the error of the determinants of Sphere_filter.h: by columns. It is the
 // smaller one where a coordinate differs much less than another: sheets that are nearly flat and
 // parallel to two axes, wires along one.
 //
@@ -20,7 +20,6 @@
 // 2^181: less than `tiny` altogether. Where coordinates themselves were rounded, by at most 2^-1075
 // (Compact_complex.h), that is nothing beside columns of at least `least`.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 
 #include <algorithm>
@@ -29,6 +28,8 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+
+constexpr double unit_of_double = 1. / 9007199254740992.; // 2^-53
 
 struct Column_sizes
 {
@@ -63,28 +64,10 @@ struct Column_sizes
   // w: at least the largest in that column.
   double bound_of_four(double w) const
   {
-    return four * Filter_bounds::unit * ((x * y) * (z * w)) + tiny;
+    return four * unit_of_double * ((x * y) * (z * w)) + tiny;
   }
-  double bound_of_three() const { return three * Filter_bounds::unit * (x * y * z) + tiny; }
+  double bound_of_three() const { return three * unit_of_double * (x * y * z) + tiny; }
 };
-
-// Of a positively oriented cell, and of an infinite one; 0: not decided.
-CGAL_DELAUNAY_FROM_SURFACE_3_APART int sphere_sign_by_columns(const double* const* vertices,
-                                                              const double* p)
-{
-  const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p),
-                    d = row(vertices[3], p);
-  const double m = (std::max)(largest_square(a, b, c), d.w);
-  return certified_sign(Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d),
-                        Column_sizes(a, b, c, d).bound_of_four(m));
-}
-
-CGAL_DELAUNAY_FROM_SURFACE_3_APART int beyond_sign_by_columns(const double* const* vertices,
-                                                              const double* p)
-{
-  const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p);
-  return -certified_sign(determinant_of(a, b, c), Column_sizes(a, b, c).bound_of_three());
-}
 
 } // namespace internal
 } // namespace Delaunay_from_surface_3

@@ -19,6 +19,7 @@
 // three coordinates as factors: it changes a result by less than `tiny` where m is at most 1, and
 // by less than 2^-900 u m^(5/2), or u m^(3/2), where it is not.
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ namespace internal {
 
 struct Filter_bounds
 {
-  static constexpr double unit = 1. / 9007199254740992.; // 2^-53
+  static constexpr double unit = unit_of_double;
   static constexpr double tiny = 1e-300;
   static double four_rows(double m) { return 80 * unit * (m * m * std::sqrt(m)) + tiny; }
   static double three_rows(double m) { return 16 * unit * (m * std::sqrt(m)) + tiny; }
@@ -67,6 +68,41 @@ inline int sphere_sign(const Row<double>& a, const Row<double>& b, const Row<dou
                         Filter_bounds::four_rows((std::max)(largest_square(a, b, c), d.w)));
 }
 
+// The same by the bound by columns (Column_sizes.h).
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int sphere_sign_by_columns(const double* const* vertices,
+                                                              const double* p)
+{
+  const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p),
+                    d = row(vertices[3], p);
+  const double m = (std::max)(largest_square(a, b, c), d.w);
+  return certified_sign(Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d),
+                        Column_sizes(a, b, c, d).bound_of_four(m));
+}
+
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int beyond_sign_by_columns(const double* const* vertices,
+                                                              const double* p)
+{
+  const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p);
+  return -certified_sign(determinant_of(a, b, c), Column_sizes(a, b, c).bound_of_three());
+}
+
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int sign_by_columns(double value, double w, const Row<double>& a,
+                                                       const Row<double>& b, const Row<double>& c,
+                                                       const Row<double>& d)
+{
+  return certified_sign(value, Column_sizes(a, b, c, d).bound_of_four(w));
+}
+
+// By both bounds, one after the other.
+inline int sphere_sign_by_either(const Row<double>& a, const Row<double>& b, const Row<double>& c,
+                                 const Row<double>& d)
+{
+  const double value = Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d);
+  const double m = (std::max)(largest_square(a, b, c), d.w);
+  const int sign = certified_sign(value, Filter_bounds::four_rows(m));
+  return sign != 0 || value == 0 ? sign : sign_by_columns(value, m, a, b, c, d);
+}
+
 // Four sphere tests at once: those of the neighbours of a cell. Bit i of `inside` says that p is
 // inside the sphere of the neighbour beyond facet i, of `outside` that it is outside.
 struct Sphere_signs
@@ -83,7 +119,8 @@ struct Cell_view
   double pushes[4]; // the facets, times the fourth powers of the distances from the vertices to p
 };
 
-// Scalar code for any machine. Wide_sphere_filter.h has the same for vectors.
+// Scalar code for any machine. Wide_sphere_filter.h has the same for vectors, by the first bound
+// alone: there the other one costs too much for what it decides.
 struct Sphere_filter
 {
   // `vertices` of the cell, positively oriented; `opposite`: of each neighbour the vertex that the
@@ -98,7 +135,8 @@ struct Sphere_filter
       if (!(wanted >> i & 1))
         continue;
       // the cell itself has vertex i in the place of the opposite one, and the other orientation
-      const int sign = sphere_sign(row(opposite[i], p), rows[i ^ 1], rows[i ^ 3], rows[i ^ 2]);
+      const int sign =
+          sphere_sign_by_either(row(opposite[i], p), rows[i ^ 1], rows[i ^ 3], rows[i ^ 2]);
       signs.inside |= unsigned(sign > 0) << i;
       signs.outside |= unsigned(sign < 0) << i;
     }
