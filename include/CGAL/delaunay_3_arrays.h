@@ -68,7 +68,7 @@ Delaunay_3_arrays<Index> insert_into_arrays(const Point_array& points, Order_sou
   Request request;
   request.adds_apex = true;
   Built<Id> built =
-      build<Id, Crew<Executor>::template Insert>(points, orders, request, watcher, executor);
+      build<Id, typename Crew<Executor>::type>(points, orders, request, watcher, executor);
   const Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(built, points);
   watcher.phase_begins(Surface_insertion_phase::DONE);
   return arrays;

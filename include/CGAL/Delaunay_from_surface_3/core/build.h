@@ -124,8 +124,8 @@ Built<Id> begin_to_build(const Point_array& points, Order_source& orders, const 
 // surfaces like those measured, the order included; no more than what the budgets allow and an order
 // without one takes.
 //
-// Insert: how a piece of a round is inserted: Insert_alone or Insert_by_workers.
-template <class Id, template <class> class Insert = Insert_alone>
+// Crew: who inserts: One_thread or Many_threads.
+template <class Id, class Crew = One_thread>
 Built<Id> build(const Point_array& points, Order_source& orders, const Request& request,
                 Watcher& watcher, const Executor& executor)
 {
@@ -135,7 +135,7 @@ Built<Id> build(const Point_array& points, Order_source& orders, const Request& 
       built = begin_to_build<Id>(points, orders, request, watcher, executor);
       if (!built.has_started())
         return built;
-      Insert<Id> insert(built, executor, watcher);
+      typename Crew::template Insert<Id> insert(built, executor, watcher);
       built.outcome = insert_in_rounds(insert, built.order.round_ends, watcher, orders.budget());
       built.counts = insert.counts();
       if (built.outcome == Insertion_outcome::COMPLETE) {

@@ -100,6 +100,13 @@ private:
   const bool m_follows_points, m_leaves_points_out;
 };
 
+// Who inserts.
+struct One_thread
+{
+  template <class Id>
+  using Insert = Insert_alone<Id>;
+};
+
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

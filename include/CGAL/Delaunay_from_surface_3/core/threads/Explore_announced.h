@@ -58,8 +58,6 @@ protected:
   using Cell = Compact_cell<Id>;
 
 public:
-  using Filter = Sphere_filter;
-
   Explore_announced(Announced_zone<Id>& zone, Lanes& lanes, unsigned worker)
     : m_zone(zone)
     , m_lanes(lanes.bytes() + worker)

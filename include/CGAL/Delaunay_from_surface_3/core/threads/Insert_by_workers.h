@@ -56,6 +56,13 @@ private:
   Parallel_triangulation<Id> m_triangulation;
 };
 
+// Who inserts.
+struct Many_threads
+{
+  template <class Id>
+  using Insert = Insert_by_workers<Id>;
+};
+
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

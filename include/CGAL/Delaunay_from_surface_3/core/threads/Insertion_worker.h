@@ -95,9 +95,8 @@ public:
   // The first half: finds the zone and announces it; DONE: as far as that goes.
   Insertion_try announce(Id p, Id start, Id& present, std::size_t most_cells)
   {
-    Predicates predicates(m_shared.complex(), m_zone.counts);
     Read_announced<Id> read(most_cells);
-    const Location location = walk(predicates, p, start, read);
+    const Location location = walk(p, start, read);
     if (read.is_lost())
       return Insertion_try::CLASH;
     if (location.vertex != 0) {
@@ -105,7 +104,7 @@ public:
       return Insertion_try::PRESENT;
     }
     m_zone.words[0] = read.word();
-    if (!dig(predicates, p, location.cell))
+    if (!dig(p, location.cell))
       return withdraw(Insertion_try::CLASH);
     return has_cells_for_star() ? Insertion_try::DONE : withdraw(Insertion_try::NO_CELLS);
   }
@@ -124,22 +123,22 @@ public:
   const Insertion_counts& counts() const { return m_zone.counts; }
 
 private:
-  Location walk(Predicates& predicates, Id p, Id start, Read_announced<Id>& read) const
+  Location walk(Id p, Id start, Read_announced<Id>& read)
   {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
     if (m_is_wide)
       return Walk_to_conflict<Wide_sphere_filter, Read_announced<Id>&>()(
-          m_shared.complex(), predicates, p, start, read);
+          m_shared.complex(), m_predicates, p, start, read);
 #endif
-    return Walk_to_conflict<Sphere_filter, Read_announced<Id>&>()(m_shared.complex(), predicates, p,
-                                                                  start, read);
+    return Walk_to_conflict<Sphere_filter, Read_announced<Id>&>()(m_shared.complex(), m_predicates,
+                                                                  p, start, read);
   }
 
   // Digs from a cell that was found in conflict under the word in the zone.
-  bool dig(Predicates& predicates, Id p, Id cell)
+  bool dig(Id p, Id cell)
   {
     return with_explore([&](auto&& explore) {
-      return Dig_conflict_zone<std::decay_t<decltype(explore)>&>()(m_shared.complex(), predicates,
+      return Dig_conflict_zone<std::decay_t<decltype(explore)>&>()(m_shared.complex(), m_predicates,
                                                                    m_zone, p, cell, explore);
     });
   }
@@ -201,6 +200,7 @@ private:
   Shared_complex<Id>& m_shared;
   const unsigned m_number;
   Announced_zone<Id> m_zone;
+  Predicates m_predicates{m_shared.complex(), m_zone.counts};
   Fill_star<Id, Write_announced<Id>> m_fill_star;
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
   const bool m_is_wide = !is_watched && machine_has_vectors();

@@ -36,7 +36,6 @@ class Wide_explore_announced : public Explore_announced<std::uint32_t, Protocol>
 
 public:
   using Base::Base;
-  using Filter = Wide_sphere_filter;
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS const Cell& read(const Cell* cells, Id c, std::size_t k)
   {

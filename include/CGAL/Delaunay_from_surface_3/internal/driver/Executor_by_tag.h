@@ -32,14 +32,12 @@ struct Executor_of_tag
 template <class Executor>
 struct Crew
 {
-  template <class Id>
-  using Insert = Insert_by_workers<Id>;
+  using type = Many_threads;
 };
 template <>
 struct Crew<Alone>
 {
-  template <class Id>
-  using Insert = Insert_alone<Id>;
+  using type = One_thread;
 };
 
 // That of the concurrency tag of a call, or of the triangulation.

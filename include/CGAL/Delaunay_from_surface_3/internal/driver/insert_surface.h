@@ -82,7 +82,7 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
     Way way(into, input, traits, order_options(np), watcher, executor);
     if constexpr (serves_geom_traits<Triangulation>())
       if (way.is_open())
-        way.take(build<typename Way::Id, Crew<Executor>::template Insert>(
+        way.take(build<typename Way::Id, typename Crew<Executor>::type>(
             way.points(), way.orders(), way.request(), watcher, executor));
     inserted = way.finish();
   } else {
