@@ -13,6 +13,8 @@
 //
 // Cost: O(s t) for a product of s digits that are not 0 and t.
 
+#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -63,7 +65,7 @@ public:
   }
 
   // d 2^-unit, which must be an integer.
-  Wide_integer(double d, int unit)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART Wide_integer(double d, int unit)
     : m_size(0)
     , m_is_negative(d < 0)
   {
@@ -83,7 +85,7 @@ public:
   {
     *this = other;
   }
-  Wide_integer& operator=(const Wide_integer& other)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART Wide_integer& operator=(const Wide_integer& other)
   {
     m_size = other.m_size;
     m_is_negative = other.m_is_negative;
@@ -105,7 +107,8 @@ public:
     return sum(s, t, !t.m_is_negative);
   }
 
-  friend Wide_integer operator*(const Wide_integer& s, const Wide_integer& t)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART friend Wide_integer operator*(const Wide_integer& s,
+                                                                   const Wide_integer& t)
   {
     Wide_integer product;
     product.m_is_negative = s.m_is_negative != t.m_is_negative;
@@ -136,7 +139,8 @@ private:
   }
 
   // s, and t with another sign.
-  static Wide_integer sum(const Wide_integer& s, const Wide_integer& t, bool is_t_negative)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART static Wide_integer
+  sum(const Wide_integer& s, const Wide_integer& t, bool is_t_negative)
   {
     Wide_integer result;
     const bool is_less = has_less_digits(s, t);

@@ -17,23 +17,11 @@
 // A cell (v0, v1, v2, v3) is positively oriented if (v1 - v0, v2 - v0, v3 - v0) is right-handed; in
 // an infinite cell the infinite vertex v3 stands for a point beyond the facet.
 
+#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-// Code that functions for several machines share must become part of each.
-#if defined(__GNUC__)
-#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE __attribute__((always_inline)) inline
-#else
-#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE inline
-#endif
-
-// Code that is seldom reached shall not take registers from what is often.
-#if defined(__GNUC__)
-#define CGAL_DELAUNAY_FROM_SURFACE_3_APART __attribute__((noinline)) inline
-#else
-#define CGAL_DELAUNAY_FROM_SURFACE_3_APART inline
-#endif
 
 // Before loops over the few numbers of a test, which the compiler shall write out.
 #if defined(__clang__)

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_INLINING_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_INLINING_H
+
+// Code that functions for several machines share must become part of each.
+#if defined(__GNUC__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE __attribute__((always_inline)) inline
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE inline
+#endif
+
+// Code that is seldom reached shall not take registers from what is often.
+#if defined(__GNUC__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_APART __attribute__((noinline)) inline
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_APART inline
+#endif
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_INLINING_H

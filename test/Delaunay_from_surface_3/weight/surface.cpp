@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// plain.cpp with one call of this package in place of CGAL's.
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/insert_surface_vertices_3.h>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+void insert(CGAL::Delaunay_triangulation_3<Kernel>& tr,
+            const CGAL::Surface_mesh<Kernel::Point_3>& mesh)
+{
+  CGAL::insert_surface_vertices_3(tr, mesh);
+}
