@@ -286,15 +286,98 @@ BOOST_AUTO_TEST_CASE(copies_and_what_was_moved_from)
   check_empty(other);
 }
 
+namespace {
+
+using Level = CGAL::Delaunay_validity_level;
+using Arrays_of_points = CGAL::Delaunay_3_arrays<std::int32_t>;
+
+// The first level at which spoilt arrays are found out; 4 if they never are.
+int found_out_at(const std::vector<Point>& points,
+                 const std::function<void(Arrays_of_points&, std::int32_t* entries)>& spoil)
+{
+  Arrays_of_points arrays = delaunay_3_arrays(points);
+  spoil(arrays, const_cast<std::int32_t*>(arrays.vertices_data())); // cell c at entries + 8 c
+  int level = 0;
+  while (level < 4 && CGAL::is_valid_delaunay_3_arrays(arrays, points, Level(level)))
+    ++level;
+  for (int l = level; l < 4; ++l)
+    BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(arrays, points, Level(l)));
+  return level;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(levels_of_validity)
+{
+  const std::vector<Point> space = surfaces::sphere(200, .1).points;
+  const std::vector<Point> plane = grid(6, 7, 1), line = grid(1, 9, 1);
+  const auto nothing = [](auto&, auto*) {};
+  for (const auto& points : {space, plane, line, grid(1, 1, 1), grid(3, 4, 5)})
+    BOOST_TEST(found_out_at(points, nothing) == 4);
+  for (const auto& points : {space, plane, line}) {
+    const int corners = points.size() == 200 ? 4 : points.size() == 42 ? 3 : 2;
+    BOOST_TEST(found_out_at(points, [](auto&, auto* entries) { entries[4] = -1; }) == 0);
+    BOOST_TEST(found_out_at(points, [](auto&, auto* entries) { entries[4] = entries[5]; }) == 0);
+    BOOST_TEST(found_out_at(points, [](auto&, auto* entries) { entries[1] = entries[0]; }) == 0);
+    BOOST_TEST(found_out_at(points, [](auto&, auto* entries) { entries[1] = 1000; }) == 0);
+    // One cell turned inside out; segments need not be oriented alike.
+    const int one_turned = found_out_at(points, [](auto&, auto* entries) {
+      std::swap(entries[0], entries[1]);
+      std::swap(entries[4], entries[5]);
+    });
+    BOOST_TEST(one_turned == (corners == 2 ? 4 : 0));
+    // All of them.
+    const int turned = found_out_at(points, [](auto& arrays, auto* entries) {
+      for (std::size_t c = 0; c < arrays.number_of_cells(); ++c) {
+        std::swap(entries[8 * c], entries[8 * c + 1]);
+        std::swap(entries[8 * c + 4], entries[8 * c + 5]);
+      }
+    });
+    BOOST_TEST(turned == (corners == 4 ? 2 : 4)); // planes and lines are seen from either side
+  }
+  // A vertex that is moved, and one that is moved little.
+  for (const double far : {10., .02}) {
+    std::vector<Point> moved = space;
+    moved[17] = Point(moved[17].x() + far, moved[17].y(), moved[17].z());
+    const Arrays_of_points arrays = delaunay_3_arrays(space);
+    BOOST_TEST(CGAL::is_valid_delaunay_3_arrays(arrays, moved, Level::EULER));
+    BOOST_TEST(CGAL::is_valid_delaunay_3_arrays(arrays, moved, Level::ORIENTATION) == (far < 1));
+    BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(arrays, moved));
+  }
+  Arrays_of_points arrays = delaunay_3_arrays(space);
+  arrays.drop_infinite_cells();
+  BOOST_CHECK_THROW(CGAL::is_valid_delaunay_3_arrays(arrays, space), std::invalid_argument);
+  arrays = delaunay_3_arrays(space);
+  arrays.drop_neighbors();
+  BOOST_CHECK_THROW(CGAL::is_valid_delaunay_3_arrays(arrays, space), std::invalid_argument);
+}
+
+// Four points on a square, whose other diagonal is as good but for CGAL's perturbation.
+BOOST_AUTO_TEST_CASE(what_only_the_last_level_sees)
+{
+  const std::vector<Point> square = grid(2, 2, 1);
+  Arrays_of_points arrays = delaunay_3_arrays(square);
+  auto* const entries = const_cast<std::int32_t*>(arrays.vertices_data());
+  // Every index turned by a quarter: (i, j) becomes (j, 1 - i). The diagonal is the other one.
+  const std::int32_t turned[] = {1, 3, 0, 2};
+  for (std::size_t c = 0; c < arrays.number_of_cells(); ++c)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::int32_t& v = entries[8 * c + k]; v >= 0)
+        v = turned[v];
+  BOOST_TEST(CGAL::is_valid_delaunay_3_arrays(arrays, square, Level::ORIENTATION));
+  BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(arrays, square));
+}
+
 BOOST_AUTO_TEST_CASE(refusals_and_stops)
 {
   std::vector<Point> points = grid(4, 4, 4);
   BOOST_CHECK_THROW(delaunay_3_arrays(points, Faces{{0, 1, 64}}), CGAL::Surface_input_error);
   BOOST_CHECK_THROW(delaunay_3_arrays(points, Faces{{0, 1, -1}}), CGAL::Surface_input_error);
-  for (const std::size_t stop_before : {0, 1}) { // the rounds: 8 points, and 56
+  for (const std::size_t stop_before : {0, 1}) { // there are two rounds
     Reasons_visitor visitor;
     visitor.stop_before = stop_before;
-    const auto arrays = delaunay_3_arrays(points, CGAL::parameters::visitor(std::ref(visitor)));
+    const auto arrays =
+        delaunay_3_arrays(grid(5, 5, 5), CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(visitor.asked == stop_before + 1);
     BOOST_TEST(arrays.dimension() == -1);
     BOOST_TEST(arrays.number_of_cells() == 0u);

@@ -17,6 +17,7 @@
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/insert_points_along_graph_3.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
@@ -228,6 +229,29 @@ BOOST_AUTO_TEST_CASE(more_cells_than_ids)
   CGAL::insert_points_along_graph_3(widest, most, Graph(most.size()),
                                     tests::Traits_with_ids<std::uint16_t, DFS::Geometric_rounds>());
   BOOST_TEST((widest == Triangulation(most.begin(), most.end())));
+}
+
+// The last level is that of the next test.
+BOOST_AUTO_TEST_CASE(levels_of_validity_of_the_complex)
+{
+  using Level = CGAL::Delaunay_validity_level;
+  using Complex = DFS::internal::Compact_complex<std::uint32_t>;
+  const std::vector<std::array<double, 3>> points = {
+      {{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{.3, .3, .3}}};
+  const auto level_of = [&](const std::function<void(Complex&)>& spoil) {
+    Complex complex(points.size(), [&](std::size_t i) { return points[i]; });
+    complex.start({1, 2, 3, 4});
+    DFS::internal::Compact_triangulation<std::uint32_t> triangulation(complex);
+    triangulation.insert(5, triangulation.locate(5, 0).cell);
+    spoil(complex);
+    int level = 0;
+    while (level < 4 && DFS::internal::is_valid(complex, Level(level)))
+      ++level;
+    return level;
+  };
+  BOOST_TEST(level_of([](Complex&) {}) == 4);
+  BOOST_TEST(level_of([](Complex& complex) { complex.cell(0).links[1] ^= 1; }) == 0);
+  BOOST_TEST(level_of([](Complex& complex) { complex.vertex(5).coordinates[2] = -.5; }) == 2);
 }
 
 // What the check after an insertion sees.

@@ -8,6 +8,7 @@
 // Are arrays the triangulation that CGAL makes of the points?
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/is_valid_delaunay_3_arrays.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -131,7 +132,10 @@ std::string mistake_in_arrays(const CGAL::Delaunay_3_arrays<Index>& arrays,
   if (wrong_neighbors != 0)
     return std::to_string(wrong_neighbors) + " wrong neighbours in the arrays";
   const std::size_t turned = wrong_orientations(arrays, points);
-  return turned == 0 ? "" : std::to_string(turned) + " wrong orientations in the arrays";
+  if (turned != 0)
+    return std::to_string(turned) + " wrong orientations in the arrays";
+  const bool is_valid = CGAL::is_valid_delaunay_3_arrays(arrays, points);
+  return is_valid ? "" : "arrays that are right are called invalid";
 }
 
 } // namespace arrays

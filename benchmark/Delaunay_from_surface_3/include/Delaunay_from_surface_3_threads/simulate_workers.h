@@ -48,7 +48,13 @@ public:
     , m_shared(m_complex, workers)
     , m_vertex_of(points.size(), 0)
   {
-    m_any_vertex = CGAL::Delaunay_from_surface_3::internal::start_complex(m_complex, m_vertex_of);
+    m_any_vertex = CGAL::Delaunay_from_surface_3::internal::start_complex(
+        CGAL::Delaunay_from_surface_3::internal::starting_simplex(
+            m_vertex_of.size(),
+            [&](std::size_t i) {
+              return m_complex.exact_coordinates(Complex::vertex_of_point(i));
+            }),
+        m_complex, m_vertex_of);
     m_shared.make_room(24 * points.size()); // it cannot grow while zones are announced
     for (unsigned t = 0; t < workers; ++t)
       m_workers.push_back(std::make_unique<Worker>(m_shared, t));

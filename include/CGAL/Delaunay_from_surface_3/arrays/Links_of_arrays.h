@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_LINKS_OF_ARRAYS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_LINKS_OF_ARRAYS_H
+
+// What can be checked of arrays without looking at points.
+
+#include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/are_links_spheres.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+
+template <class Index>
+class Links_of_arrays
+{
+  using Arrays = Delaunay_3_arrays<Index>;
+  using Cell = std::array<Index, 4>;
+
+public:
+  // Keeps a reference. Neighbours and infinite cells are still there.
+  explicit Links_of_arrays(const Arrays& arrays)
+    : m_arrays(arrays)
+    , m_corners(std::size_t(arrays.dimension() + 1))
+  {
+  }
+
+  // Are vertices points, each the first of those equal to it, and do neighbours lead back?
+  bool are_valid() const
+  {
+    for (std::size_t c = 0; c < m_arrays.number_of_cells(); ++c)
+      if (!has_vertices(c) || !has_neighbors(c))
+        return false;
+    return true;
+  }
+
+  // Where vertex k of cell c is lonely: which vertex of the neighbour there is; m_corners if nothing
+  // fits.
+  std::size_t place_across(std::size_t c, std::size_t k) const
+  {
+    const Cell there = m_arrays.neighbors(std::size_t(m_arrays.neighbors(c)[k]));
+    return std::size_t(
+        std::find(there.begin(), there.begin() + std::ptrdiff_t(m_corners), Index(c)) -
+        there.begin());
+  }
+
+  // Around each vertex, if links are valid; and is all connected?
+  bool are_spheres() const
+  {
+    const std::size_t cells = m_arrays.number_of_cells(), n = m_arrays.number_of_vertices() + 1;
+    if (!is_connected())
+      return false;
+    switch (m_arrays.dimension()) {
+    case 0:
+      return cells == 2 && n == 2;
+    case 1:
+      return cells == n;
+    case 2:
+      return cells + 4 == 2 * n;
+    default:
+      return are_links_spheres(shifted_cells(), m_arrays.number_of_points() + 1);
+    }
+  }
+
+private:
+  bool has_vertices(std::size_t c) const
+  {
+    const Cell v = m_arrays.vertices(c);
+    for (std::size_t k = 0; k < m_corners; ++k) {
+      const bool is_infinite = v[k] == Arrays::none;
+      if (is_infinite ? !m_arrays.is_infinite(Index(c))
+                      : v[k] < 0 || std::size_t(v[k]) >= m_arrays.number_of_points() ||
+                            m_arrays.vertex_of_point(std::size_t(v[k])) != v[k])
+        return false;
+      if (std::find(v.begin(), v.begin() + std::ptrdiff_t(k), v[k]) !=
+          v.begin() + std::ptrdiff_t(k))
+        return false; // twice
+    }
+    return !m_arrays.is_infinite(Index(c)) ||
+           std::count(v.begin(), v.begin() + std::ptrdiff_t(m_corners), Arrays::none) == 1;
+  }
+
+  bool has_neighbors(std::size_t c) const
+  {
+    for (std::size_t k = 0; k < m_corners; ++k) {
+      const Index d = m_arrays.neighbors(c)[k];
+      if (d < 0 || std::size_t(d) >= m_arrays.number_of_cells() || std::size_t(d) == c ||
+          place_across(c, k) == m_corners)
+        return false;
+      if (m_corners > 1 && !shares_facet(c, k))
+        return false;
+    }
+    return true;
+  }
+
+  // The facet is the same, and seen from the other side: with the vertex across in place of the lonely
+  // one the cell is the neighbour, turned inside out. Segments need not be oriented alike.
+  bool shares_facet(std::size_t c, std::size_t k) const
+  {
+    const Cell there = m_arrays.vertices(std::size_t(m_arrays.neighbors(c)[k]));
+    Cell v = m_arrays.vertices(c);
+    v[k] = there[place_across(c, k)];
+    bool is_odd = false;
+    for (std::size_t i = 0; i < m_corners; ++i) {
+      const auto last = v.begin() + std::ptrdiff_t(m_corners);
+      const auto found = std::find(v.begin() + std::ptrdiff_t(i), last, there[i]);
+      if (found == last)
+        return false;
+      is_odd = is_odd != (found != v.begin() + std::ptrdiff_t(i));
+      std::iter_swap(found, v.begin() + std::ptrdiff_t(i));
+    }
+    return is_odd || m_corners == 2;
+  }
+
+  bool is_connected() const
+  {
+    std::vector<char> is_seen(m_arrays.number_of_cells());
+    std::vector<std::size_t> stack(is_seen.empty() ? 0 : 1, 0);
+    std::size_t seen = stack.size();
+    if (!stack.empty())
+      is_seen[0] = 1;
+    while (!stack.empty()) {
+      const std::size_t c = stack.back();
+      stack.pop_back();
+      for (std::size_t k = 0; k < m_corners; ++k)
+        if (const auto d = std::size_t(m_arrays.neighbors(c)[k]); !is_seen[d]) {
+          is_seen[d] = 1;
+          ++seen;
+          stack.push_back(d);
+        }
+    }
+    return seen == is_seen.size();
+  }
+
+  // With the infinite vertex as number 0.
+  std::vector<std::array<std::uint64_t, 4>> shifted_cells() const
+  {
+    std::vector<std::array<std::uint64_t, 4>> cells(m_arrays.number_of_cells());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      for (std::size_t k = 0; k < 4; ++k)
+        cells[c][k] = std::uint64_t(m_arrays.vertices(c)[k] + 1);
+    return cells;
+  }
+
+  const Arrays& m_arrays;
+  const std::size_t m_corners; // of a cell
+};
+
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_LINKS_OF_ARRAYS_H

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_IS_VALID_DELAUNAY_3_ARRAYS_H
+#define CGAL_IS_VALID_DELAUNAY_3_ARRAYS_H
+
+#include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/Read_coordinates.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <stdexcept>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Arrays
+
+returns whether arrays are the Delaunay triangulation of points, as far as `level` goes. At the last
+level nothing is left open but a vertex whose link has several components and handles that make up
+for them. The arrays may come from anywhere: a file, another process, another program.
+
+Exact. \f$O(m \log m)\f$ for m cells, and some 150 bytes for each.
+
+\param arrays what is checked, with neighbours and infinite cells
+\param points the points of the arrays: any that `delaunay_3_arrays()` takes, in the same order
+\param level how much is checked
+
+\throws std::invalid_argument if neighbours or infinite cells have been dropped
+\throws Surface_input_error if a coordinate is not a finite number
+
+\sa `delaunay_3_arrays()`
+*/
+template <class Index, class PointRange>
+bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const PointRange& points,
+                                Delaunay_validity_level level = Delaunay_validity_level::DELAUNAY)
+{
+  using namespace Delaunay_from_surface_3::internal;
+  using No_parameters = decltype(parameters::default_values());
+  if (arrays.number_of_cells() > 0 && arrays.neighbors_data() == nullptr)
+    throw std::invalid_argument("the neighbours of the arrays have been dropped");
+  if (arrays.number_of_cells() > 0 && arrays.number_of_cells() == arrays.number_of_simplices())
+    throw std::invalid_argument("the infinite cells of the arrays have been dropped");
+  const Read_coordinates<PointRange, No_parameters> read(points, parameters::default_values());
+  return is_valid(arrays, read.points(), level);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_IS_VALID_DELAUNAY_3_ARRAYS_H
