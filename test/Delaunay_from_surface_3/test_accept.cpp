@@ -273,6 +273,78 @@ BOOST_AUTO_TEST_CASE(equals_a_loop_over_cgal)
   }
 }
 
+// Looks up the corners that it is told in the triangulation of what was accepted before.
+struct Corner_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  const Points& points;
+  Far rule;
+  Triangulation tr;
+  std::map<std::size_t, Vertex_handle> vertices;
+  std::size_t wrong = 0, finite = 0, infinite = 0, none_yet = 0;
+
+  Corner_visitor(const Points& p, const Far& r)
+    : points(p)
+    , rule(r)
+  {
+  }
+
+  bool accept(std::size_t i, std::size_t nearest, const Point& point,
+              const std::array<std::size_t, 4>& corners)
+  {
+    if (vertices.empty()) // nobody asked about the first
+      vertices[nearest] = tr.insert(point);
+    wrong += !is_right(points[i], corners);
+    if (!rule(points[i], point))
+      return false;
+    vertices[i] = tr.insert(points[i]);
+    return true;
+  }
+
+  bool is_right(const Point& p, const std::array<std::size_t, 4>& corners)
+  {
+    const auto nones = std::count(corners.begin(), corners.end(), none);
+    if (tr.dimension() < 3) {
+      ++none_yet;
+      return nones == 4;
+    }
+    std::array<Vertex_handle, 4> v;
+    for (std::size_t k = 0; k < 4; ++k)
+      v[k] = corners[k] == none ? tr.infinite_vertex() : vertices.at(corners[k]);
+    Triangulation::Cell_handle cell;
+    if (nones > 1 || !tr.is_cell(v[0], v[1], v[2], v[3], cell))
+      return false;
+    ++(nones == 0 ? finite : infinite);
+    return nones == 0 ? tr.side_of_cell(p, cell, locate_type, li, lj) != CGAL::ON_UNBOUNDED_SIDE
+                      : tr.side_of_cell(p, cell, locate_type, li, lj) == CGAL::ON_BOUNDED_SIDE;
+  }
+
+  Triangulation::Locate_type locate_type;
+  int li, lj;
+};
+
+BOOST_AUTO_TEST_CASE(corners_of_the_cell_that_contains_a_point)
+{
+  for (const double distance : {0., .2, 1.5})
+    for (const Points& points : {random_points(300, 2), lattice(5, 4, 1), torus().points}) {
+      std::size_t in_core = 0;
+      const auto check = [&](const auto& traits) {
+        Corner_visitor visitor(points, Far{distance});
+        Triangulation tr;
+        CGAL::insert_points_along_graph_3(tr, points, Graph(points.size()), traits,
+                                          parameters::visitor(std::ref(visitor)));
+        BOOST_TEST((tr == visitor.tr));
+        BOOST_TEST(visitor.wrong == 0u);
+        BOOST_TEST(visitor.none_yet >= 3u);
+        if (distance < 1)
+          BOOST_TEST(visitor.infinite > 0u);
+        BOOST_TEST((in_core == 0 || in_core == visitor.finite + visitor.infinite));
+        in_core = visitor.finite + visitor.infinite;
+      };
+      check(In_order<DFS::Planned_hints_3>());
+      check(Round_the_core());
+    }
+}
+
 BOOST_AUTO_TEST_CASE(nearest_vertices)
 {
   for (const double distance : {0., .1, .4})

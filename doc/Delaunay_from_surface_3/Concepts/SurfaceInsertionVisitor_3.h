@@ -157,4 +157,17 @@ public:
   \return `false` to leave the point out
   */
   bool accept(std::size_t i, std::size_t nearest, const Point& point);
+
+  /*!
+  is called in place of the other, if it is there.
+
+  \param i as above
+  \param nearest as above
+  \param point as above
+  \param corners for the vertices of a cell that contains the point, what `nearest` is for the nearest
+  vertex. `std::size_t(-1)` also stands for the infinite vertex, where the point lies beyond the facet of
+  the others, and for all four as long as the dimension is below 3.
+  */
+  bool accept(std::size_t i, std::size_t nearest, const Point& point,
+              const std::array<std::size_t, 4>& corners);
 };

@@ -15,6 +15,7 @@
 
 #include <boost/unordered_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
@@ -125,8 +126,9 @@ public:
     observer.after_update(i, m_vertices[i]);
   }
 
-  /// does the same if `accepts(j, q)` says so, where q is the point of the vertex nearest to point
-  /// `i`, and j the first of the points at it, or `std::size_t(-1)` if none of them is; else tells
+  /// does the same if `accepts(j, q, c)` says so, where q is the point of the vertex nearest to point
+  /// `i`, j the first of the points at it, or `std::size_t(-1)` if none of them is, and c[0], …, c[3]
+  /// the same for the vertices of the located cell, in dimension 3; else tells
   /// `observer` of that vertex. Nothing is asked if a vertex stands at the point, or there is none.
   /// Linear in the stars passed on the way to the nearest vertex.
   template <class Observer, class Accepts>
@@ -135,7 +137,7 @@ public:
   {
     if (m_tr.number_of_vertices() > 0 && location.type != Triangulation::VERTEX) {
       const Vertex v = nearest_vertex_of_all(i, location);
-      if (!accepts(first_point_at(v, i), v->point())) {
+      if (!accepts(first_point_at(v, i), v->point(), corners(i, location))) {
         observer.after_update(i, v);
         return;
       }
@@ -181,6 +183,16 @@ private:
         m_first_points.emplace(m_vertices[m_number_of_known_points], m_number_of_known_points);
     const auto found = m_first_points.find(v);
     return found == m_first_points.end() ? std::size_t(-1) : found->second;
+  }
+
+  std::array<std::size_t, 4> corners(std::size_t i, const Location& location)
+  {
+    constexpr std::size_t none = std::size_t(-1);
+    std::array<std::size_t, 4> points = {none, none, none, none};
+    for (int k = 0; m_tr.dimension() == 3 && k < 4; ++k)
+      if (const Vertex v = location.cell->vertex(k); !m_tr.is_infinite(v))
+        points[std::size_t(k)] = first_point_at(v, i);
+    return points;
   }
 
   template <class Observer>

@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -17,13 +18,17 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // Points are numbered by their places in the order; the watcher knows them by what the caller calls
-// them. A vertex that is `nearest` to a point may be that of none of them: then it is no place.
+// them. A vertex may be that of none of them: then it has no place.
 template <class Watcher, class Point>
 bool may_insert(Watcher& watcher, const Insertion_order& plan, std::size_t i, std::size_t nearest,
-                const Point& point)
+                const Point& point, std::array<std::size_t, 4> corners)
 {
-  const std::size_t n = plan.order.size();
-  return watcher.accepts(plan.order[i], nearest < n ? plan.order[nearest] : nearest, point);
+  const auto name_of = [&](std::size_t place) {
+    return place < plan.order.size() ? plan.order[place] : place;
+  };
+  for (std::size_t& corner : corners)
+    corner = name_of(corner);
+  return watcher.accepts(name_of(i), name_of(nearest), point, corners);
 }
 
 // Round h ends before s_{N_h}, N_h = round_ends[h]. Returns false if the watcher stopped it.
@@ -44,9 +49,10 @@ bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints&
       const typename Target::Location d_i = target.locate(i, hints.start(i)); // 2b
       watcher.phase_begins(Phase::UPDATE);
       if constexpr (Watcher::is_asked)
-        target.insert_if(i, d_i, hints, [&](std::size_t nearest, const auto& point) {
-          return may_insert(watcher, plan, i, nearest, point);
-        });
+        target.insert_if(i, d_i, hints,
+                         [&](std::size_t nearest, const auto& point, const auto& corners) {
+                           return may_insert(watcher, plan, i, nearest, point, corners);
+                         });
       else
         target.insert(i, d_i, hints); // 2c
     }

@@ -17,9 +17,11 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/corners_around.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/nearest_vertex.h>
 #include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -67,6 +69,9 @@ public:
     m_fill_star(m_complex, m_zone, p);
     return p;
   }
+
+  // While insert_if() asks: the corners of a cell that contains p.
+  std::array<Id, 4> cell_of_zone(Id p) const { return corners_around(m_complex, m_zone, p); }
 
   const Insertion_counts& counts() const { return m_zone.counts; }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -33,6 +34,7 @@ public:
     , m_starting_cells(points.starting_cells())
     , m_follows_points(watcher.follows_points())
     , m_leaves_points_out(watcher.leaves_points_out())
+    , m_looks_at_corners(watcher.looks_at_corners())
   {
   }
 
@@ -80,11 +82,26 @@ private:
   {
     const Id p = Complex::vertex_of_point(k);
     const Id v = m_triangulation.insert_if(p, cell, [&](Id nearest) {
-      const auto& order = m_points.order.order;
-      return m_watcher.accepts(order[k], order[Complex::point_of_vertex(nearest)]);
+      return m_watcher.accepts(name_of(p), name_of(nearest), corners_of(p));
     });
     m_points.vertex_of[k] = v == p ? p : 0;
     m_starting_cells.after_update(k, v);
+  }
+
+  // What the caller calls the point of a vertex.
+  std::size_t name_of(Id v) const
+  {
+    return v == Complex::infinite ? Watcher::none
+                                  : m_points.order.order[Complex::point_of_vertex(v)];
+  }
+
+  // Of a cell that contains p, whose zone of conflict is dug.
+  Watcher::Corners corners_of(Id p) const
+  {
+    if (!m_looks_at_corners)
+      return {Watcher::none, Watcher::none, Watcher::none, Watcher::none};
+    const std::array<Id, 4> v = m_triangulation.cell_of_zone(p);
+    return {name_of(v[0]), name_of(v[1]), name_of(v[2]), name_of(v[3])};
   }
 
   void begin(Phase phase)
@@ -97,7 +114,7 @@ private:
   Watcher& m_watcher;
   Compact_triangulation<Id> m_triangulation;
   Starting_cells<Id> m_starting_cells;
-  const bool m_follows_points, m_leaves_points_out;
+  const bool m_follows_points, m_leaves_points_out, m_looks_at_corners;
 };
 
 // Who inserts.

@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -33,12 +34,20 @@ public:
   // Is it told of the phases LOCATION and UPDATE, point by point? Not with many threads.
   virtual bool follows_points() const { return false; }
 
-  // Is it asked which points are inserted?
+  // Is it asked which points are inserted; and does it look at the corners then?
   virtual bool leaves_points_out() const { return false; }
+  virtual bool looks_at_corners() const { return false; }
 
-  // May point i be inserted? The vertex nearest to it is that of point `nearest`. Both are what the
-  // caller calls them. Not asked of a point that has a vertex at its place.
-  virtual bool accepts(std::size_t /* i */, std::size_t /* nearest */) { return true; }
+  // May point i be inserted? The vertex nearest to it is that of point `nearest`, and `corners` are
+  // those of a cell that contains it (none if it lies beyond the facet of the others, or if there is
+  // no cell yet). All are what the caller calls them. Not asked of a point that has a vertex at its
+  // place.
+  using Corners = std::array<std::size_t, 4>;
+  static constexpr std::size_t none = std::size_t(-1);
+  virtual bool accepts(std::size_t /* i */, std::size_t /* nearest */, const Corners&)
+  {
+    return true;
+  }
 };
 
 } // namespace internal

@@ -50,6 +50,7 @@ Starting_simplex first_accepted_points(const std::vector<std::size_t>& order, co
                                        Watcher& watcher, std::vector<char>& is_accepted)
 {
   constexpr std::size_t most = 1000;
+  const Watcher::Corners no_corners = {Watcher::none, Watcher::none, Watcher::none, Watcher::none};
   Starting_simplex simplex = {{}, -1};
   std::vector<std::size_t> places; // of the vertices
   for (std::size_t k = 0; k < (std::min)(order.size(), most) && simplex.dimension < 3; ++k) {
@@ -60,7 +61,7 @@ Starting_simplex first_accepted_points(const std::vector<std::size_t>& order, co
         });
     const bool is_vertex = nearest != places.end() && std::equal(p, p + 3, point(*nearest));
     is_accepted.push_back(is_vertex || nearest == places.end() ||
-                          watcher.accepts(order[k], order[*nearest]));
+                          watcher.accepts(order[k], order[*nearest], no_corners));
     if (is_accepted.back() && !is_vertex) {
       places.push_back(k);
       extend_simplex(simplex, point, k);

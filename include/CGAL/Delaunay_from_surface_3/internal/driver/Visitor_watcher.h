@@ -105,9 +105,10 @@ public:
   }
   bool follows_points() const override { return Follows_points<Visitor>::value; }
   bool leaves_points_out() const override { return is_asked; }
-  bool accepts(std::size_t i, std::size_t nearest) override
+  bool looks_at_corners() const override { return Has_accept_with_corners<Visitor, Point>::value; }
+  bool accepts(std::size_t i, std::size_t nearest, const Corners& corners) override
   {
-    return accepts(i, nearest, m_points[nearest]);
+    return accepts(i, nearest, m_points[nearest], corners);
   }
 
   // What only the paper's way, or CGAL's insertion in place of the core's, has to tell.
@@ -139,13 +140,13 @@ public:
   }
 
   // In each order a visitor is asked about a point once, whoever inserts it.
-  bool accepts(std::size_t i, std::size_t nearest, const Point& point)
+  bool accepts(std::size_t i, std::size_t nearest, const Point& point, const Corners& corners)
   {
     if constexpr (is_asked) {
       m_answers.resize(m_points.size(), NOT_ASKED);
       if (m_answers[i] == NOT_ASKED)
         m_answers[i] = m_rounding.in_mode_of_caller(
-            [&] { return static_cast<bool>(m_visitor.accept(i, nearest, point)); });
+            [&] { return static_cast<bool>(answer(i, nearest, point, corners)); });
       return m_answers[i] != 0;
     } else {
       return true;
@@ -154,6 +155,14 @@ public:
 
 private:
   static constexpr char NOT_ASKED = 2;
+
+  auto answer(std::size_t i, std::size_t nearest, const Point& point, const Corners& corners)
+  {
+    if constexpr (Has_accept_with_corners<Visitor, Point>::value)
+      return m_visitor.accept(i, nearest, point, corners);
+    else
+      return m_visitor.accept(i, nearest, point);
+  }
 
   Visitor& m_visitor;
   const Rounding_to_nearest& m_rounding;

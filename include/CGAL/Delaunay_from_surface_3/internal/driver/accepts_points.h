@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ACCEPTS_POINTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ACCEPTS_POINTS_H
 
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -25,6 +26,20 @@ struct Has_accept<Visitor, Point,
 {
 };
 
+// Is there one that looks at the corners, too?
+template <class Visitor, class Point, class = void>
+struct Has_accept_with_corners : std::false_type
+{
+};
+template <class Visitor, class Point>
+struct Has_accept_with_corners<Visitor, Point,
+                               std::void_t<decltype(std::declval<Visitor&>().accept(
+                                   std::size_t(), std::size_t(), std::declval<const Point&>(),
+                                   std::declval<const std::array<std::size_t, 4>&>()))>>
+  : std::true_type
+{
+};
+
 // Is there one with any arguments, that is no template and the only one?
 template <class Visitor, class = void>
 struct Names_accept : std::false_type
@@ -40,7 +55,8 @@ struct Names_accept<Visitor, std::void_t<decltype(&Visitor::accept)>> : std::tru
 template <class Visitor, class Point>
 constexpr bool accepts_points()
 {
-  constexpr bool has_accept = Has_accept<Visitor, Point>::value;
+  constexpr bool has_accept =
+      Has_accept<Visitor, Point>::value || Has_accept_with_corners<Visitor, Point>::value;
   static_assert(has_accept || !Names_accept<Visitor>::value,
                 "the accept() of a visitor takes the numbers of two points and a point");
   return has_accept;
