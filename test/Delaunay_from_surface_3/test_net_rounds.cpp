@@ -15,6 +15,7 @@
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/is_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/rounded_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
@@ -345,6 +346,31 @@ BOOST_AUTO_TEST_CASE(small_sets)
   }
   BOOST_TEST(plan_of<DFS::Surface_net_rounds>({}, Graph(0)).order.empty());
   BOOST_TEST(plan_of<DFS::Surface_net_rounds>({}, Graph(0)).round_ends.empty());
+}
+
+// What assertions of the core ask.
+BOOST_AUTO_TEST_CASE(invariants_of_orders_and_nets)
+{
+  namespace core = DFS::internal;
+  BOOST_TEST(core::is_order({{2, 0, 1}, {1, 3}, {0, 0, 1}}, 3));
+  BOOST_TEST(core::is_order({{}, {}, {}}, 0));
+  BOOST_TEST(!core::is_order({{2, 0, 2}, {1, 3}, {}}, 3));
+  BOOST_TEST(!core::is_order({{2, 0, 3}, {1, 3}, {}}, 3));
+  BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 2}, {}}, 3));
+  BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 1, 3}, {}}, 3));
+  BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 3}, {0, 0, 2}}, 3));
+  BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 3}, {0, 0}}, 3));
+
+  std::vector<core::Large_vector<core::Numbered_edge>> path(1); // 0 - 1 - 2 - 3
+  for (const std::uint32_t v : {1u, 2u, 3u})
+    path[0].emplace_back(v, v - 1);
+  const auto lower = core::lower_neighbors(path, 4);
+  BOOST_TEST(core::is_net(lower, {0, 0, 3, 3}));
+  BOOST_TEST(core::is_net(lower, {1, 1, 1, 3}));
+  BOOST_TEST(!core::is_net(lower, {0, 1, 1, 3})); // 0 and 1 are beside each other
+  BOOST_TEST(!core::is_net(lower, {0, 0, 0, 3})); // 2 is not beside 0
+  BOOST_TEST(!core::is_net(lower, {1, 1, 2, 2})); // 1 and 2
+  BOOST_TEST(!core::is_net(lower, {0, 0, 1, 3})); // 1 is no centre
 }
 
 BOOST_AUTO_TEST_CASE(no_more_cells_destroyed_than_twice_those_of_random_rounds)

@@ -17,11 +17,13 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/apex_of_plane.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_source.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/order_along_line.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -142,6 +144,8 @@ Built<Id> build(const Point_array& points, Order_source& orders, const Request& 
         watcher.insertion_ends(built.counts);
         watcher.phase_begins(Surface_insertion_phase::FINISH);
         insert.finish();
+        CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(
+            is_valid(built.complex, Delaunay_validity_level::DELAUNAY));
       }
       if (built.outcome != Insertion_outcome::OVER_BUDGET || !orders.go_on())
         return built;

@@ -20,6 +20,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/corners_around.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/nearest_vertex.h>
 #include <CGAL/Delaunay_from_surface_3/support/vectors.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 
 #include <array>
 #include <cstddef>
@@ -52,7 +53,7 @@ public:
   Id insert(Id p, Id cell)
   {
     dig(p, cell);
-    m_fill_star(m_complex, m_zone, p);
+    fill(p);
     return p;
   }
 
@@ -66,7 +67,7 @@ public:
       m_zone.revive(m_complex);
       return nearest;
     }
-    m_fill_star(m_complex, m_zone, p);
+    fill(p);
     return p;
   }
 
@@ -94,6 +95,13 @@ private:
     }
 #endif
     Dig_conflict_zone<Explore_neighbors>()(m_complex, m_predicates, m_zone, p, cell);
+  }
+
+  void fill(Id p)
+  {
+    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(m_zone.is_dug(m_complex));
+    m_fill_star(m_complex, m_zone, p);
+    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(m_zone.is_star(m_complex, p));
   }
 
   Complex& m_complex;

@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -74,6 +75,35 @@ struct Conflict_zone
       complex.cell(cells[k]).v[0] = Compact_complex<Id>::first_vertex(complex.cell(cells[k]));
     counts.cells_destroyed -= number_of_cells;
     counts.cells_created -= number_of_facets;
+  }
+
+  // After the dig: are its cells dead, and those around it not? They surround it as a sphere, of
+  // which three edges belong to two facets each.
+  bool is_dug(const Compact_complex<Id>& complex) const
+  {
+    using Complex = Compact_complex<Id>;
+    for (std::size_t k = 0; k < number_of_cells; ++k)
+      if (!Complex::is_dead(complex.cell(cells[k])))
+        return false;
+    for (std::size_t f = 0; f < number_of_facets; ++f)
+      if (Complex::is_dead(complex.cell(facets[f].outside >> 2)))
+        return false;
+    return number_of_cells > 0 && number_of_facets >= 4 && number_of_facets % 2 == 0;
+  }
+
+  // After the fill: do all its cells live, have vertex p, and lead to neighbours that lead back?
+  bool is_star(const Compact_complex<Id>& complex, Id p) const
+  {
+    using Complex = Compact_complex<Id>;
+    for (std::size_t k = 0; k < number_of_cells; ++k) {
+      const Compact_cell<Id>& cell = complex.cell(cells[k]);
+      if (Complex::is_dead(cell) || std::find(cell.v, cell.v + 4, p) == cell.v + 4)
+        return false;
+      for (unsigned i = 0; i < 4; ++i)
+        if (complex.cell(cell.links[i] >> 2).links[cell.links[i] & 3] != Complex::link(cells[k], i))
+          return false;
+    }
+    return true;
   }
 
 private:

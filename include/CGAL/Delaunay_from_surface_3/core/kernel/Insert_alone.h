@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 
 #include <array>
 #include <cstddef>
@@ -65,7 +66,9 @@ private:
     Id& vertex = m_points.vertex_of[k];
     if (vertex != p) { // it is none of the first four
       begin(Phase::LOCATION);
-      const auto location = m_triangulation.locate(p, m_starting_cells.start(k)); // 2b
+      const Id start = m_starting_cells.start(k);
+      CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(!Complex::is_dead(m_points.complex.cell(start)));
+      const auto location = m_triangulation.locate(p, start); // 2b
       begin(Phase::UPDATE);
       vertex = location.vertex; // that of an equal point, if there is one
       if (vertex == 0 && may_be_left_out(k))

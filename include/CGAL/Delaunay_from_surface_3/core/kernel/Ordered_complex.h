@@ -16,8 +16,11 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/first_accepted_points.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -46,6 +49,11 @@ struct Ordered_complex
       return k < order.order.size() ? points[order.order[k]] : apex;
     };
     complex = Complex(vertex_of.size(), [&](std::size_t k) { return scaled(point(k)); });
+    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(std::all_of(
+        complex.vertices(), complex.vertices() + complex.vertices_end(), [](const auto& v) {
+          return std::all_of(v.coordinates, v.coordinates + 3,
+                             [](double x) { return std::abs(x) <= 0x1p58; });
+        }));
     if (!scaled.is_exact()) {
       std::vector<std::array<double, 3>> own;
       own.reserve(vertex_of.size());

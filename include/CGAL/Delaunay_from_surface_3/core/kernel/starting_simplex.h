@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -68,6 +69,9 @@ Id start_complex(const Starting_simplex& simplex, Compact_complex<Id>& complex,
   std::array<Id, 4> v;
   for (std::size_t k = 0; k < 4; ++k)
     v[k] = vertex_of[simplex.points[k]] = Compact_complex<Id>::vertex_of_point(simplex.points[k]);
+  CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(
+      orientation(complex.exact_coordinates(v[0]), complex.exact_coordinates(v[1]),
+                  complex.exact_coordinates(v[2]), complex.exact_coordinates(v[3])) > 0);
   complex.start(v);
   return v[0];
 }

@@ -8,10 +8,12 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_request.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/is_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,10 +32,14 @@ inline Insertion_order order_of_points(const Point_array& points, Lists<std::uin
                                        const Order_request& request, const Executor& executor)
 {
   const std::size_t edges = lower.items.size();
-  if (request.kind == Order_request::NETS && edges > 0 &&
-      (std::max)(points.size(), edges) < (std::numeric_limits<std::uint32_t>::max)())
-    return surface_net_rounds(points, std::move(lower), request, executor);
-  return geometric_rounds(points, request.seed, request.ratio, request.first_round);
+  const bool has_nets =
+      request.kind == Order_request::NETS && edges > 0 &&
+      (std::max)(points.size(), edges) < (std::numeric_limits<std::uint32_t>::max)();
+  Insertion_order order =
+      has_nets ? surface_net_rounds(points, std::move(lower), request, executor)
+               : geometric_rounds(points, request.seed, request.ratio, request.first_round);
+  CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(is_order(order, points.size()));
+  return order;
 }
 
 } // namespace internal

@@ -25,6 +25,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -209,6 +210,24 @@ inline void choose_nearest_instead_of_hubs(const Lists<std::uint32_t>& lower,
       lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, points, center);
 }
 
+// Is every centre its own, and every other vertex beside its own centre; and is no centre beside
+// another? By vertex: the centre. Linear.
+inline bool is_net(const Lists<std::uint32_t>& lower, const Large_vector<std::uint32_t>& center)
+{
+  std::vector<char> is_beside_center(lower.size());
+  for (std::size_t v = 0; v < lower.size(); ++v)
+    for (const std::uint32_t *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
+      if (*u != v && center[v] == v && center[*u] == *u)
+        return false;
+      is_beside_center[v] |= char(center[v] == *u);
+      is_beside_center[*u] |= char(center[*u] == v);
+    }
+  for (std::size_t v = 0; v < lower.size(); ++v)
+    if (center[center[v]] != center[v] || (center[v] != v && !is_beside_center[v]))
+      return false;
+  return true;
+}
+
 // The net and its clusters. Distances are those of neighbours, one of which is in the net; where
 // there are many vertices, of those beside hubs only: a pass over all points is dear there, for a
 // small gain.
@@ -226,6 +245,7 @@ inline Net net_of(const Lists<std::uint32_t>& lower, std::uint64_t seed,
         lower, [](std::size_t) { return true; }, points, center);
   else
     choose_nearest_instead_of_hubs(lower, hubs, points, center);
+  CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(is_net(lower, center));
   Large_vector<Index> number(n); // of the cluster of a net vertex
   for (std::size_t v = 0; v < n; ++v)
     if (center[v] == v) {

@@ -8,13 +8,10 @@
 // From the core's complex to the caller's triangulation.
 
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/is_delaunay.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +30,6 @@ export_built(Built<Id>& built, const std::vector<typename Triangulation::Point>&
              bool creates_in_input_order, Triangulation& tr, const Executor& executor)
 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
-  CGAL_expensive_precondition(is_delaunay(built.complex));
   const std::vector<std::size_t>& order = built.order.order;
   const auto point = [&](std::size_t v) -> const typename Triangulation::Point* {
     const std::size_t k = Compact_complex<Id>::point_of_vertex(v);

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_ASSERTIONS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_ASSERTIONS_H
+
+// Invariants of the core, which does not know CGAL's assertions, but is switched by the same macros:
+// off with NDEBUG, if CGAL_DEBUG is not defined, and with CGAL_NO_ASSERTIONS; expensive ones, which
+// look at more than what was just written, on with CGAL_CHECK_EXPENSIVE.
+
+#include <CGAL/Delaunay_from_surface_3/support/fail.h>
+
+#if defined(CGAL_NO_ASSERTIONS) || defined(CGAL_NDEBUG) || (defined(NDEBUG) && !defined(CGAL_DEBUG))
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(invariant) static_cast<void>(0)
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(invariant)                                             \
+  ((invariant) ? static_cast<void>(0) : ::CGAL::Delaunay_from_surface_3::internal::fail(#invariant))
+#endif
+
+#if defined(CGAL_CHECK_EXPENSIVE)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(invariant)                                   \
+  CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(invariant)
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(invariant) static_cast<void>(0)
+#endif
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_ASSERTIONS_H
