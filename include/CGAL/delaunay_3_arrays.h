@@ -44,7 +44,7 @@ Order_request order_of_arrays(Order_request::Kind kind, const NamedParameters& n
 
 // The door into arrays: one of those that the core has.
 template <class Index, class Executor, class NamedParameters>
-Delaunay_3_arrays<Index> insert_into_arrays(const Point_array& points, Order_source& orders,
+Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& orders,
                                             const std::optional<std::string>& irregularity,
                                             const Executor& executor, const NamedParameters& np)
 {
@@ -56,7 +56,7 @@ Delaunay_3_arrays<Index> insert_into_arrays(const Point_array& points, Order_sou
       np);
   auto&& visitor = visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
                                          get_parameter(np, internal_np::visitor)),
-                                     points.size());
+                                     points.points().size());
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   static_assert(!accepts_points<Visitor, Point>(),
                 "delaunay_3_arrays() leaves no point out: its visitor has no accept()");
@@ -134,10 +134,10 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
-  const Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
+  Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
   const auto no_edges = [] { return Lists<std::uint32_t>(); };
-  Order_of_core orders(read.points(), order_of_arrays(Order_request::GEOMETRIC, np), no_edges);
-  return insert_into_arrays<Index>(read.points(), orders, std::nullopt,
+  Order_of_core orders(order_of_arrays(Order_request::GEOMETRIC, np), no_edges);
+  return insert_into_arrays<Index>(read, orders, std::nullopt,
                                    typename Executor_of_tag<ConcurrencyTag>::type(), np);
 }
 
@@ -162,13 +162,13 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
 {
   using namespace Delaunay_from_surface_3::internal;
   const typename Executor_of_tag<ConcurrencyTag>::type executor;
-  const Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
-  Soup_graph soup = soup_graph(faces, read.points().size(), executor);
+  Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
+  Soup_graph soup = soup_graph(faces, read.size(), executor);
   const auto edges = [&soup] { return soup.graph.take_lists(); };
   const auto kind =
       std::begin(faces) == std::end(faces) ? Order_request::GEOMETRIC : Order_request::NETS;
-  Order_of_core orders(read.points(), order_of_arrays(kind, np), edges);
-  return insert_into_arrays<Index>(read.points(), orders, soup.irregularity, executor, np);
+  Order_of_core orders(order_of_arrays(kind, np), edges);
+  return insert_into_arrays<Index>(read, orders, soup.irregularity, executor, np);
 }
 
 } // namespace CGAL

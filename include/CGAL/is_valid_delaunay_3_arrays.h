@@ -44,7 +44,8 @@ bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const Po
     throw std::invalid_argument("the neighbours of the arrays have been dropped");
   if (arrays.number_of_cells() > 0 && arrays.number_of_cells() == arrays.number_of_simplices())
     throw std::invalid_argument("the infinite cells of the arrays have been dropped");
-  const Read_coordinates<PointRange, No_parameters> read(points, parameters::default_values());
+  const auto& np = parameters::default_values();
+  Read_coordinates<PointRange, No_parameters> read(points, np);
   return is_valid(arrays, read.points(), level);
 }
 

@@ -79,13 +79,14 @@ template <class Edges>
 class Starved_nets final : public DFS::internal::Order_source
 {
 public:
-  Starved_nets(const DFS::internal::Point_array& points, const Edges& edges)
-    : m_orders(points, DFS::internal::Order_request(), edges)
+  explicit Starved_nets(const Edges& edges)
+    : m_orders(DFS::internal::Order_request(), edges)
   {
   }
-  DFS::Insertion_order make(const DFS::internal::Executor& executor) override
+  DFS::Insertion_order make(const DFS::internal::Point_array& points,
+                            const DFS::internal::Executor& executor) override
   {
-    return m_orders.make(executor);
+    return m_orders.make(points, executor);
   }
   DFS::internal::Insertion_budget budget() const override
   {
@@ -111,9 +112,9 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
     const auto surface = surfaces::sphere(n, 0.05);
     Reasons_visitor visitor;
     const auto coordinates = DFS::internal::rounded_coordinates(surface.points);
-    const DFS::internal::Point_array points(coordinates.data(), surface.points.size());
-    Starved_nets orders(points, [&] {
-      return DFS::internal::soup_graph(surface.faces, points.size()).graph.take_lists();
+    DFS::internal::Given_points points({coordinates.data(), surface.points.size()});
+    Starved_nets orders([&] {
+      return DFS::internal::soup_graph(surface.faces, surface.points.size()).graph.take_lists();
     });
     check_arrays(DFS::internal::insert_into_arrays<std::int32_t>(
                      points, orders, std::nullopt, DFS::internal::Alone(),

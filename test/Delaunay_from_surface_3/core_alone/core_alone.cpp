@@ -52,9 +52,10 @@ core::Lists<std::uint32_t> path(std::size_t n)
 
 Arrays arrays_of(const std::vector<double>& coordinates, bool has_edges, const char* where)
 {
-  const core::Point_array points(coordinates.data(), coordinates.size() / 3);
-  const auto edges = [&] { return has_edges ? path(points.size()) : core::Lists<std::uint32_t>(); };
-  core::Order_of_core orders(points, core::Order_request(), edges);
+  const std::size_t n = coordinates.size() / 3;
+  core::Given_points points(core::Point_array(coordinates.data(), n));
+  const auto edges = [&] { return has_edges ? path(n) : core::Lists<std::uint32_t>(); };
+  core::Order_of_core orders(core::Order_request(), edges);
   core::Watcher nobody;
   core::Request request;
   request.adds_apex = true;

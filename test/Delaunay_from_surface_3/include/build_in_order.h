@@ -26,7 +26,8 @@ public:
     : m_order(std::move(order))
   {
   }
-  CGAL::Delaunay_from_surface_3::Insertion_order make(const core::Executor&) override
+  CGAL::Delaunay_from_surface_3::Insertion_order make(const core::Point_array&,
+                                                      const core::Executor&) override
   {
     return m_order;
   }
@@ -46,8 +47,9 @@ build_in_order(const std::vector<Point>& points,
   const auto coordinates = core::rounded_coordinates(points);
   Given_order orders(order);
   core::Watcher nobody;
-  return core::build<std::uint32_t>(core::Point_array(coordinates.data(), points.size()), orders,
-                                    {false, uses_starting_places}, nobody, core::Alone());
+  core::Given_points source(core::Point_array(coordinates.data(), points.size()));
+  return core::build<std::uint32_t>(source, orders, {false, uses_starting_places}, nobody,
+                                    core::Alone());
 }
 
 } // namespace tests

@@ -85,15 +85,17 @@ Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built)
 // std::length_error if the cells are more than an Index can number. Linear.
 template <class Index>
 Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& built,
-                                         const Point_array& points)
+                                         Point_source& source)
 {
   switch (built.outcome) {
   case Insertion_outcome::TOO_FEW_IDS:
     throw Too_few_ids(std::numeric_limits<std::make_unsigned_t<Index>>::digits);
-  case Insertion_outcome::FLAT:
+  case Insertion_outcome::FLAT: {
+    const Point_array points = source.points();
     return arrays_on_line<Index>(points.size(), [&](std::size_t i) {
       return std::array<double, 3>{points[i][0], points[i][1], points[i][2]};
     });
+  }
   case Insertion_outcome::COMPLETE:
     return built.has_apex ? arrays_at_apex<Index>(built) : arrays_in_space<Index>(built);
   default:

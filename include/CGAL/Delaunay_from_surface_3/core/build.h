@@ -93,16 +93,17 @@ struct Request
 
 // The points in the order of `orders`: the order and the four points that come first.
 template <class Id>
-Built<Id> begin_to_build(const Point_array& points, Order_source& orders, const Request& request,
+Built<Id> begin_to_build(Point_source& source, Order_source& orders, const Request& request,
                          Watcher& watcher, const Executor& executor)
 {
   using Phase = Surface_insertion_phase;
   watcher.phase_begins(Phase::PLAN);
+  const Point_array points = source.points();
   const Starting_simplex simplex =
       starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
   Insertion_order order = simplex.dimension < 2 && !watcher.leaves_points_out()
                               ? order_along_line(points)
-                              : orders.make(executor);
+                              : orders.make(points, executor);
   if (!request.uses_starting_places)
     order.starting_places.clear();
   watcher.phase_begins(Phase::SUBGRAPH);
@@ -118,6 +119,8 @@ Built<Id> begin_to_build(const Point_array& points, Order_source& orders, const 
     built.order = std::move(order);
   }
   built.simplex = simplex;
+  if (built.has_started())
+    source.give_up();
   return built;
 }
 
@@ -128,7 +131,7 @@ Built<Id> begin_to_build(const Point_array& points, Order_source& orders, const 
 //
 // Crew: who inserts: One_thread or Many_threads.
 template <class Id, class Crew = One_thread>
-Built<Id> build(const Point_array& points, Order_source& orders, const Request& request,
+Built<Id> build(Point_source& points, Order_source& orders, const Request& request,
                 Watcher& watcher, const Executor& executor)
 {
   Built<Id> built;
@@ -137,19 +140,22 @@ Built<Id> build(const Point_array& points, Order_source& orders, const Request& 
       built = begin_to_build<Id>(points, orders, request, watcher, executor);
       if (!built.has_started())
         return built;
-      typename Crew::template Insert<Id> insert(built, executor, watcher);
-      built.outcome = insert_in_rounds(insert, built.order.round_ends, watcher, orders.budget());
-      built.counts = insert.counts();
-      if (built.outcome == Insertion_outcome::COMPLETE) {
-        watcher.insertion_ends(built.counts);
-        watcher.phase_begins(Surface_insertion_phase::FINISH);
-        insert.finish();
-        CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(
-            is_valid(built.complex, Delaunay_validity_level::DELAUNAY));
+      {
+        typename Crew::template Insert<Id> insert(built, executor, watcher);
+        built.outcome = insert_in_rounds(insert, built.order.round_ends, watcher, orders.budget());
+        built.counts = insert.counts();
+        if (built.outcome == Insertion_outcome::COMPLETE) {
+          watcher.insertion_ends(built.counts);
+          watcher.phase_begins(Surface_insertion_phase::FINISH);
+          insert.finish();
+          CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(
+              is_valid(built.complex, Delaunay_validity_level::DELAUNAY));
+        }
       }
       if (built.outcome != Insertion_outcome::OVER_BUDGET || !orders.go_on())
         return built;
       watcher.order_is_replaced("its insertions destroy or enter too many cells");
+      built = Built<Id>(); // before there is another
     }
   } catch (const Too_few_ids&) {
     built.outcome = Insertion_outcome::TOO_FEW_IDS;

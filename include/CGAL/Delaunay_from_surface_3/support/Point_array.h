@@ -37,6 +37,32 @@ private:
   std::size_t m_size;
 };
 
+// Where points come from. They may be asked for again after they were given up.
+class Point_source
+{
+public:
+  virtual ~Point_source() = default;
+
+  virtual Point_array points() = 0;
+
+  // For a long time nobody will ask: what can be had again need not be kept.
+  virtual void give_up() {}
+};
+
+// Points that are there all the time.
+class Given_points final : public Point_source
+{
+public:
+  explicit Given_points(const Point_array& points)
+    : m_points(points)
+  {
+  }
+  Point_array points() override { return m_points; }
+
+private:
+  const Point_array m_points;
+};
+
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -23,19 +23,18 @@ template <class Edges>
 class Order_of_core final : public Order_source
 {
 public:
-  Order_of_core(const Point_array& points, const Order_request& request, const Edges& edges)
-    : m_points(points)
-    , m_request(request)
+  Order_of_core(const Order_request& request, const Edges& edges)
+    : m_request(request)
     , m_edges(edges)
   {
   }
 
-  Insertion_order make(const Executor& executor) override
+  Insertion_order make(const Point_array& points, const Executor& executor) override
   {
     Lists<std::uint32_t> lower; // none are no edges
     if (m_request.kind == Order_request::NETS)
       lower = m_edges();
-    return order_of_points(m_points, std::move(lower), m_request, executor);
+    return order_of_points(points, std::move(lower), m_request, executor);
   }
   Insertion_budget budget() const override
   {
@@ -48,7 +47,6 @@ public:
   }
 
 private:
-  const Point_array m_points;
   Order_request m_request;
   const Edges m_edges;
 };

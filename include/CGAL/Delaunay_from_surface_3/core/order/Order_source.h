@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -20,8 +21,8 @@ class Order_source
 public:
   virtual ~Order_source() = default;
 
-  // By as many threads as it can use.
-  virtual Insertion_order make(const Executor& executor) = 0;
+  // Of the points, by as many threads as it can use.
+  virtual Insertion_order make(const Point_array& points, const Executor& executor) = 0;
 
   // What that order may cost.
   virtual Insertion_budget budget() const = 0;

@@ -12,8 +12,8 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,42 +24,52 @@ namespace internal {
 // The coordinates of a caller's points as doubles: the numbers themselves, or, if that is not so of
 // all of them, what is near enough to make an order of.
 template <class Point>
-class Doubles_of_points
+class Doubles_of_points final : public Point_source
 {
 public:
-  // Linear.
+  // Keeps a reference. Linear.
   explicit Doubles_of_points(const std::vector<Point>& points)
-    : m_size(points.size())
+    : m_points(points)
     , m_not_double(points.size())
   {
-    m_coordinates.reserve(3 * m_size);
-    for (std::size_t i = 0; i < m_size; ++i)
-      if (const auto p = double_coordinates(points[i])) {
-        m_coordinates.insert(m_coordinates.end(), p->begin(), p->end());
-      } else {
-        m_not_double = (std::min)(m_not_double, i);
-        for (const double x :
-             {to_double(points[i].x()), to_double(points[i].y()), to_double(points[i].z())})
-          m_coordinates.push_back(x);
-      }
+    read();
   }
 
-  Point_array points() const { return Point_array(m_coordinates.data(), m_size); }
+  Point_array points() override
+  {
+    if (m_coordinates.empty())
+      read();
+    return Point_array(m_coordinates.data(), m_points.size());
+  }
+  void give_up() override { Large_vector<double>().swap(m_coordinates); }
 
   // Why they are not the numbers themselves; empty if they are.
   std::string obstacle() const
   {
-    return m_not_double < m_size
+    return m_not_double < m_points.size()
                ? "a coordinate of point " + std::to_string(m_not_double) + " is not a double"
                : std::string();
   }
 
-  // Gives the memory back.
-  void clear() { Large_vector<double>().swap(m_coordinates); }
-
 private:
+  void read()
+  {
+    m_coordinates.reserve(3 * m_points.size());
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      const Point& p = m_points[i];
+      std::array<double, 3> c;
+      if (const auto exact = double_coordinates(p)) {
+        c = *exact;
+      } else {
+        m_not_double = (std::min)(m_not_double, i);
+        c = {to_double(p.x()), to_double(p.y()), to_double(p.z())};
+      }
+      m_coordinates.insert(m_coordinates.end(), c.begin(), c.end());
+    }
+  }
+
+  const std::vector<Point>& m_points;
   Large_vector<double> m_coordinates;
-  std::size_t m_size;
   std::size_t m_not_double; // the first point of which one is not, or the number of points
 };
 

@@ -49,39 +49,58 @@ struct Coordinates_map
 // The coordinates of a range of points, checked, as doubles; those of a
 // std::vector<std::array<double, 3>> stay where they are.
 template <class PointRange, class NamedParameters>
-class Read_coordinates
+class Read_coordinates final : public Point_source
 {
   using Item = typename std::iterator_traits<decltype(std::begin(
       std::declval<const PointRange&>()))>::value_type;
   using Point = typename Coordinates_map<Item>::value_type;
+  static constexpr bool stays =
+      std::is_same<PointRange, std::vector<std::array<double, 3>>>::value &&
+      !is_given<NamedParameters, internal_np::point_t>;
 
 public:
-  // Keeps a reference to the points if they stay where they are.
+  // Keeps references.
   Read_coordinates(const PointRange& points, const NamedParameters& np)
+    : m_points(points)
+    , m_np(np)
+    , m_size(std::size_t(std::distance(std::begin(points), std::end(points))))
+  {
+    read();
+  }
+
+  std::size_t size() const { return m_size; }
+
+  Point_array points() override
+  {
+    if constexpr (stays) {
+      return Point_array(m_size == 0 ? nullptr : m_points.front().data(), m_size);
+    } else {
+      if (m_copy.empty())
+        read();
+      return Point_array(m_copy.data(), m_size);
+    }
+  }
+  void give_up() override { Large_vector<double>().swap(m_copy); }
+
+private:
+  void read()
   {
     const auto point_map = parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::point_map), Coordinates_map<Item>());
-    constexpr bool stays = std::is_same<PointRange, std::vector<std::array<double, 3>>>::value &&
-                           !is_given<NamedParameters, internal_np::point_t>;
-    if constexpr (!stays)
-      m_copy.reserve(3 * std::size_t(std::distance(std::begin(points), std::end(points))));
-    for (const auto& item : points) {
+        parameters::get_parameter(m_np, internal_np::point_map), Coordinates_map<Item>());
+    m_copy.reserve(stays ? 0 : 3 * m_size);
+    std::size_t i = 0;
+    for (const auto& item : m_points) {
       const Point p = converted_point<Point>(get(point_map, item));
-      check_point(p, m_size++);
+      check_point(p, i++);
       if constexpr (!stays)
         m_copy.insert(m_copy.end(), {p.x(), p.y(), p.z()});
     }
-    m_coordinates = m_copy.data();
-    if constexpr (stays)
-      m_coordinates = points.empty() ? nullptr : points.front().data();
   }
 
-  Point_array points() const { return Point_array(m_coordinates, m_size); }
-
-private:
+  const PointRange& m_points;
+  const NamedParameters& m_np;
+  const std::size_t m_size;
   Large_vector<double> m_copy;
-  const double* m_coordinates;
-  std::size_t m_size = 0;
 };
 
 } // namespace internal

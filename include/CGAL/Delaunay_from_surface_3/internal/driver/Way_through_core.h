@@ -70,7 +70,7 @@ public:
     , m_watcher(watcher)
     , m_executor(executor)
     , m_doubles(input.points)
-    , m_planned{input.points, m_doubles.points(), tr.geom_traits(), input.graph, input.index_map}
+    , m_planned{input.points, tr.geom_traits(), input.graph, input.index_map}
     , m_orders(order_source(traits.insertion_plan_object(options.seed), m_planned))
     , m_obstacle(obstacle_to_core(tr, m_doubles))
   {
@@ -78,7 +78,7 @@ public:
 
   // May build() be called?
   bool is_open() const { return m_obstacle.empty(); }
-  Point_array points() const { return m_doubles.points(); }
+  Point_source& points() { return m_doubles; }
   Order_source& orders() { return *m_orders; }
   Request request() const { return {false, Uses_starting_places<Traits>::value}; }
 
@@ -88,7 +88,6 @@ public:
     m_obstacle = obstacle_found(built);
     m_inserted.is_complete = built.outcome == Insertion_outcome::COMPLETE;
     if (m_inserted.is_complete) {
-      m_doubles.clear();
       m_inserted.vertices =
           export_built(built, m_input.points, m_options.creates_in_input_order, m_tr, m_executor);
     } else if (built.outcome == Insertion_outcome::FLAT) {
@@ -116,12 +115,12 @@ private:
       refuse_input_order(m_obstacle);
     if (!m_order) {
       m_watcher.phase_begins(Phase::PLAN);
-      m_order = m_orders->make(m_executor);
+      m_order = m_orders->make(m_doubles.points(), m_executor);
       if (!Uses_starting_places<Traits>::value)
         m_order->starting_places.clear();
       m_watcher.phase_begins(Phase::SUBGRAPH);
     }
-    m_doubles.clear();
+    m_doubles.give_up();
     m_watcher.target_is_replaced(m_obstacle);
     m_inserted = insert_through_cgal<Planned_hints_3>(m_tr, m_input.points, *m_order, Index_graph(),
                                                       m_watcher);

@@ -34,15 +34,14 @@ template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
 struct Planned_points
 {
   const std::vector<Point>& points;
-  const Point_array coordinates; // rounded, if they are no doubles
   const GeomTraits& gt;
   const Graph& graph;
   VertexIndexMap index_map;
 };
 
 template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-Planned_points(const std::vector<Point>&, const Point_array&, const GeomTraits&, const Graph&,
-               VertexIndexMap) -> Planned_points<Point, GeomTraits, Graph, VertexIndexMap>;
+Planned_points(const std::vector<Point>&, const GeomTraits&, const Graph&, VertexIndexMap)
+    -> Planned_points<Point, GeomTraits, Graph, VertexIndexMap>;
 
 // Can the core carry the plan out? Not one that a caller has derived from one of the core's.
 template <class Plan, class = void>
@@ -94,10 +93,11 @@ public:
   {
   }
 
-  Insertion_order make(const Executor& executor) override
+  // The plan gets the points as the caller knows them.
+  Insertion_order make(const Point_array& points, const Executor& executor) override
   {
     if (m_next)
-      return m_next->make(executor);
+      return m_next->make(points, executor);
     Insertion_order order =
         m_plan(m_points.points, m_points.gt, m_points.graph, m_points.index_map);
     check_plan(order, m_points.points.size());
@@ -132,8 +132,8 @@ template <class Plan, class Points>
 std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points)
 {
   if constexpr (Is_plan_of_core<Plan>::value)
-    return std::make_unique<Order_of_core<Edges_of_graph<Points>>>(
-        points.coordinates, plan.order_request(), Edges_of_graph<Points>(points));
+    return std::make_unique<Order_of_core<Edges_of_graph<Points>>>(plan.order_request(),
+                                                                   Edges_of_graph<Points>(points));
   else
     return std::make_unique<Order_of_plan<Plan, Points>>(points, plan);
 }
