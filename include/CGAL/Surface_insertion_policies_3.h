@@ -22,7 +22,7 @@ using My_traits =
 
 \tparam SurfaceSubgraph a model of `SurfaceSubgraph` and `DefaultConstructible`
 \tparam InsertionPlan a model of `InsertionPlan`, constructible from a seed
-\tparam InsertionHints a template whose instances with a target and a subgraph model
+\tparam InsertionHints a template whose instances with `Delaunay_from_surface_3::Triangulation_target_3` and a subgraph model
 `InsertionHints_3`
 
 \cgalModels{SurfaceInsertionTraits_3}

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
@@ -22,6 +23,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -69,7 +71,16 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
   request.adds_apex = true;
   Built<Id> built =
       build<Id, typename Crew<Executor>::type>(points, orders, request, watcher, executor);
-  const Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(built, points);
+  if (built.outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
+    watcher.insertion_begins(1);
+    if (points.points().size() > 0 && !watcher.go_further(0)) {
+      built.outcome = Insertion_outcome::STOPPED;
+    } else {
+      watcher.insertion_ends(static_cast<const Insertion_counts&>(built.counts));
+      watcher.phase_begins(Surface_insertion_phase::FINISH);
+    }
+  }
+  Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(built, points);
   watcher.phase_begins(Surface_insertion_phase::DONE);
   return arrays;
 }
@@ -134,6 +145,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
+  const Rounding_to_nearest rounding; // numbers that are no doubles are converted
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
   const auto no_edges = [] { return Lists<std::uint32_t>(); };
   Order_of_core orders(order_of_arrays(Order_request::GEOMETRIC, np), no_edges);
@@ -161,7 +173,8 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
-  const typename Executor_of_tag<ConcurrencyTag>::type executor;
+  const Rounding_to_nearest rounding; // numbers that are no doubles are converted
+  const typename Executor_of_tag<ConcurrencyTag>::type executor{};
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
   Soup_graph soup = soup_graph(faces, read.size(), executor);
   const auto edges = [&soup] { return soup.graph.take_lists(); };

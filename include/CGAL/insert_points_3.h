@@ -63,7 +63,7 @@ below; any other does not compile
   \cgalParamNBegin{preserve_order}
     \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
       of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
-      that the compact triangulation of the traits can serve.}
+      that can go through the core.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

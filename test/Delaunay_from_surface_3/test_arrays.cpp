@@ -336,6 +336,20 @@ BOOST_AUTO_TEST_CASE(levels_of_validity)
     });
     BOOST_TEST(turned == (corners == 4 ? 2 : 4)); // planes and lines are seen from either side
   }
+  // One point more, which is in no cell; and two that are said to be one.
+  std::vector<Point> more = space;
+  more.push_back(Point(0, 0, .01));
+  BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(delaunay_3_arrays(space), more, Level::LINKS));
+  std::vector<Point> twice = space;
+  twice.push_back(space[7]);
+  Arrays_of_points of_twice = delaunay_3_arrays(twice);
+  BOOST_TEST(CGAL::is_valid_delaunay_3_arrays(of_twice, twice));
+  twice.back() = Point(0, 0, .01);
+  BOOST_TEST(CGAL::is_valid_delaunay_3_arrays(of_twice, twice, Level::EULER));
+  BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(of_twice, twice, Level::ORIENTATION));
+  const_cast<std::int32_t&>(of_twice.vertices_of_points()[200]) = 200;
+  BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(of_twice, twice, Level::LINKS));
+
   // A vertex that is moved, and one that is moved little.
   for (const double far : {10., .02}) {
     std::vector<Point> moved = space;
@@ -383,6 +397,11 @@ BOOST_AUTO_TEST_CASE(refusals_and_stops)
     BOOST_TEST(arrays.dimension() == -1);
     BOOST_TEST(arrays.number_of_cells() == 0u);
   }
+  Reasons_visitor on_line;
+  on_line.stop_before = 0;
+  BOOST_TEST(
+      delaunay_3_arrays(grid(9, 1, 1), CGAL::parameters::visitor(std::ref(on_line))).dimension() ==
+      -1);
   Reasons_visitor irregular;
   check_arrays(delaunay_3_arrays(points, std::vector<std::vector<int>>{{0, 1, 2, 3}},
                                  CGAL::parameters::visitor(std::ref(irregular))),

@@ -24,7 +24,7 @@
 using Phase = CGAL::Surface_insertion_phase;
 using CGAL::Delaunay_from_surface_3::Insertion_counts;
 
-// Keeps what the target itself has counted; CGAL's insertion counts nothing.
+// Keeps what the core has counted; CGAL's insertion counts nothing.
 struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   Insertion_counts counts;

@@ -19,15 +19,17 @@ For points p, q, …, in two rounds, the calls come in this order:
 | `target_is_replaced(reason)` | only if it applies |
 | `insertion_begins(1)` | with the number of threads |
 | `round_begins(0, n_0)` | |
-| `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on for each point of the round; in the core `go_further()` for every 256th only |
+| `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on |
 | `phase_begins(TRACE)`, `trace_ends(k)` | not in the core |
 | `round_begins(1, n_1)` | |
 | `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for q, and so on |
 | `insertion_ends(target, hints)`, `phase_begins(FINISH)` | left out after a stop |
 | `phase_begins(DONE)` | |
 
+In the core `go_further()` comes at the beginning of each round, and then for every 256th point.
+
 A visitor with `accept()` is asked by it after `phase_begins(UPDATE)`; about the first points, until
-those accepted do not lie in one plane, already before `target_is_replaced(reason)`.
+those accepted do not lie in one plane, already before `insertion_begins()`.
 
 If the order is too costly, `order_is_replaced(reason)` comes after an insertion, and all from
 `phase_begins(PLAN)` on comes again.
@@ -75,8 +77,8 @@ public:
 
   /*!
   is called before the first round with the number of threads that may insert. If that is more than
-  one, the phases `LOCATION` and `UPDATE` are not told, and `go_further()` is asked only before
-  insertions of the thread that called. This thread calls all functions here.
+  one, the phases `LOCATION` and `UPDATE` are not told, and `go_further()` is asked at each
+  portion of the thread that called. This thread calls all functions here.
   */
   void insertion_begins(std::size_t number_of_threads);
 
@@ -119,8 +121,9 @@ public:
   bool go_further();
 
   /*!
-  may be left out. In the core it is asked in place of the other, with the number of points inserted,
-  of several threads about so many.
+  may be left out. In the core it is asked in place of the other, with the number of points inserted;
+  with several threads that is rough, and may fall. The other must be there too: a class derived from
+  the default visitor says `using CGAL::Default_surface_insertion_visitor_3::go_further;`.
   */
   bool go_further(std::size_t inserted);
 
@@ -141,8 +144,8 @@ public:
   triangulation is that of the points that are inserted.
 
   The nearest vertex is that of the whole triangulation, exactly; of several at the same distance the
-  lexicographically smallest. So order and answers alone decide what is left out. In the compact triangulation
-  that costs what it takes to find the cells in conflict with the point, which is done for every
+  lexicographically smallest. So order and answers alone decide what is left out. In the core that
+  costs what it takes to find the cells in conflict with the point, which is done for every
   insertion anyway; a point that is left out costs it on top of its location. %CGAL's own insertion
   passes the stars on the way to the nearest vertex.
 
@@ -165,8 +168,8 @@ public:
   \param nearest as above
   \param point as above
   \param corners for the vertices of a cell that contains the point, what `nearest` is for the nearest
-  vertex. `std::size_t(-1)` also stands for the infinite vertex, where the point lies beyond the facet of
-  the others, and for all four as long as the dimension is below 3.
+  vertex. `std::size_t(-1)` also stands for the infinite vertex, where the point lies beyond the
+  facet of the others, and for all four as long as the dimension is below 3.
   */
   bool accept(std::size_t i, std::size_t nearest, const Point& point,
               const std::array<std::size_t, 4>& corners);

@@ -14,13 +14,13 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Progress
 
 names what the insertion of a surface is doing. `PLAN` and `SUBGRAPH` come once, and again if the
-work begins anew in another order; `LOCATION` and `UPDATE` alternate, point by point; `TRACE` comes
-at the end of each round but the last; `FINISH` once, but not after a stop; `DONE` when nothing
+work begins anew in another order; `LOCATION` and `UPDATE` alternate, point by point; `TRACE` comes,
+where CGAL inserts, at the end of each round but the last; `FINISH` once, but not after a stop; `DONE` when nothing
 follows.
 */
 enum class Surface_insertion_phase {
   PLAN,     ///< the order of the points and the rounds are made.
-  SUBGRAPH, ///< the spanning subgraph T is made.
+  SUBGRAPH, ///< the spanning subgraph T is made; in the core, the first four points are inserted.
   LOCATION, ///< a point is located (Choi 2002, Fig.\ 1, line 2b).
   UPDATE,   ///< a point is inserted (line 2c).
   TRACE,    ///< T is traced through the triangulation (line 2a).
@@ -42,8 +42,8 @@ struct Default_surface_insertion_visitor_3
   /// is called before the first phase if the surface is not a manifold mesh of triangles.
   void surface_is_irregular(const std::string& /* reason */) {}
 
-  /// is called before the first round if the core cannot serve and CGAL's own insertion takes its
-  /// place.
+  /// is called before the first round, or when 32 bits are too few for the cells, if CGAL's own
+  /// insertion takes the core's place.
   void target_is_replaced(const std::string& /* reason */) {}
 
   /// is called in the phase `SUBGRAPH` if the subgraph of the traits refuses the surface and a
@@ -65,7 +65,7 @@ struct Default_surface_insertion_visitor_3
   /// is called before the first point of each round; rounds are counted from 0.
   void round_begins(std::size_t /* round */, std::size_t /* number_of_points */) {}
 
-  /// is called after the trace that ends a round.
+  /// is called after the trace that ends a round, where CGAL inserts.
   void trace_ends(std::size_t /* number_of_located_points */) {}
 
   /// is called after the last insertion, before the triangulation is handed over.

@@ -5,8 +5,12 @@
 // Calls that must not compile: each gives one error, the message behind it. test_refused_code.py
 // compiles this file and looks for them.
 
+#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
+#include <CGAL/insert_surface_points_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -35,6 +39,17 @@ struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
   bool accept(std::size_t, std::size_t, const Point&) { return false; }
 };
 
+// As traits were before there was a core.
+struct Old_traits
+{
+  using Surface_subgraph = CGAL::Delaunay_from_surface_3::Full_graph;
+  using Insertion_plan = CGAL::Delaunay_from_surface_3::Geometric_rounds;
+  template <class Target, class Subgraph>
+  using Insertion_hints_3 = CGAL::Delaunay_from_surface_3::Traced_hints_3<Target, Subgraph>;
+  Surface_subgraph surface_subgraph_object() const { return {}; }
+  Insertion_plan insertion_plan_object(unsigned int seed) const { return Insertion_plan(seed); }
+};
+
 void call(Without_info& without_info, With_info& with_info, const std::vector<Point>& points,
           const std::vector<std::pair<Point, int>>& numbered,
           const std::vector<std::pair<Point, std::string>>& named, const std::vector<int>& infos)
@@ -52,6 +67,9 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   CGAL::insert_points_3(without_info, points, parameters::visitor(1));
   // expected: the accept() of a visitor takes the numbers of two points and a point
   CGAL::insert_points_3(without_info, points, parameters::visitor(Wrong_visitor()));
+  // expected: traits say by through_core who inserts
+  CGAL::insert_surface_points_3(without_info, points, std::vector<std::vector<int>>(),
+                                Old_traits());
   // expected: delaunay_3_arrays() leaves no point out
   CGAL::delaunay_3_arrays(points, parameters::visitor(Thinning_visitor()));
 }

@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,12 +34,24 @@ public:
   {
   }
 
-  // Are vertices points, each the first of those equal to it, and do neighbours lead back?
+  // Are vertices points, each the first of those at its place, and all of them in cells; and do
+  // neighbours lead back?
   bool are_valid() const
   {
-    for (std::size_t c = 0; c < m_arrays.number_of_cells(); ++c)
+    std::vector<char> is_in_cell(m_arrays.number_of_points());
+    for (std::size_t c = 0; c < m_arrays.number_of_cells(); ++c) {
       if (!has_vertices(c) || !has_neighbors(c))
         return false;
+      for (std::size_t k = 0; k < m_corners; ++k)
+        if (const Index v = m_arrays.vertices(c)[k]; v != Arrays::none)
+          is_in_cell[std::size_t(v)] = 1;
+    }
+    for (std::size_t i = 0; i < is_in_cell.size(); ++i) {
+      const Index v = m_arrays.vertex_of_point(i);
+      if (v < 0 || std::size_t(v) > i || is_in_cell[std::size_t(v)] == 0 ||
+          m_arrays.vertex_of_point(std::size_t(v)) != v)
+        return false;
+    }
     return true;
   }
 

@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  // The vertices without cells, in the order of the points.
+  // The vertices, in the order of the points; of the cells none is used.
   static Ordered_complex<Id> vertices_of(const Point_array& points, const Starting_simplex& simplex)
   {
     Insertion_order order;
@@ -153,6 +153,9 @@ bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
     return false;
   if (level < Level::ORIENTATION)
     return true;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!std::equal(points[i], points[i] + 3, points[std::size_t(arrays.vertex_of_point(i))]))
+      return false;
   const Starting_simplex simplex =
       starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
   if (simplex.dimension != arrays.dimension())

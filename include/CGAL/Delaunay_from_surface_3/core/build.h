@@ -24,11 +24,10 @@
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
+#include <CGAL/Delaunay_from_surface_3/support/fail.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -39,7 +38,7 @@ namespace internal {
 enum class Insertion_outcome {
   COMPLETE,
   STOPPED,     // by the watcher
-  OVER_BUDGET, // and there is no other order
+  OVER_BUDGET, // only on the way: whoever has a budget has another order
   FLAT,        // nothing is inserted: the points lie in one plane
   TOO_FEW_IDS  // to number all cells
 };
@@ -152,8 +151,10 @@ Built<Id> build(Point_source& points, Order_source& orders, const Request& reque
               is_valid(built.complex, Delaunay_validity_level::DELAUNAY));
         }
       }
-      if (built.outcome != Insertion_outcome::OVER_BUDGET || !orders.go_on())
+      if (built.outcome != Insertion_outcome::OVER_BUDGET)
         return built;
+      if (!orders.go_on())
+        fail("an order with a budget has another behind it");
       watcher.order_is_replaced("its insertions destroy or enter too many cells");
       built = Built<Id>(); // before there is another
     }

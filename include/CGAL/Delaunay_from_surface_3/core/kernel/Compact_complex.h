@@ -56,7 +56,7 @@ struct alignas(32) Compact_vertex
 
 // The corners of facet i, such that (p, corners) is positive for p on the inner side, and the
 // infinite vertex stays the last.
-constexpr unsigned char facet_corners[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
+inline constexpr unsigned char facet_corners[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
 
 template <class Id>
 class Compact_complex

@@ -37,8 +37,8 @@ inline int axis_across(const double* const* vertices, const double* p)
   return axis;
 }
 
-constexpr double Row<double>::*columns_of_row[3] = {&Row<double>::x, &Row<double>::y,
-                                                    &Row<double>::z};
+inline constexpr double Row<double>::*columns_of_row[3] = {&Row<double>::x, &Row<double>::y,
+                                                           &Row<double>::z};
 
 // Where the points lie in a long and thin box.
 CGAL_DELAUNAY_FROM_SURFACE_3_APART int circle_sign_by_columns(const double* const* vertices,

@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_source.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/order_of_points.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
@@ -18,7 +19,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 
 // The order that the core makes itself: by nets of the edges, within a budget; then by random rounds.
-// edges() gives the edges as lower neighbours, when they are asked for, which is once.
+// edges() gives the edges as lower neighbours, each time that nets are made.
 template <class Edges>
 class Order_of_core final : public Order_source
 {

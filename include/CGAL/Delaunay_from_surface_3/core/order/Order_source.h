@@ -27,7 +27,8 @@ public:
   // What that order may cost.
   virtual Insertion_budget budget() const = 0;
 
-  // Goes on to the order that takes its place if that was exceeded; false if there is none.
+  // Goes on to the order that takes its place if that was exceeded; false if there is none, as there
+  // may be where there is no budget.
   virtual bool go_on() = 0;
 };
 

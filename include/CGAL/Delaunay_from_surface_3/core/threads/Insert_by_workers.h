@@ -12,6 +12,8 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 
 #include <cstddef>
 
@@ -29,6 +31,7 @@ public:
     , m_watcher(watcher)
     , m_triangulation(points.complex, executor)
   {
+    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(!watcher.leaves_points_out());
   }
 
   std::size_t size_of_piece(std::size_t inserted) const

@@ -13,8 +13,6 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -16,13 +16,12 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/order_source.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {

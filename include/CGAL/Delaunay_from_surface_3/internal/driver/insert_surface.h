@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <memory>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -40,6 +41,41 @@ Order_options order_options(const NamedParameters& np)
   return {
       static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0)),
       choose_parameter(get_parameter(np, internal_np::preserve_order), false)};
+}
+
+// Do traits say who inserts?
+template <class Traits, class = void>
+struct Names_way : std::false_type
+{
+};
+template <class Traits>
+struct Names_way<Traits, std::void_t<decltype(Traits::through_core)>> : std::true_type
+{
+};
+
+template <class Traits>
+constexpr bool goes_through_core()
+{
+  static_assert(
+      Names_way<Traits>::value,
+      "traits say by through_core who inserts: the core, in which nothing is traced, or CGAL");
+  if constexpr (Names_way<Traits>::value)
+    return Traits::through_core;
+  else
+    return false;
+}
+
+// Hands the vertices over, by point. A vertex of several points gets that of the first.
+template <class Vertex_handle, class Input, class Infos, class Output>
+void give(const std::vector<Vertex_handle>& vertices, std::size_t number_of_new_vertices,
+          const Input& input, const Infos& infos, Output& out, const Rounding_to_nearest& rounding)
+{
+  if (number_of_new_vertices < input.points.size())
+    give_points(vertices, input.points);
+  rounding.in_mode_of_caller([&] {
+    give_infos(vertices, infos);
+    write_vertices(vertices, input.name_of, out);
+  });
 }
 
 // The parameters that all forms share: those of the order, the visitor, and what is done with the
@@ -57,6 +93,7 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
   check_named_parameters<Known..., visitor_t, random_seed_t, preserve_order_t,
                          vertex_to_vertex_output_iterator_t, Vertex_info_map_tag,
                          Vertex_info_range_tag>(np);
+  const Order_options options = order_options(np);
   const auto infos = infos_of_caller(np, input.name_of, input.infos, input.points.size());
   auto out = choose_parameter(get_parameter(np, internal_np::vertex_to_vertex_output_iterator),
                               Emptyset_iterator());
@@ -74,31 +111,25 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
                                                         : new Triangulation(empty_like(tr)));
   Triangulation& into = aside ? *aside : tr;
   Inserted_points<typename Triangulation::Vertex_handle> inserted;
-  if constexpr (Traits::through_core) {
+  if constexpr (goes_through_core<Traits>()) {
     // One thread if a visitor is asked about each point, in their order.
     using Executor = std::conditional_t<accepts_points<Visitor, Point>(), Alone, ExecutorOfCall>;
     using Way = Way_through_core<Traits, Triangulation, Input, decltype(watcher)>;
     const Executor executor{};
-    Way way(into, input, traits, order_options(np), watcher, executor);
+    Way way(into, input, traits, options, watcher, executor);
     if constexpr (serves_geom_traits<Triangulation>())
       if (way.is_open())
         way.take(build<typename Way::Id, typename Crew<Executor>::type>(
             way.points(), way.orders(), way.request(), watcher, executor));
     inserted = way.finish();
   } else {
-    if (order_options(np).creates_in_input_order)
+    if (options.creates_in_input_order)
       refuse_input_order("that needs traits that go through the core");
-    inserted = insert_with_traces(into, input, traits, order_options(np).seed, watcher);
+    inserted = insert_with_traces(into, input, traits, options.seed, watcher);
   }
 
-  if (inserted.is_complete || !aside) {
-    if (into.number_of_vertices() - before < input.points.size())
-      give_points(inserted.vertices, input.points);
-    rounding.in_mode_of_caller([&] {
-      give_infos(inserted.vertices, infos);
-      write_vertices(inserted.vertices, input.name_of, out);
-    });
-  }
+  if (inserted.is_complete || !aside)
+    give(inserted.vertices, into.number_of_vertices() - before, input, infos, out, rounding);
   watcher.phase_begins(Surface_insertion_phase::DONE);
   if (inserted.is_complete && aside)
     take_place(*aside, tr);
