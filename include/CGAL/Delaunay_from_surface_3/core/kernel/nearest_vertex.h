@@ -23,27 +23,6 @@ inline double squared_distance(const double* p, const double* q)
   return row(p, q).w;
 }
 
-// Is v closer to p than w, up to rounding?
-template <class Id>
-bool is_closer(const Compact_complex<Id>& complex, Id p, Id v, Id w)
-{
-  const double* const point = complex.vertex(p).coordinates;
-  return squared_distance(complex.vertex(v).coordinates, point) <
-         squared_distance(complex.vertex(w).coordinates, point);
-}
-
-// Of the vertices of a cell the nearest to p, up to rounding. Finite.
-template <class Id>
-Id nearest_vertex_of_cell(const Compact_complex<Id>& complex, Id p, Id cell)
-{
-  const Id* const v = complex.cell(cell).v;
-  Id nearest = v[0];
-  for (unsigned k = 1; k < 4; ++k)
-    if (v[k] != complex.infinite && is_closer(complex, p, v[k], nearest))
-      nearest = v[k];
-  return nearest;
-}
-
 // Is v nearer to p than w, exactly? If both are equally near, the lexicographically smaller one is.
 inline bool is_nearer_exactly(const double* p, const double* v, const double* w)
 {

@@ -88,17 +88,6 @@ std::optional<std::array<double, 3>> double_coordinates(const Point& p)
   }
 }
 
-// The first point with a coordinate that is no double; points.size() if there is none. Linear.
-template <class Point>
-std::size_t first_not_double(const std::vector<Point>& points)
-{
-  using FT = std::decay_t<decltype(std::declval<const Point&>().x())>;
-  std::size_t i = is_at_most_double<FT> ? points.size() : 0;
-  while (i < points.size() && double_coordinates(points[i]))
-    ++i;
-  return i;
-}
-
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
