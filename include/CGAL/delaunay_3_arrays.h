@@ -145,7 +145,6 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
-  const Rounding_to_nearest rounding; // numbers that are no doubles are converted
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
   const auto no_edges = [] { return Lists<std::uint32_t>(); };
   Order_of_core orders(order_of_arrays(Order_request::GEOMETRIC, np), no_edges);
@@ -173,7 +172,6 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
-  const Rounding_to_nearest rounding; // numbers that are no doubles are converted
   const typename Executor_of_tag<ConcurrencyTag>::type executor{};
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
   Soup_graph soup = soup_graph(faces, read.size(), executor);

@@ -28,10 +28,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -381,6 +383,28 @@ BOOST_AUTO_TEST_CASE(what_only_the_last_level_sees)
         v = turned[v];
   BOOST_TEST(CGAL::is_valid_delaunay_3_arrays(arrays, square, Level::ORIENTATION));
   BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(arrays, square));
+}
+
+BOOST_AUTO_TEST_CASE(visitors_are_called_in_the_rounding_mode_of_the_caller)
+{
+  struct Mode_visitor : CGAL::Default_surface_insertion_visitor_3
+  {
+    std::set<int> modes;
+    bool go_further() { return modes.insert(std::fegetround()), true; }
+  };
+  for (const auto& points : {grid(4, 4, 4), grid(5, 5, 1), grid(9, 1, 1)})
+    for (const bool has_faces : {false, true}) {
+      Mode_visitor visitor;
+      const auto np = CGAL::parameters::visitor(std::ref(visitor));
+      std::fesetround(FE_UPWARD);
+      const auto arrays = has_faces ? delaunay_3_arrays(points, Faces{{0, 1, 2}}, np)
+                                    : delaunay_3_arrays(points, np);
+      const int after = std::fegetround();
+      std::fesetround(FE_TONEAREST);
+      BOOST_TEST(after == FE_UPWARD);
+      BOOST_TEST((visitor.modes == std::set<int>{FE_UPWARD}));
+      check_arrays(arrays, points);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(refusals_and_stops)

@@ -9,6 +9,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
@@ -86,6 +87,7 @@ public:
 private:
   void read()
   {
+    const Rounding_to_nearest rounding; // whenever it is done the numbers are the same
     const auto point_map = parameters::choose_parameter(
         parameters::get_parameter(m_np, internal_np::point_map), Coordinates_map<Item>());
     m_copy.reserve(stays ? 0 : 3 * m_size);
