@@ -231,43 +231,31 @@ BOOST_AUTO_TEST_CASE(more_cells_than_ids)
   BOOST_TEST((widest == Triangulation(most.begin(), most.end())));
 }
 
-// The last level is that of the next test.
-BOOST_AUTO_TEST_CASE(levels_of_validity_of_the_complex)
+// What the check after an insertion sees.
+BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
 {
   using Level = CGAL::Delaunay_validity_level;
   using Complex = DFS::internal::Compact_complex<std::uint32_t>;
   const std::vector<std::array<double, 3>> points = {
       {{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{.3, .3, .3}}};
+  // The first level at which a spoilt complex is found out; 4 if it never is.
   const auto level_of = [&](const std::function<void(Complex&)>& spoil) {
     Complex complex(points.size(), [&](std::size_t i) { return points[i]; });
     complex.start({1, 2, 3, 4});
     DFS::internal::Compact_triangulation<std::uint32_t> triangulation(complex);
     triangulation.insert(5, triangulation.locate(5, 0).cell);
     spoil(complex);
+    BOOST_TEST(DFS::internal::is_delaunay(complex) == DFS::internal::is_valid(complex, Level(3)));
     int level = 0;
     while (level < 4 && DFS::internal::is_valid(complex, Level(level)))
       ++level;
     return level;
   };
-  BOOST_TEST(level_of([](Complex&) {}) == 4);
+  const auto built = [&](const std::function<void(Complex&)>& spoil) {
+    return level_of(spoil) == 4;
+  };
   BOOST_TEST(level_of([](Complex& complex) { complex.cell(0).links[1] ^= 1; }) == 0);
   BOOST_TEST(level_of([](Complex& complex) { complex.vertex(5).coordinates[2] = -.5; }) == 2);
-}
-
-// What the check after an insertion sees.
-BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
-{
-  using Complex = DFS::internal::Compact_complex<std::uint32_t>;
-  const std::vector<std::array<double, 3>> points = {
-      {{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{.3, .3, .3}}};
-  const auto built = [&](const std::function<void(Complex&)>& spoil) {
-    Complex complex(points.size(), [&](std::size_t i) { return points[i]; });
-    complex.start({1, 2, 3, 4});
-    DFS::internal::Compact_triangulation<std::uint32_t> triangulation(complex);
-    triangulation.insert(5, triangulation.locate(5, 0).cell);
-    spoil(complex);
-    return DFS::internal::is_delaunay(complex);
-  };
   std::uint32_t c = 0; // a finite cell
   BOOST_TEST(built([&](Complex& complex) { c = complex.vertex(5).cell; }));
   BOOST_TEST(!built([&](Complex& complex) { complex.cell(c).links[1] ^= 1; }));

@@ -10,10 +10,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-says how much is checked of a triangulation. Each level includes those before it; together they prove
-that it is the Delaunay triangulation of its points: one that is oriented like space, whose vertices
-have spheres around them, and that no vertex across a facet contradicts, has no cell that any other
-vertex contradicts (Delaunay's lemma).
+says how much is checked of a triangulation. Each level includes those before it. The last one is
+Delaunay's lemma: where no vertex across a facet contradicts a cell, no other vertex does. The lemma
+needs a triangulation; that it is one, the levels before say as far as `is_valid_delaunay_3_arrays()`
+says.
 */
 enum class Delaunay_validity_level {
   LINKS,       ///< neighbours lead back, share a facet, and are oriented alike.
