@@ -1,6 +1,6 @@
 # add_package_program(name [LIBRARIES target…])
 #
-# Builds name.cpp, linked with the package. A folder's own headers lie in its include/.
+# Builds name.cpp, linked with the package and its compiled core. A folder's own headers lie in its include/.
 function(add_package_program name)
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
   if(DELAUNAY_FROM_SURFACE_3_IN_CGAL_TREE)
@@ -8,8 +8,7 @@ function(add_package_program name)
   else()
     add_executable(${name} ${name}.cpp)
   endif()
-  target_link_libraries(${name} PRIVATE
-    Delaunay_from_surface_3::Delaunay_from_surface_3 ${arg_LIBRARIES})
+  target_link_libraries(${name} PRIVATE Delaunay_from_surface_3::compiled ${arg_LIBRARIES})
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/include")
 endfunction()
 

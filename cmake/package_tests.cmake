@@ -1,4 +1,5 @@
-# add_package_test(name LABELS label… [GROUP group] [SOURCES file…] [LIBRARIES target…] [CHECKED] [OPTIMIZED])
+# add_package_test(name LABELS label… [GROUP group] [SOURCES file…] [LIBRARIES target…] [COMPILED] [CHECKED]
+#                  [OPTIMIZED])
 #
 # Builds name.cpp, one Boost.Test program with its own main, and makes it a ctest test of that name.
 #   LABELS     fast:          part of the everyday run, a few seconds;
@@ -12,6 +13,7 @@
 #              templates, which makes up most of the time that a unit takes.
 #   SOURCES    further units.
 #   LIBRARIES  further targets to link.
+#   COMPILED   with the core compiled; else the core is tested as it is without a library.
 #   CHECKED    CGAL's checks are compiled in, the expensive ones included, whatever the build type.
 #   OPTIMIZED  at -O3, whatever the build type; what is right with less optimization may be wrong with it.
 #
@@ -38,9 +40,9 @@ function(write_all_headers_file include_dir file)
   file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
 endfunction()
 
-# add_test_program(name sources LIBRARIES… CHECKED OPTIMIZED): the program alone.
+# add_test_program(name sources LIBRARIES… COMPILED CHECKED OPTIMIZED): the program alone.
 function(add_test_program name sources)
-  cmake_parse_arguments(arg "CHECKED;OPTIMIZED" "" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "COMPILED;CHECKED;OPTIMIZED" "" "LIBRARIES" ${ARGN})
   if(DELAUNAY_FROM_SURFACE_3_IN_CGAL_TREE)
     create_single_source_cgal_program(${sources})
   else()
@@ -48,6 +50,9 @@ function(add_test_program name sources)
   endif()
   target_link_libraries(${name} PRIVATE
     Delaunay_from_surface_3_generator Boost::headers ${arg_LIBRARIES})
+  if(arg_COMPILED)
+    target_link_libraries(${name} PRIVATE Delaunay_from_surface_3::compiled)
+  endif()
   target_include_directories(${name} PRIVATE
     "${CMAKE_CURRENT_SOURCE_DIR}/include"
     "${CMAKE_CURRENT_BINARY_DIR}/include")
@@ -76,7 +81,7 @@ function(register_test name labels program)
 endfunction()
 
 function(add_package_test name)
-  cmake_parse_arguments(arg "CHECKED;OPTIMIZED" "GROUP" "LABELS;SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "COMPILED;CHECKED;OPTIMIZED" "GROUP" "LABELS;SOURCES;LIBRARIES" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_LABELS)
     message(FATAL_ERROR "add_package_test(${name}): LABELS missing or unknown: ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -85,7 +90,7 @@ function(add_package_test name)
     set_property(GLOBAL APPEND PROPERTY test_groups "${arg_GROUP}")
     set_property(GLOBAL APPEND PROPERTY test_group_${arg_GROUP} "${name}")
     set_property(GLOBAL PROPERTY test_labels_${name} "${arg_LABELS}")
-    foreach(option CHECKED OPTIMIZED)
+    foreach(option COMPILED CHECKED OPTIMIZED)
       if(arg_${option})
         set_property(GLOBAL APPEND PROPERTY test_options_${arg_GROUP} ${option})
       endif()
@@ -95,7 +100,7 @@ function(add_package_test name)
   endif()
 
   set(options LIBRARIES ${arg_LIBRARIES})
-  foreach(option CHECKED OPTIMIZED)
+  foreach(option COMPILED CHECKED OPTIMIZED)
     if(arg_${option})
       list(APPEND options ${option})
     endif()

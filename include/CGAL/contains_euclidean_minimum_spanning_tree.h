@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -26,6 +27,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The number of the vertex of the triangulation at each point.
 template <class Triangulation>
@@ -51,6 +53,7 @@ std::vector<std::size_t> numbers_of_points(const Triangulation& tr,
   return numbers;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 

@@ -8,7 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Visitor_watcher.h>
@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
@@ -32,6 +33,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The order that the named parameters ask for.
 template <class NamedParameters>
@@ -67,26 +69,30 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
   Visitor_watcher<Visitor, Point> watcher(visitor, rounding, not_asked_for);
   if (irregularity)
     watcher.surface_is_irregular(*irregularity);
-  Request request;
-  request.adds_apex = true;
-  Built<Id> built =
+  const Request request = {true, true};
+  const auto built =
       build<Id, typename Crew<Executor>::type>(points, orders, request, watcher, executor);
-  if (built.outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
+  if (built->outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
     watcher.insertion_begins(1);
     if (points.points().size() > 0 && !watcher.go_further(0)) {
-      built.outcome = Insertion_outcome::STOPPED;
+      built->outcome = Insertion_outcome::STOPPED;
     } else {
-      watcher.insertion_ends(static_cast<const Insertion_counts&>(built.counts));
+      watcher.insertion_ends(static_cast<const Insertion_counts&>(built->counts));
       watcher.phase_begins(Surface_insertion_phase::FINISH);
     }
   }
-  Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(built, points);
+  Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(*built, points);
   watcher.phase_begins(Surface_insertion_phase::DONE);
   return arrays;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
+
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
 
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
@@ -146,9 +152,9 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 {
   using namespace Delaunay_from_surface_3::internal;
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
-  const auto no_edges = [] { return Lists<std::uint32_t>(); };
-  Order_of_core orders(order_of_arrays(Order_request::GEOMETRIC, np), no_edges);
-  return insert_into_arrays<Index>(read, orders, std::nullopt,
+  Given_edges none;
+  const auto orders = order_of_core(order_of_arrays(Order_request::GEOMETRIC, np), none);
+  return insert_into_arrays<Index>(read, *orders, std::nullopt,
                                    typename Executor_of_tag<ConcurrencyTag>::type(), np);
 }
 
@@ -175,12 +181,16 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
   const typename Executor_of_tag<ConcurrencyTag>::type executor{};
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
   Soup_graph soup = soup_graph(faces, read.size(), executor);
-  const auto edges = [&soup] { return soup.graph.take_lists(); };
+  Given_edges edges(soup.graph.take_lists());
   const auto kind =
       std::begin(faces) == std::end(faces) ? Order_request::GEOMETRIC : Order_request::NETS;
-  Order_of_core orders(order_of_arrays(kind, np), edges);
-  return insert_into_arrays<Index>(read, orders, soup.irregularity, executor, np);
+  const auto orders = order_of_core(order_of_arrays(kind, np), edges);
+  return insert_into_arrays<Index>(read, *orders, soup.irregularity, executor, np);
 }
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+/// \endcond
 
 } // namespace CGAL
 

@@ -9,6 +9,7 @@
 // "constructed by computing D(S) and running a minimum spanning tree algorithm on the edges".
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/shortest_edges_first.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Unique_hash_map.h>
@@ -21,6 +22,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The finite vertices of a triangulation, numbered from the lexicographically smallest on, so that
 // a number does not depend on the order in which they were inserted.
@@ -62,6 +64,7 @@ euclidean_minimum_spanning_tree(const Triangulation& tr,
   return tree;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 

@@ -5,10 +5,11 @@
 #ifndef CGAL_INSERT_POINTS_3_H
 #define CGAL_INSERT_POINTS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Point_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -18,6 +19,10 @@
 #include <cstddef>
 
 namespace CGAL {
+
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
 
 /*!
 \ingroup PkgDelaunayFromSurface3Points
@@ -130,6 +135,10 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, 
   return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t>(
       tr, input, Point_insertion_traits_3(), np);
 }
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+/// \endcond
 
 } // namespace CGAL
 

@@ -9,6 +9,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -22,6 +23,7 @@ namespace CGAL {
 
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The graph's own map is asked for only where no other is given: it need not have one.
 template <class Graph, class NamedParameters>
@@ -44,8 +46,13 @@ auto input_along_graph(const Items& read, const Graph& graph, const NamedParamet
                          no_irregularity, Identity_name(), read.infos()};
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
+
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
 
 /*!
 \ingroup PkgDelaunayFromSurface3Graph
@@ -164,6 +171,10 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
                         internal_np::vertex_index_t>(tr, input_along_graph(read, graph, np),
                                                      Surface_insertion_traits_3(), np);
 }
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+/// \endcond
 
 } // namespace CGAL
 

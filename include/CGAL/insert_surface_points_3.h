@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Read_soup.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -16,6 +17,10 @@
 #include <cstddef>
 
 namespace CGAL {
+
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
 
 /*!
 \ingroup PkgDelaunayFromSurface3Soup
@@ -128,6 +133,10 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
   return insert_surface<Executor, internal_np::point_t>(tr, read.input(),
                                                         Surface_insertion_traits_3(), np);
 }
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+/// \endcond
 
 } // namespace CGAL
 

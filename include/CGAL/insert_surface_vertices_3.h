@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Read_mesh.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -15,6 +16,10 @@
 #include <cstddef>
 
 namespace CGAL {
+
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
 
 /*!
 \ingroup PkgDelaunayFromSurface3Mesh
@@ -141,6 +146,10 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
                         internal_np::vertex_index_t>(tr, read.input(), Surface_insertion_traits_3(),
                                                      np);
 }
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+/// \endcond
 
 } // namespace CGAL
 

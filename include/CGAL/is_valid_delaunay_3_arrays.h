@@ -9,12 +9,17 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <stdexcept>
 
 namespace CGAL {
+
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
 
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
@@ -48,6 +53,10 @@ bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const Po
   Read_coordinates<PointRange, No_parameters> read(points, np);
   return is_valid(arrays, read.points(), level);
 }
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+/// \endcond
 
 } // namespace CGAL
 

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/read_distinct_points.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/make_lipschitz.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Named_function_parameters.h>
@@ -31,6 +32,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // What `sizing` says, lowered to a 1-Lipschitz function; of equal points the smallest counts.
 template <class Sizing>
@@ -76,6 +78,7 @@ inline std::vector<bool> packing(const Distinct_points& distinct, const std::vec
   return is_kept;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 

@@ -23,7 +23,7 @@ class DelaunayFromSurface3(ConanFile):
 
     def export_sources(self):
         root = os.path.join(self.recipe_folder, "..", "..")
-        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "doc/*", "include/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "doc/*", "include/*", "src/*"):
             copy(self, pattern, root, self.export_sources_folder)
 
     def layout(self):

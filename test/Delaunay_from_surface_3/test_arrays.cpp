@@ -77,31 +77,30 @@ std::vector<Point> grid(int x, int y, int z)
 namespace DFS = CGAL::Delaunay_from_surface_3;
 
 // The nets with a budget that nothing keeps.
-template <class Edges>
 class Starved_nets final : public DFS::internal::Order_source
 {
 public:
-  explicit Starved_nets(const Edges& edges)
-    : m_orders(DFS::internal::Order_request(), edges)
+  explicit Starved_nets(DFS::internal::Edge_source& edges)
+    : m_orders(DFS::internal::order_of_core(DFS::internal::Order_request(), edges))
   {
   }
-  DFS::Insertion_order make(const DFS::internal::Point_array& points,
-                            const DFS::internal::Executor& executor) override
+  DFS::internal::Order_view make(const DFS::internal::Point_array& points,
+                                 const DFS::internal::Executor& executor) override
   {
-    return m_orders.make(points, executor);
+    return m_orders->make(points, executor);
   }
-  DFS::internal::Insertion_budget budget() const override
+  std::size_t cells_per_point() const override
   {
-    return m_is_first ? DFS::internal::Insertion_budget(1) : m_orders.budget();
+    return m_is_first ? 1 : m_orders->cells_per_point();
   }
   bool go_on() override
   {
     m_is_first = false;
-    return m_orders.go_on();
+    return m_orders->go_on();
   }
 
 private:
-  DFS::internal::Order_of_core<Edges> m_orders;
+  std::unique_ptr<DFS::internal::Order_source> m_orders;
   bool m_is_first = true;
 };
 
@@ -115,9 +114,9 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
     Reasons_visitor visitor;
     const auto coordinates = DFS::internal::rounded_coordinates(surface.points);
     DFS::internal::Given_points points({coordinates.data(), surface.points.size()});
-    Starved_nets orders([&] {
-      return DFS::internal::soup_graph(surface.faces, surface.points.size()).graph.take_lists();
-    });
+    DFS::internal::Given_edges edges(
+        DFS::internal::soup_graph(surface.faces, surface.points.size()).graph.take_lists());
+    Starved_nets orders(edges);
     check_arrays(DFS::internal::insert_into_arrays<std::int32_t>(
                      points, orders, std::nullopt, DFS::internal::Alone(),
                      CGAL::parameters::visitor(std::ref(visitor))),

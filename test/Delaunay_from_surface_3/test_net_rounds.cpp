@@ -20,7 +20,8 @@
 #include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/order_of_points.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/lower_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
@@ -104,10 +105,10 @@ Destroyed destroyed(const std::vector<Point>& all, const DFS::Insertion_order& p
   namespace core = DFS::internal;
   const auto coordinates = core::rounded_coordinates(all);
   core::Watcher nobody;
-  DFS::Insertion_order order = plan;
-  order.starting_places.clear();
+  core::Order_view order = core::view_of(plan);
+  order.starting_places = nullptr;
   core::Ordered_complex<std::uint32_t> complex(core::Point_array(coordinates.data(), all.size()),
-                                               std::move(order), nullptr, nobody);
+                                               order, nullptr, nobody);
   core::Insert_alone<std::uint32_t> insert(complex, core::Alone(), nobody);
   Destroyed result;
   std::size_t first = 0, before = 0;
@@ -197,7 +198,9 @@ BOOST_AUTO_TEST_CASE(order_of_points_by_request)
     Lists<std::uint32_t> lower;
     if (has_edges)
       lower = lower_neighbors(graph, get(boost::vertex_index, graph), n);
-    return order_of_points(Point_array(coordinates.data(), n), std::move(lower), request, Alone());
+    Given_edges edges(std::move(lower));
+    return copy_of(
+        order_of_core(request, edges)->make(Point_array(coordinates.data(), n), Alone()));
   };
   const auto planned = [&](const auto& plan) {
     return plan(surface.points, Kernel(), graph, get(boost::vertex_index, graph));
@@ -288,8 +291,8 @@ BOOST_AUTO_TEST_CASE(hubs_do_not_keep_what_is_nearer_to_others)
     for (std::uint32_t v = 0; v < n; ++v)
       coordinates[3 * v] = v;
     const DFS::internal::Point_array points(coordinates.data(), n);
-    const auto net = DFS::internal::net_of(DFS::internal::lower_neighbors(blocks, n), 1,
-                                           DFS::internal::Vertex_points(points));
+    const auto lower = DFS::internal::lower_neighbors(blocks, n);
+    const auto net = DFS::internal::net_of(lower, 1, DFS::internal::Vertex_points(points));
     const auto stay = std::count(net.cluster_of.begin(), net.cluster_of.end(), net.cluster_of[0]);
     BOOST_TEST(stay > 1);
     BOOST_TEST(stay < n / 16);

@@ -55,7 +55,8 @@ Cost cost(const std::vector<Point>& points, const DFS::Insertion_order& order)
 {
   const auto built = tests::build_in_order(points, order);
   const double n = double(points.size());
-  return {double(built.counts.cells_destroyed) / n, double(built.counts.cells_tested_to_start) / n};
+  return {double(built->counts.cells_destroyed) / n,
+          double(built->counts.cells_tested_to_start) / n};
 }
 
 // The order, with each point from the nearest of its neighbours that comes before it.
@@ -173,7 +174,7 @@ BOOST_AUTO_TEST_CASE(walks_of_points_in_thin_boxes)
 
 BOOST_AUTO_TEST_CASE(what_the_budget_allows)
 {
-  const DFS::internal::Insertion_budget budget(64), none;
+  const DFS::internal::Insertion_budget budget(64), none(DFS::internal::Order_source::any_number);
   for (const auto& [inserted, cells] :
        {std::pair<std::size_t, std::size_t>(0, 64), {1000, 64}, {1000000, 64}, {4000000, 72}}) {
     DFS::Insertion_counts counts;

@@ -63,8 +63,8 @@ class ProjectFiles(unittest.TestCase):
             names = re.findall(r"`((?:consumer|test)_\w+)`", row)
             self.assertTrue(names, row)
             for name in names:
-                call = name.replace("consumer_debian_indep", "foreach(kind indep all)").replace(
-                    "consumer_debian_all", "foreach(kind indep all)")
+                call = name.replace("consumer_debian_dev", "foreach(kind dev all)").replace(
+                    "consumer_debian_all", "foreach(kind dev all)")
                 self.assertTrue(call in tests or f"add_consumer({name.removeprefix('consumer_')} " in tests, name)
 
     def test_options(self):

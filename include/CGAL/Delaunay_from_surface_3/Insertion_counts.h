@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_COUNTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_COUNTS_H
 
+#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
+
 #include <cstddef>
 
 namespace CGAL {
@@ -35,6 +37,9 @@ machine. Most of the time goes into what `cells_destroyed` and `sphere_tests` co
 */
 struct Insertion_counts
 {
+  /// makes them 0.
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Insertion_counts() {}
+
   /// cells looked at until one in conflict was found, that one included (Fig.\ 1, line 2b).
   std::size_t cells_tested_to_start = 0;
 
@@ -64,7 +69,8 @@ struct Insertion_counts
   std::size_t put_off = 0;
 
   /// adds those of another worker.
-  Insertion_counts& operator+=(const Insertion_counts& other)
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Insertion_counts&
+  operator+=(const Insertion_counts& other)
   {
     cells_tested_to_start += other.cells_tested_to_start;
     cells_destroyed += other.cells_destroyed;

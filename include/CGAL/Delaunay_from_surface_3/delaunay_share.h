@@ -8,6 +8,7 @@
 // The hypothesis of Choi 2002, as a function: "consisting of Delaunay triangles".
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Unique_hash_map.h>
@@ -51,6 +52,7 @@ struct Delaunay_share
 };
 
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Edges and triangles between vertices of a triangulation, numbered by their first points.
 template <class Triangulation>
@@ -154,6 +156,7 @@ private:
   std::size_t m_polygons = 0;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
 /*!

@@ -7,17 +7,21 @@
 
 // Named parameters that CGAL has not: what the `info()` of the vertices is to be.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The tags of the two parameters.
 enum Vertex_info_map_tag { vertex_info_map_tag };
 enum Vertex_info_range_tag { vertex_info_range_tag };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
 /*!

@@ -6,9 +6,10 @@
 // dimension, degenerate ones, with edges and without, into arrays.
 
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/is_delaunay.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/lower_neighbors.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -54,15 +55,15 @@ Arrays arrays_of(const std::vector<double>& coordinates, bool has_edges, const c
 {
   const std::size_t n = coordinates.size() / 3;
   core::Given_points points(core::Point_array(coordinates.data(), n));
-  const auto edges = [&] { return has_edges ? path(n) : core::Lists<std::uint32_t>(); };
-  core::Order_of_core orders(core::Order_request(), edges);
+  core::Given_edges edges(has_edges ? path(n) : core::Lists<std::uint32_t>());
+  const auto orders = core::order_of_core(core::Order_request(), edges);
   core::Watcher nobody;
-  core::Request request;
-  request.adds_apex = true;
-  auto built = core::build<std::uint32_t>(points, orders, request, nobody, core::Alone());
-  if (built.has_started())
-    check(core::is_delaunay(built.complex), "is no Delaunay triangulation", where);
-  return core::arrays_of_built<std::int32_t>(built, points);
+  const auto built = core::build<std::uint32_t, core::One_thread>(points, *orders, {true, true},
+                                                                  nobody, core::Alone());
+  const Arrays arrays = core::arrays_of_built<std::int32_t>(*built, points);
+  check(core::is_valid(arrays, points.points(), CGAL::Delaunay_validity_level::DELAUNAY),
+        "is no Delaunay triangulation", where);
+  return arrays;
 }
 
 // Unit cells of a lattice, of which each is filled by as many simplices as its perturbed

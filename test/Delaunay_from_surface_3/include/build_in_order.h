@@ -8,9 +8,12 @@
 // The core, without a door.
 
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/rounded_coordinates.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -26,12 +29,11 @@ public:
     : m_order(std::move(order))
   {
   }
-  CGAL::Delaunay_from_surface_3::Insertion_order make(const core::Point_array&,
-                                                      const core::Executor&) override
+  core::Order_view make(const core::Point_array&, const core::Executor&) override
   {
-    return m_order;
+    return core::view_of(m_order);
   }
-  core::Insertion_budget budget() const override { return {}; }
+  std::size_t cells_per_point() const override { return any_number; }
   bool go_on() override { return false; }
 
 private:
@@ -39,7 +41,7 @@ private:
 };
 
 template <class Point>
-core::Built<std::uint32_t>
+std::unique_ptr<core::Built<std::uint32_t>>
 build_in_order(const std::vector<Point>& points,
                const CGAL::Delaunay_from_surface_3::Insertion_order& order,
                bool uses_starting_places = true)
@@ -48,8 +50,8 @@ build_in_order(const std::vector<Point>& points,
   Given_order orders(order);
   core::Watcher nobody;
   core::Given_points source(core::Point_array(coordinates.data(), points.size()));
-  return core::build<std::uint32_t>(source, orders, {false, uses_starting_places}, nobody,
-                                    core::Alone());
+  return core::build<std::uint32_t, core::One_thread>(source, orders, {false, uses_starting_places},
+                                                      nobody, core::Alone());
 }
 
 } // namespace tests

@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_IO_SIMPLICES_3_H
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/number_utils.h>
 
@@ -138,6 +139,7 @@ inline Simplices_3::Data circumradii(const Simplices_3& s)
 }
 
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Writes numbers with as many digits as a double needs, and leaves the stream as it was.
 class Full_precision
@@ -179,6 +181,7 @@ void write_rows(std::ostream& out, const Simplices_3& s, const std::vector<std::
   }
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_VTU_H
 
 #include <CGAL/Delaunay_from_surface_3/IO/Simplices_3.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // One array at the end of a .vtu file: its size in bytes and then its bytes.
 template <class T>
@@ -52,6 +54,7 @@ private:
   std::uint64_t m_offset = 0;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
 /*!

@@ -10,9 +10,10 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/flat_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/partition_cells.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/partition_cells.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
@@ -25,16 +26,17 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // By vertex: the smallest index of its points.
 template <class Index, class Id>
 std::vector<Index> names_of_vertices(const Built<Id>& built)
 {
-  const std::vector<std::size_t>& order = built.order.order;
-  std::vector<Index> names(built.vertex_of.size() + 1, Index(-1));
-  for (std::size_t k = 0; k < order.size(); ++k) {
+  std::vector<Index> names(built.number_of_places + 1, Index(-1));
+  for (std::size_t k = 0; k < built.order.size; ++k) {
+    const Index point = Index(built.order.order[k]);
     Index& name = names[built.vertex_of[k]];
-    name = name == Index(-1) ? Index(order[k]) : (std::min)(name, Index(order[k]));
+    name = name == Index(-1) ? point : (std::min)(name, point);
   }
   return names; // that of the infinite vertex, 0, and of an apex is -1
 }
@@ -43,10 +45,9 @@ std::vector<Index> names_of_vertices(const Built<Id>& built)
 template <class Index, class Id>
 std::vector<Index> vertices_of_points(const Built<Id>& built, const std::vector<Index>& names)
 {
-  const std::vector<std::size_t>& order = built.order.order;
-  std::vector<Index> vertices(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    vertices[order[k]] = names[built.vertex_of[k]];
+  std::vector<Index> vertices(built.order.size);
+  for (std::size_t k = 0; k < built.order.size; ++k)
+    vertices[built.order.order[k]] = names[built.vertex_of[k]];
   return vertices;
 }
 
@@ -57,7 +58,7 @@ Delaunay_3_arrays<Index> arrays_at_apex(const Built<Id>& built)
   using Arrays = Delaunay_3_arrays<Index>;
   const std::vector<Index> names = names_of_vertices<Index>(built);
   typename Arrays::Entries rows;
-  const auto [finite, all] = triangles_at(built.complex, built.vertex_of.back(), names, rows);
+  const auto [finite, all] = triangles_at(built, names, rows);
   return Arrays(2, finite, all, std::move(rows), vertices_of_points(built, names));
 }
 
@@ -67,17 +68,19 @@ template <class Index, class Id>
 Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built)
 {
   using Arrays = Delaunay_3_arrays<Index>;
-  built.complex.deallocate_vertices();
-  const Numbers_of_cells numbers = partition_cells(built.complex);
+  built.give_up_vertices();
+  const Numbers_of_cells numbers = partition_cells(built.cells, built.cells_end);
   const std::vector<Index> names = names_of_vertices<Index>(built);
   for (std::size_t c = 0; c < numbers.all; ++c)
     for (std::size_t k = 0; k < 4; ++k) {
-      Compact_cell<Id>& cell = built.complex.cell(c);
+      Compact_cell<Id>& cell = built.cells[c];
       cell.v[k] = Id(names[cell.v[k]]);
       cell.links[k] >>= 2;
     }
+  std::size_t capacity = 0;
+  Compact_cell<Id>* const cells = built.take_cells(capacity);
   return Arrays(3, numbers.finite, numbers.all,
-                typename Arrays::Entries(built.complex.take_cells()),
+                typename Arrays::Entries(Page_array<Compact_cell<Id>>(cells, capacity)),
                 vertices_of_points(built, names));
 }
 
@@ -103,6 +106,7 @@ Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& bui
   }
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

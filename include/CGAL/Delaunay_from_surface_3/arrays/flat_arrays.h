@@ -14,9 +14,10 @@
 // other four points of a test lie in one plane. So nothing need be known of planes by the kernel.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
@@ -29,37 +30,38 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The triangles at the apex, which is a vertex of `complex`, as rows of eight entries: three vertices by
 // `names`, three neighbours; the infinite ones last. Returns how many are finite, and how many there
 // are.
 template <class Index, class Id>
-std::pair<std::size_t, std::size_t> triangles_at(const Compact_complex<Id>& complex, Id apex,
-                                                 const std::vector<Index>& names,
-                                                 Page_array<Index>& rows)
+std::pair<std::size_t, std::size_t>
+triangles_at(const Built<Id>& built, const std::vector<Index>& names, Page_array<Index>& rows)
 {
-  using Complex = Compact_complex<Id>;
+  using Numbers = Compact_numbers<Id>;
+  const Id apex = built.vertex_of[built.number_of_places - 1];
   const auto place_of_apex = [&](std::size_t c) { // 4: none
-    const Id* const v = complex.cell(c).v;
-    return Complex::is_dead(complex.cell(c)) ? std::ptrdiff_t(4) : std::find(v, v + 4, apex) - v;
+    const Id* const v = built.cells[c].v;
+    return Numbers::is_dead(built.cells[c]) ? std::ptrdiff_t(4) : std::find(v, v + 4, apex) - v;
   };
-  std::vector<Index> numbers(complex.cells_end(), -1);
+  std::vector<Index> numbers(built.cells_end, -1);
   std::size_t finite = 0, all = 0;
   for (const bool is_infinite : {false, true}) {
-    for (std::size_t c = 0; c < complex.cells_end(); ++c)
-      if (place_of_apex(c) < 4 && Complex::is_infinite(complex.cell(c)) == is_infinite)
+    for (std::size_t c = 0; c < built.cells_end; ++c)
+      if (place_of_apex(c) < 4 && Numbers::is_infinite(built.cells[c]) == is_infinite)
         numbers[c] = Index(all++);
     finite = is_infinite ? finite : all;
   }
   rows.allocate(8 * all);
   std::fill(rows.data(), rows.data() + 8 * all, Index(-1));
-  for (std::size_t c = 0; c < complex.cells_end(); ++c)
+  for (std::size_t c = 0; c < built.cells_end; ++c)
     if (numbers[c] >= 0) {
       Index* const row = rows.data() + 8 * std::size_t(numbers[c]);
       for (std::size_t k = 0; k < 3; ++k) {
         const unsigned corner = facet_corners[place_of_apex(c)][k];
-        row[k] = names[complex.cell(c).v[corner]];
-        row[4 + k] = numbers[complex.cell(c).links[corner] >> 2];
+        row[k] = names[built.cells[c].v[corner]];
+        row[4 + k] = numbers[built.cells[c].links[corner] >> 2];
       }
     }
   return {finite, all};
@@ -117,6 +119,7 @@ Delaunay_3_arrays<Index> arrays_on_line(std::size_t n, const PointOf& point)
   return Arrays(0, 1, 2, std::move(rows), std::move(vertices_of_points));
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

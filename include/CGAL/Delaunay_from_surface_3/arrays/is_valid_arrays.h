@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Arrays of dimension 2 or 3, cell by cell: in a plane each triangle with an apex off it on top
 // (flat_arrays.h).
@@ -75,15 +77,15 @@ private:
   // The vertices, in the order of the points; of the cells none is used.
   static Ordered_complex<Id> vertices_of(const Point_array& points, const Starting_simplex& simplex)
   {
-    Insertion_order order;
-    order.order.resize(points.size());
-    std::iota(order.order.begin(), order.order.end(), std::size_t(0));
+    std::vector<std::size_t> numbers(points.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+    const Order_view order = {numbers.data(), numbers.size(), nullptr, 0, nullptr};
     Watcher nobody;
     if (simplex.dimension == 3)
-      return Ordered_complex<Id>(points, std::move(order), nullptr, nobody);
+      return Ordered_complex<Id>(points, order, nullptr, nobody);
     const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
                                     points[simplex.points[2]]);
-    return Ordered_complex<Id>(points, std::move(order), apex.data(), nobody);
+    return Ordered_complex<Id>(points, order, apex.data(), nobody);
   }
 
   bool is_flat() const { return m_arrays.dimension() == 2; }
@@ -168,6 +170,7 @@ bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
   return cells.are_positive() && (level < Level::DELAUNAY || cells.are_without_conflict());
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -9,6 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <array>
 #include <cstddef>
@@ -16,6 +17,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Points are numbered by their places in the order; the watcher knows them by what the caller calls
 // them. A vertex may be that of none of them: then it has no place.
@@ -66,6 +68,7 @@ bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints&
   return true;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -8,9 +8,13 @@
 // The public face of core/order/geometric_rounds.h.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_request.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/geometric_round_ends.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/rounded_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
 #include <CGAL/assertions.h>
@@ -62,8 +66,10 @@ public:
                              VertexIndexMap) const
   {
     const auto coordinates = internal::rounded_coordinates(points);
-    return internal::geometric_rounds(internal::Point_array(coordinates.data(), points.size()),
-                                      m_seed, m_ratio, m_first_round);
+    const internal::Point_array array(coordinates.data(), points.size());
+    internal::Given_edges none;
+    return internal::copy_of(
+        internal::order_of_core(order_request(), none)->make(array, internal::Alone()));
   }
 
   /// returns …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n; nothing for n = 0.

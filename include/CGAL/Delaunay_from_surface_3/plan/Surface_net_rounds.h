@@ -8,20 +8,16 @@
 // The public face of core/order/surface_net_rounds.h.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_request.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/order_of_points.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/lower_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Edges_of_graph.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/rounded_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -103,14 +99,11 @@ public:
                              const Graph& graph, VertexIndexMap index_map,
                              const internal::Executor& executor = internal::Alone()) const
   {
-    constexpr std::size_t too_many = (std::numeric_limits<std::uint32_t>::max)();
-    const std::size_t m = std::size_t(num_edges(graph));
-    internal::Lists<std::uint32_t> lower; // none are no edges
-    if (m > 0 && (std::max)(points.size(), m) < too_many)
-      lower = internal::lower_neighbors(graph, index_map, points.size());
+    internal::Edges_of_graph<Graph, VertexIndexMap> edges(graph, index_map, points.size());
     const auto coordinates = internal::rounded_coordinates(points);
-    return internal::order_of_points(internal::Point_array(coordinates.data(), points.size()),
-                                     std::move(lower), order_request(), executor);
+    const internal::Point_array array(coordinates.data(), points.size());
+    return internal::copy_of(
+        internal::order_of_core(order_request(), edges)->make(array, executor));
   }
 
   /// returns the plan that serves when the budget is exceeded: the bound of \cgalCite{acr-icbr-03}

@@ -5,11 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_EXECUTOR_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_EXECUTOR_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <cstddef>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 // What an executor runs: does not throw.
 class Task
@@ -36,6 +39,10 @@ public:
   virtual void run(std::size_t number, const Task& task) const = 0;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
 // The caller's thread, and no other.
 class Alone final : public Executor
 {
@@ -49,6 +56,7 @@ public:
   }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

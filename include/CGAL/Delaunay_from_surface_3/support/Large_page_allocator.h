@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_LARGE_PAGE_ALLOCATOR_H
 
 #include <CGAL/Delaunay_from_surface_3/support/Large_pages.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <limits>
@@ -15,6 +16,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Memory for large arrays that live for a short time and are filled at once: in large pages where
 // the system has them at hand.
@@ -59,6 +61,7 @@ private:
 template <class T>
 using Large_vector = std::vector<T, Large_page_allocator<T>>;
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

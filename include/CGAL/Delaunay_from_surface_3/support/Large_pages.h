@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_LARGE_PAGES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_LARGE_PAGES_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <chrono>
@@ -18,6 +19,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 constexpr std::size_t large_page = std::size_t(1) << 21;
 
@@ -96,6 +98,7 @@ private:
   std::size_t m_end = 0;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -6,7 +6,9 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_LISTS_H
 
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists_view.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 
 #include <algorithm>
@@ -18,6 +20,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Lists of numbers, one after the other: that of i is items[first[i]], …, items[first[i+1] - 1].
 template <class Index>
@@ -29,6 +32,12 @@ struct Lists
   std::size_t size() const { return first.size() - 1; }
   const Index* begin(std::size_t i) const { return items.data() + first[i]; }
   const Index* end(std::size_t i) const { return items.data() + first[i + 1]; }
+
+  // Also of no list at all.
+  operator Lists_view<Index>() const
+  {
+    return {first.data(), items.data(), first.empty() ? 0 : size(), items.size()};
+  }
 };
 
 // So many items are worth a thread.
@@ -146,6 +155,7 @@ Lists<Index> in_lists(std::size_t n, const Items& items, const Executor& executo
   return in_lists<Index>(n, blocks, executor);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_pages.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,6 +18,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared
 // first, of which what is never written takes nothing, and parts can be given back while others are
@@ -42,6 +44,19 @@ public:
     m_data = reinterpret_cast<T*>(std::exchange(other.m_data, nullptr));
     m_pages = std::exchange(other.m_pages, Large_pages());
   }
+  // What another has given away.
+  Page_array(T* data, std::size_t capacity)
+    : m_data(data)
+    , m_capacity(capacity)
+  {
+  }
+  T* give_away(std::size_t& capacity)
+  {
+    capacity = std::exchange(m_capacity, 0);
+    m_pages = Large_pages();
+    return std::exchange(m_data, nullptr);
+  }
+
   Page_array(Page_array&& other) noexcept { swap(other); }
   Page_array& operator=(Page_array&& other) noexcept
   {
@@ -132,6 +147,7 @@ private:
   Large_pages m_pages;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

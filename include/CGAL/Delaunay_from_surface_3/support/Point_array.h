@@ -5,31 +5,31 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_POINT_ARRAY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_POINT_ARRAY_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
+
 #include <cstddef>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 // n points as n × 3 doubles, which are somebody else's.
 class Point_array
 {
 public:
-  Point_array(const double* coordinates, std::size_t size)
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Point_array(const double* coordinates,
+                                                         std::size_t size)
     : m_coordinates(coordinates)
     , m_size(size)
   {
   }
 
-  std::size_t size() const { return m_size; }
-  const double* operator[](std::size_t i) const { return m_coordinates + 3 * i; }
-
-  // Up to rounding, and infinite where it overflows.
-  double squared_distance(std::size_t i, std::size_t j) const
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE std::size_t size() const { return m_size; }
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE const double* operator[](std::size_t i) const
   {
-    const double *const p = (*this)[i], *const q = (*this)[j];
-    const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
-    return x * x + y * y + z * z;
+    return m_coordinates + 3 * i;
   }
 
 private:
@@ -49,6 +49,10 @@ public:
   virtual void give_up() {}
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
 // Points that are there all the time.
 class Given_points final : public Point_source
 {
@@ -63,6 +67,7 @@ private:
   const Point_array m_points;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

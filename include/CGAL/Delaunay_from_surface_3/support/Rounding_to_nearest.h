@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_ROUNDING_TO_NEAREST_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_ROUNDING_TO_NEAREST_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <cfenv>
 
 #if defined(__SSE2_MATH__) || defined(_M_X64)
@@ -14,6 +16,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // How a thread computes with doubles, as far as that can be changed: where it rounds to, and whether
 // it takes denormal numbers for zero, as libraries for sound, pictures or learning set it for all
@@ -130,6 +133,7 @@ private:
   const Floating_point_mode m_mode_of_caller;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <atomic>
@@ -19,6 +20,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Into how many blocks of `least` or more an executor cuts n things.
 inline std::size_t number_of_blocks(const Executor& executor, std::size_t n, std::size_t least)
@@ -80,6 +82,7 @@ void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks,
       std::rethrow_exception(error);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

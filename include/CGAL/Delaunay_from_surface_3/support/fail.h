@@ -5,11 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FAIL_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FAIL_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <stdexcept>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // What cannot happen has happened: an invariant is broken. Throws, also where assertions are off.
 [[noreturn]] inline void fail(const char* invariant)
@@ -17,6 +20,7 @@ namespace internal {
   throw std::logic_error(invariant);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PERMUTATION_H
 
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -14,6 +15,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // result[k] = items[order[k]]
 template <class T>
@@ -40,14 +42,19 @@ std::vector<T> permuted(const std::vector<T>& items, const std::vector<std::size
 }
 
 // result[order[k]] = k
-inline std::vector<std::size_t> inverse(const std::vector<std::size_t>& order)
+inline std::vector<std::size_t> inverse(const std::size_t* order, std::size_t n)
 {
-  std::vector<std::size_t> result(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
+  std::vector<std::size_t> result(n);
+  for (std::size_t k = 0; k < n; ++k)
     result[order[k]] = k;
   return result;
 }
+inline std::vector<std::size_t> inverse(const std::vector<std::size_t>& order)
+{
+  return inverse(order.data(), order.size());
+}
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -5,11 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PREFETCH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PREFETCH_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <cstddef>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // How many steps before a loop reads it memory is asked for; and, where a step before tells the
 // address, how many steps before that. Surface_net_rounds for a scan of 603,000 points: 0.139 s
@@ -28,6 +31,7 @@ inline void prefetch(const void* address)
 #endif
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

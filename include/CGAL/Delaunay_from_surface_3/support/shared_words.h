@@ -13,6 +13,8 @@
 // functions. GCC takes an atomic access for one of all memory, and loads every pointer again after
 // it.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <atomic>
 #include <cstddef>
 #include <type_traits>
@@ -29,6 +31,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)
 constexpr bool is_watched = true;
@@ -142,6 +145,7 @@ inline void full_fence()
 #endif
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

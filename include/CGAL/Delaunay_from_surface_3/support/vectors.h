@@ -10,6 +10,8 @@
 
 #if defined(__GNUC__) && defined(__x86_64__)
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <tmmintrin.h> // not <immintrin.h>, which takes g++ 12 a hundred megabytes more
 
 #include <type_traits>
@@ -22,6 +24,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 inline bool machine_has_vectors()
 {
@@ -84,6 +87,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS unsigned bits_of(Four_longs compa
   return unsigned(__builtin_ia32_movmskpd256(reinterpret_cast<Four_doubles>(comparison)));
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -28,6 +28,7 @@
 // Cost: O(m α(m)) for m edges of the component; 20 bytes per vertex of the surface, from the first
 // phase on.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Exchange_tree.h>
 
 #include <limits>
@@ -37,6 +38,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Index>
 class Degree_phase
@@ -181,6 +183,7 @@ private:
   Index m_k = 0;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

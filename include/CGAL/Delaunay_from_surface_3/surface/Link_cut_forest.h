@@ -13,6 +13,8 @@
 // backwards.
 // Cost: O(log n) for each operation, amortized; 13 bytes per vertex with indices of 32 bits.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -21,6 +23,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Index>
 class Link_cut_forest
@@ -156,6 +159,7 @@ private:
   std::vector<Index> m_above; // scratch
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

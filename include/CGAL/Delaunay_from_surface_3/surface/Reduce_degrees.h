@@ -24,6 +24,7 @@
 // O(n α(n)) for each phase.
 
 #include <CGAL/Delaunay_from_surface_3/Minimum_degree_witness.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Degree_phase.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Exchange_tree.h>
 
@@ -33,6 +34,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // What was done, for those who measure it.
 struct Reduction_counts
@@ -179,6 +181,7 @@ private:
   Reduction_counts m_counts;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

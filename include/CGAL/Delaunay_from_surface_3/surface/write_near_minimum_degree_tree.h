@@ -8,6 +8,7 @@
 // What both public forms come down to: read, mark the tree of bounded degree, exchange edges, write.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Whether no vertex has more than three of the edges that are marked at one of their darts.
 template <class Index>
@@ -58,6 +60,7 @@ OutputIterator write_near_minimum_degree_tree(const Reader& reader, OutputIterat
   });
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -8,9 +8,10 @@
 // Beyond the paper: the plan already knows where a point starts, so that nothing need be searched
 // or stored while points are inserted.
 
-#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/internal/trace/Starts_in_core.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <vector>
@@ -75,6 +76,7 @@ private:
 };
 
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <>
 struct Starts_in_core<Planned_hints_3> : std::true_type
@@ -82,6 +84,7 @@ struct Starts_in_core<Planned_hints_3> : std::true_type
   static constexpr bool uses_starting_places = true;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

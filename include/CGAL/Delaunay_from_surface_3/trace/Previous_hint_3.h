@@ -8,9 +8,10 @@
 // The control: every point starts from the point inserted before it, as in CGAL's own range
 // insertion.
 
-#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/internal/trace/Starts_in_core.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 
@@ -60,6 +61,7 @@ private:
 };
 
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <>
 struct Starts_in_core<Previous_hint_3> : std::true_type
@@ -67,6 +69,7 @@ struct Starts_in_core<Previous_hint_3> : std::true_type
   static constexpr bool uses_starting_places = false;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

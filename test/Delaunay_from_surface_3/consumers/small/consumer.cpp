@@ -1,8 +1,10 @@
 // What a project that uses the package compiles at least: cospherical points, as plain CGAL inserts them.
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 
+#include <cstdint>
 #include <vector>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -15,5 +17,9 @@ int main()
   CGAL::Delaunay_triangulation_3<K> tr;
   CGAL::insert_points_3(tr, points);
   const CGAL::Delaunay_triangulation_3<K> plain(points.begin(), points.end());
-  return tr.number_of_vertices() == 60 && tr == plain ? 0 : 1;
+  const auto arrays = CGAL::delaunay_3_arrays<std::int64_t>(points);
+  return tr.number_of_vertices() == 60 && tr == plain &&
+                 arrays.number_of_simplices() == plain.number_of_finite_cells()
+             ? 0
+             : 1;
 }

@@ -11,12 +11,14 @@
 // size went through at most 17 of u = 2^-53, and is at least (1 - u)^17 S.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cmath>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Number>
 struct Bounded_number
@@ -41,6 +43,7 @@ struct Bounded_number
   }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -21,6 +21,7 @@
 // (Compact_complex.h), that is nothing beside columns of at least `least`.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 constexpr double unit_of_double = 1. / 9007199254740992.; // 2^-53
 
@@ -69,6 +71,7 @@ struct Column_sizes
   double bound_of_three() const { return three * unit_of_double * (x * y * z) + tiny; }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -8,22 +8,17 @@
 // Cells and vertices as numbers, and nothing else: what an insertion scribbles on is in
 // Conflict_zone.h. A cell is 32 bytes (with ids of 32 bits), half a cache line.
 //
-// One vertex, one number: that of the i-th point in the order of insertion is i + 1, and its
-// coordinates are there from the beginning; 0 is the infinite vertex. Numbers of duplicates stay
-// unused.
+// The coordinates of vertices are there from the beginning. Numbers of duplicates stay unused.
 //
 // Coordinates are those of the points times a power of 2. If some are so small that this rounds them,
 // the complex keeps the points' own, too; those are what exact predicates see.
 //
-// Invariants: vertices of a cell are in positive orientation (with the infinite vertex in the place
-// of a point beyond the hull); the infinite vertex is only ever the last of a cell. A link names a
-// neighbour and, in its two lowest bits, which of the neighbour's facets is shared: 4 · cell +
-// facet, as in TetGen's and HXT's meshes (Si 2015; Marot, Pellerin, Remacle 2019). A cell that is
-// destroyed is `dead`, and so is one that is not in use; that mark is the highest bit of its first
-// vertex.
+// Its invariants are those of Compact_cell.h.
 
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
@@ -35,43 +30,24 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Id>
-struct Compact_cell
+class Compact_complex : public Compact_numbers<Id>
 {
-  Id v[4];
-  Id links[4];
-};
-
-// `label` belongs to the insertion under way (Fill_star.h). It lies here, in bytes that alignment
-// would leave empty, beside the coordinates that were just read. In an array of its own, as many
-// threads need it (Write_announced.h), it takes longer.
-template <class Id>
-struct alignas(32) Compact_vertex
-{
-  double coordinates[3];
-  Id cell; // any cell of the vertex
-  Id label;
-};
-
-// The corners of facet i, such that (p, corners) is positive for p on the inner side, and the
-// infinite vertex stays the last.
-inline constexpr unsigned char facet_corners[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
-
-template <class Id>
-class Compact_complex
-{
-  static_assert(std::numeric_limits<Id>::is_integer && !std::numeric_limits<Id>::is_signed,
-                "ids are unsigned");
-
 public:
   using Cell = Compact_cell<Id>;
   using Vertex = Compact_vertex<Id>;
+  using Numbers = Compact_numbers<Id>;
+  using Numbers::dead;
+  using Numbers::infinite;
+  using Numbers::is_dead;
+  using Numbers::link;
+  using Numbers::max_cells;
+  using Numbers::max_vertices;
+  using Numbers::point_of_vertex;
+  using Numbers::vertex_of_point;
 
-  static constexpr Id infinite = 0;
-  static constexpr Id dead = Id(Id(1) << (std::numeric_limits<Id>::digits - 1)); // of v[0]
-  static constexpr std::size_t max_vertices = dead;
-  static constexpr std::size_t max_cells = std::size_t((std::numeric_limits<Id>::max)() >> 2) + 1;
   static constexpr std::size_t cells_of_gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
 
   // Without vertices.
@@ -105,9 +81,6 @@ public:
     return is_rounded() ? m_own_coordinates[point_of_vertex(v)].data() : vertex(v).coordinates;
   }
 
-  static Id vertex_of_point(std::size_t i) { return Id(i + 1); }
-  static std::size_t point_of_vertex(std::size_t v) { return v - 1; }
-
   Cell* cells() { return m_cells.data(); }
   const Cell* cells() const { return m_cells.data(); }
   Vertex* vertices() { return m_vertices.data(); }
@@ -118,11 +91,6 @@ public:
   const Vertex& vertex(std::size_t v) const { return m_vertices[v]; }
   std::size_t vertices_end() const { return m_number_of_vertices; } // 0 and unused ones too
   std::size_t cells_end() const { return m_cells_end; }             // dead ones too
-
-  static bool is_dead(const Cell& c) { return (c.v[0] & dead) != 0; }
-  static Id first_vertex(const Cell& c) { return Id(c.v[0] & Id(~dead)); }
-  static bool is_infinite(const Cell& c) { return c.v[3] == infinite; }
-  static Id link(Id cell, unsigned facet) { return Id(Id(cell << 2) | facet); }
 
   // The number of a cell that never was. The cells may move.
   Id new_cell()
@@ -196,11 +164,9 @@ public:
     return true;
   }
 
-  // For the export, which reads each cell once: these are not read any more.
-  void release_cells(std::size_t first, std::size_t last) { m_cells.release(first, last); }
-  void deallocate_cells() { m_cells.deallocate(); }
-  Page_array<Cell> take_cells() { return std::move(m_cells); }
-  void deallocate_vertices() { m_vertices.deallocate(); }
+  // For the export, which reads each cell once and gives up what is not read any more.
+  Page_array<Cell>& memory_of_cells() { return m_cells; }
+  Page_array<Vertex>& memory_of_vertices() { return m_vertices; }
 
 private:
   // The cells from m_cells_end on, up to the next large page.
@@ -252,6 +218,7 @@ private:
   std::size_t m_number_of_vertices = 0;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -32,12 +32,14 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/flat_beyond_sign.h>
 #include <CGAL/Delaunay_from_surface_3/support/fail.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // By columns, in vectors where the machine has them.
 inline int flat_sphere_sign(const double* const* vertices, const double* p)
@@ -193,6 +195,7 @@ private:
   bool m_is_flat = false; // whether columns decided the last sphere test that integers left open
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -19,8 +19,9 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/corners_around.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/nearest_vertex.h>
-#include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
 #include <array>
 #include <cstddef>
@@ -28,6 +29,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Id: an unsigned type for the numbers.
 template <class Id>
@@ -113,6 +115,7 @@ private:
 #endif
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -17,6 +17,7 @@
 // when the user allows fma. opaque() hides from them what is a product.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 #if defined(__GNUC__) && defined(__x86_64__)
 inline double opaque(double product)
@@ -186,6 +188,7 @@ fused_close_sphere_sign(const Exact_differences<4>& differences)
   return close_sphere_sign_with<Machine_products>(differences);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

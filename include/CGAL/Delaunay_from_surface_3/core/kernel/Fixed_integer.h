@@ -20,6 +20,7 @@
 // is less than 2^127, what is carried included. The other columns have fewer terms.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #if defined(__SIZEOF_INT128__)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
@@ -29,6 +30,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 __extension__ using Double_digit = __int128;
 
@@ -129,6 +131,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign_of(const Fixed_integer<Halve
   return highest < 0 ? -1 : int((highest | lower) != 0);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -7,11 +7,13 @@
 
 // One piece of a round of Choi 2002, Fig. 1, lines 2b and 2c, by the thread that calls it.
 
+#include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/crews.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <array>
 #include <cstddef>
@@ -19,6 +21,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Id>
 class Insert_alone
@@ -120,13 +123,14 @@ private:
   const bool m_follows_points, m_leaves_points_out, m_looks_at_corners;
 };
 
-// Who inserts.
-struct One_thread
+template <>
+struct Inserter_of<One_thread>
 {
   template <class Id>
-  using Insert = Insert_alone<Id>;
+  using type = Insert_alone<Id>;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fixed_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/powers_of_2.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
 
@@ -27,6 +28,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The differences of N vertices and p, times a power of 2, in digits of 60 bits.
 template <int N>
@@ -158,6 +160,7 @@ private:
   bool m_can_be_scaled, m_has_one_digit = false;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

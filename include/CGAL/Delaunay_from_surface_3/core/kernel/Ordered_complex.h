@@ -9,7 +9,7 @@
 //
 // One vertex, one number: the point at place k of the order is vertex k + 1.
 
-#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Order_view.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Power_of_scale.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Starting_cells.h>
@@ -17,6 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Id>
 struct Ordered_complex
@@ -36,17 +38,17 @@ struct Ordered_complex
 
   Ordered_complex() = default;
 
-  // Of these points; if there is an apex, of that one too, at the place behind the last. Four of them
+  // Of these points, in an order that is kept elsewhere; if there is an apex, of that one too, at the place behind the last. Four of them
   // that do not lie in one plane are inserted. The watcher is asked about the first ones if it leaves
   // points out.
-  Ordered_complex(const Point_array& points, Insertion_order&& by, const double* apex,
+  Ordered_complex(const Point_array& points, const Order_view& by, const double* apex,
                   Watcher& watcher)
-    : order(std::move(by))
-    , vertex_of(order.order.size() + (apex != nullptr), 0)
+    : order(by)
+    , vertex_of(order.size + (apex != nullptr), 0)
   {
     const Power_of_scale scaled(points, apex);
     const auto point = [&](std::size_t k) {
-      return k < order.order.size() ? points[order.order[k]] : apex;
+      return k < order.size ? points[order.order[k]] : apex;
     };
     complex = Complex(vertex_of.size(), [&](std::size_t k) { return scaled(point(k)); });
     CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(std::all_of(
@@ -61,10 +63,9 @@ struct Ordered_complex
         own.push_back({point(k)[0], point(k)[1], point(k)[2]});
       complex.keep_own_coordinates(std::move(own));
     }
-    const Starting_simplex simplex =
-        watcher.leaves_points_out()
-            ? first_accepted_points(order.order, point, watcher, is_accepted)
-            : starting_simplex(vertex_of.size(), point);
+    const Starting_simplex simplex = watcher.leaves_points_out()
+                                         ? first_accepted_points(order, point, watcher, is_accepted)
+                                         : starting_simplex(vertex_of.size(), point);
     any_vertex = start_complex(simplex, complex, vertex_of);
   }
 
@@ -80,13 +81,14 @@ struct Ordered_complex
     return Starting_cells<Id>(complex, vertex_of, order.starting_places, any_vertex);
   }
 
-  Insertion_order order;
+  Order_view order = {nullptr, 0, nullptr, 0, nullptr};
   Complex complex;
   std::vector<Id> vertex_of;     // by place: 0 as long as there is none
   std::vector<char> is_accepted; // by place, of the first points, if somebody was asked
   Id any_vertex = 0;             // the first that is there
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -10,6 +10,7 @@
 // they can. Its root is the point where the product of the distances to the others is least.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <utility>
@@ -17,6 +18,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Which tree it is depends on rounded distances; what is made of it must not.
 template <int N>
@@ -85,6 +87,7 @@ private:
   int m_places[N], m_parents[N], m_root;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

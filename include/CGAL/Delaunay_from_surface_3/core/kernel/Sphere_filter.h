@@ -21,6 +21,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 struct Filter_bounds
 {
@@ -160,6 +162,7 @@ struct Sphere_filter
   }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

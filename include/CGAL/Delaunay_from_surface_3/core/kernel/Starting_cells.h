@@ -9,6 +9,7 @@
 // is near; or it is the point inserted before.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <cstddef>
@@ -17,16 +18,17 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Of many threads each has a copy, and follows the points that it inserted itself.
 template <class Id>
 class Starting_cells
 {
 public:
-  // `places`: as Insertion_order::starting_places. vertex_of: by place, 0 if there is none yet. Keeps
+  // `places`: as Order_view::starting_places. vertex_of: by place, 0 if there is none yet. Keeps
   // references to all. `vertex` is any that is there.
   Starting_cells(const Compact_complex<Id>& complex, const std::vector<Id>& vertex_of,
-                 const std::vector<std::size_t>& places, Id vertex)
+                 const std::size_t* places, Id vertex)
     : m_complex(complex)
     , m_vertex_of(vertex_of)
     , m_places(places)
@@ -37,7 +39,7 @@ public:
   // A cell of the vertex of the point that the order names for that at place i.
   Id start(std::size_t i) const
   {
-    if (i == 0 || m_places.empty())
+    if (i == 0 || m_places == nullptr)
       return cell(m_previous);
     std::size_t place = m_places[i];
     Id v = load_relaxed(m_vertex_of[place]);
@@ -53,10 +55,11 @@ private:
 
   const Compact_complex<Id>& m_complex;
   const std::vector<Id>& m_vertex_of;
-  const std::vector<std::size_t>& m_places;
+  const std::size_t* const m_places;
   Id m_previous;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <limits>
@@ -14,6 +15,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The differences of N vertices and p, row by row, divided by the greatest power of 2 that leaves
 // them integers. Any finite doubles will do.
@@ -46,6 +48,7 @@ private:
   }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -9,6 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
@@ -19,6 +20,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 struct Wide_explore_neighbors : Explore_alone
 {
@@ -128,6 +130,7 @@ using Widest_explore_neighbors =
     std::conditional_t<std::is_same<Id, Wide_explore_neighbors::Id>::value, Wide_explore_neighbors,
                        Explore_neighbors>;
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

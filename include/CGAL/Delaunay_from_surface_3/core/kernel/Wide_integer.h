@@ -13,6 +13,7 @@
 //
 // Cost: O(s t) for a product of s digits that are not 0 and t.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 #include <algorithm>
@@ -23,6 +24,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A finite number is bits 2^exponent, but for its sign; bits is odd, or 0.
 struct Bits_of_double
@@ -199,6 +201,7 @@ private:
   Digit m_digits[most_digits];
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -13,6 +13,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A coordinate of the four rows, and the three permutations of it.
 struct Wide_column
@@ -128,6 +130,7 @@ wide_sphere_sign_by_columns(const double* const* vertices, const double* p)
                         sizes.bound_of_four(largest_of(rows.w)));
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

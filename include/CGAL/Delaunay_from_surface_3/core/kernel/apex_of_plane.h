@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_APEX_OF_PLANE_H
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A point off the plane of a, b and c, which are not collinear: a, moved by about the size of the
 // triangle, along the axis to which the plane seems most nearly orthogonal.
@@ -37,6 +39,7 @@ inline std::array<double, 3> apex_of_plane(const double* a, const double* b, con
   return apex;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

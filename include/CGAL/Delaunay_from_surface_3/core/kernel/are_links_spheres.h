@@ -7,6 +7,8 @@
 
 // Euler's formula, vertex by vertex.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -16,6 +18,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Is the link of each vertex a sphere, for tetrahedra whose facets are shared by two each? A link is a
 // closed surface of as many triangles as the vertex has cells, f, and as many vertices as it has
@@ -48,6 +51,7 @@ bool are_links_spheres(const std::vector<std::array<Id, 4>>& cells, std::size_t 
   return true;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

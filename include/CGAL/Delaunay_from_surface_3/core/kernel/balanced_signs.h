@@ -27,6 +27,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Shortest_tree.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/powers_of_2.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 struct Bounded_doubles
 {
@@ -172,6 +174,7 @@ private:
   Balancing_scales<N> m_scales;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -9,6 +9,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/support/fail.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <array>
 #include <cstddef>
@@ -16,6 +17,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Does a cell contain p, its boundary included; or, if it is infinite, does p lie beyond its facet?
 template <class Id>
@@ -49,6 +51,7 @@ std::array<Id, 4> corners_around(const Compact_complex<Id>& complex, const Confl
   fail("a point lies in a cell, or beyond a facet of the hull");
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -17,11 +17,13 @@
 // A cell (v0, v1, v2, v3) is positively oriented if (v1 - v0, v2 - v0, v3 - v0) is right-handed; in
 // an infinite cell the infinite vertex v3 stands for a point beyond the facet.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Before loops over the few numbers of a test, which the compiler shall write out.
 #if defined(__clang__)
@@ -129,6 +131,7 @@ struct Circle_cofactors
   }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -15,12 +15,14 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Are products of three numbers up to this one, a squared length, rounded and nothing worse?
 inline bool is_safe(double square)
@@ -117,6 +119,7 @@ inline int compare_distance(const double* p, const double* a, const double* b)
   return sign_of(differences.rows[0].w - differences.rows[1].w);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -19,6 +19,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // sign: 1 or -1, perturbed where the determinant is 0; 0 from stages that round and leave it open,
 // and where nothing is perturbed (exact_predicates.h).
@@ -267,6 +269,7 @@ inline Exact_sign exact_beyond_sign(const double* const* vertices, const double*
   return exact_sign<Exact_beyond>(vertices, p, is_fused);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -8,10 +8,12 @@
 // A complex begins with four points at once, and cannot ask about them in their turn. So the first
 // points are asked about before there is one, until those accepted do not lie in one plane.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Watcher.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Order_view.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/nearest_vertex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +24,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Takes point `next` into a simplex if it does not lie in the span of those that are there.
 template <class PointOf>
@@ -47,14 +50,14 @@ void extend_simplex(Starting_simplex& simplex, const PointOf& point, std::size_t
 // plane it gives up: that would take more points than can be compared with each other in next to no
 // time.
 template <class PointOf>
-Starting_simplex first_accepted_points(const std::vector<std::size_t>& order, const PointOf& point,
+Starting_simplex first_accepted_points(const Order_view& order, const PointOf& point,
                                        Watcher& watcher, std::vector<char>& is_accepted)
 {
   constexpr std::size_t most = 1000;
   const Watcher::Corners no_corners = {Watcher::none, Watcher::none, Watcher::none, Watcher::none};
   Starting_simplex simplex = {{}, -1};
   std::vector<std::size_t> places; // of the vertices
-  for (std::size_t k = 0; k < (std::min)(order.size(), most) && simplex.dimension < 3; ++k) {
+  for (std::size_t k = 0; k < (std::min)(order.size, most) && simplex.dimension < 3; ++k) {
     const double* const p = point(k);
     const auto nearest =
         std::min_element(places.begin(), places.end(), [&](std::size_t i, std::size_t j) {
@@ -62,7 +65,7 @@ Starting_simplex first_accepted_points(const std::vector<std::size_t>& order, co
         });
     const bool is_vertex = nearest != places.end() && std::equal(p, p + 3, point(*nearest));
     is_accepted.push_back(is_vertex || nearest == places.end() ||
-                          watcher.accepts(order[k], order[*nearest], no_corners));
+                          watcher.accepts(order.order[k], order.order[*nearest], no_corners));
     if (is_accepted.back() && !is_vertex) {
       places.push_back(k);
       extend_simplex(simplex, point, k);
@@ -71,6 +74,7 @@ Starting_simplex first_accepted_points(const std::vector<std::size_t>& order, co
   return simplex;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

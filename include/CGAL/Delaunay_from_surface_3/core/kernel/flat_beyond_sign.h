@@ -20,12 +20,14 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The axis to which the plane of p and three vertices is orthogonal; 3 if there is none.
 inline int axis_across(const double* const* vertices, const double* p)
@@ -75,6 +77,7 @@ inline int flat_beyond_sign(const double* const* vertices, const double* p)
   return sign != 0 || value == 0 ? sign : circle_sign_by_columns(vertices, p, axis);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/are_links_spheres.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_delaunay.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <array>
 #include <cstddef>
@@ -18,6 +19,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Id>
 bool are_links_spheres(const Compact_complex<Id>& complex)
@@ -55,6 +57,7 @@ bool is_valid(const Compact_complex<Id>& complex, Delaunay_validity_level level)
          (level < Level::DELAUNAY || is_delaunay(complex));
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

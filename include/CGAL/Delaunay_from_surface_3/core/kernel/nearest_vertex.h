@@ -9,6 +9,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,6 +17,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The square of the distance, rounded.
 inline double squared_distance(const double* p, const double* q)
@@ -61,6 +63,7 @@ Id nearest_vertex_of_zone(const Compact_complex<Id>& complex, const Conflict_zon
   return nearest;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -9,12 +9,14 @@
 // written, and rounded to a double.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cfloat>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Not on x87. (Methods 1 and 16 evaluate only narrower types in wider ones.)
 constexpr bool rounds_every_operation =
@@ -50,6 +52,7 @@ inline const char* obstacle_of_compiler()
   return nullptr;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -5,12 +5,15 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_POWERS_OF_2_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_POWERS_OF_2_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <cstdint>
 #include <cstring>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // 2^(biased_exponent - 1023), between 1 and 2046.
 inline double power_of_2(std::uint64_t biased_exponent)
@@ -30,6 +33,7 @@ inline std::uint64_t biased_exponent(double number)
   return bits >> 52;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -6,15 +6,16 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_INSERTION_BUDGET_H
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // How much work an order may make before another takes its place. No order that only looks at the
 // surface bounds the cells that insertions destroy; a random one does (Amenta, Choi, Rote 2003). So
@@ -23,11 +24,9 @@ namespace internal {
 class Insertion_budget
 {
 public:
-  // Without bound.
-  Insertion_budget() = default;
-
   // Of so many destroyed cells for each point inserted, and for the first points together those of
-  // a thousand: there are too few of them to tell a good order from a bad one.
+  // a thousand: there are too few of them to tell a good order from a bad one. The largest number is
+  // never exceeded.
   explicit Insertion_budget(std::size_t cells_per_point)
     : m_cells_per_point(double(cells_per_point))
   {
@@ -53,9 +52,10 @@ private:
     return m_cells_per_point * (1 + doublings / 16);
   }
 
-  double m_cells_per_point = std::numeric_limits<double>::infinity();
+  double m_cells_per_point;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -18,13 +18,17 @@
 // by a constant factor (4 to 5) and their edges with them: linear altogether. In other graphs a
 // level may keep nearly all its vertices; such a level ends the hierarchy.
 
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_request.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Edge_source.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/lower_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/random_net.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists_view.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 
 #include <algorithm>
@@ -36,43 +40,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-// An edge of a graph whose vertices are numbered: the larger number, and the smaller.
-struct Numbered_edge
-{
-  std::uint32_t upper, lower;
-
-  Numbered_edge(std::uint32_t s, std::uint32_t t)
-    : upper((std::max)(s, t))
-    , lower((std::min)(s, t))
-  {
-  }
-};
-
-// Edges as items: the list of the upper end gets the lower one.
-class Edges_as_items
-{
-public:
-  Edges_as_items(const Large_vector<Numbered_edge>& edges)
-    : m_edges(&edges)
-  {
-  }
-
-  std::size_t size() const { return m_edges->size(); }
-  std::size_t list(std::size_t k) const { return (*m_edges)[k].upper; }
-  std::uint32_t item(std::size_t k) const { return (*m_edges)[k].lower; }
-
-private:
-  const Large_vector<Numbered_edge>* m_edges;
-};
-
-// The neighbours of each of n vertices that have smaller numbers; of edges in blocks.
-inline Lists<std::uint32_t> lower_neighbors(const std::vector<Large_vector<Numbered_edge>>& edges,
-                                            std::size_t n, const Executor& executor = Alone())
-{
-  return in_lists<std::uint32_t>(n, std::vector<Edges_as_items>(edges.begin(), edges.end()),
-                                 executor);
-}
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The members of every cluster, its net vertex first, the others in ascending order.
 inline Lists<std::uint32_t> members(const Net& net, const Executor& executor)
@@ -101,7 +69,7 @@ inline Lists<std::uint32_t> members(const Net& net, const Executor& executor)
 // The graph of the clusters: two are neighbours if members of theirs are. An edge is met from each
 // of its clusters at most once, so that it is there twice at most. Here those met from the clusters
 // first, …, last - 1 are written behind `edges`.
-inline void append_contracted(const Lists<std::uint32_t>& lower,
+inline void append_contracted(const Lists_view<std::uint32_t>& lower,
                               const Large_vector<std::uint32_t>& cluster_of,
                               const Lists<std::uint32_t>& clusters, std::size_t first,
                               std::size_t last, Large_vector<Numbered_edge>& edges)
@@ -126,7 +94,7 @@ inline void append_contracted(const Lists<std::uint32_t>& lower,
   }
 }
 
-inline Lists<std::uint32_t> contracted(const Lists<std::uint32_t>& lower,
+inline Lists<std::uint32_t> contracted(const Lists_view<std::uint32_t>& lower,
                                        const Large_vector<std::uint32_t>& cluster_of,
                                        const Lists<std::uint32_t>& clusters,
                                        const Executor& executor)
@@ -150,15 +118,17 @@ struct Net_hierarchy
   std::vector<Large_vector<std::uint32_t>> names;
   std::size_t number_of_coarsest;
 
-  // Nets of the graph with these lower neighbours until at most `coarsest_net` vertices are left,
+  // Nets of the graph with these edges, of which there are some, until at most `coarsest_net` vertices are left,
   // or a net keeps more than the share `net_stall` of them. `block`: see Random_blocks. The nets
   // are the same whatever the executor.
-  Net_hierarchy(Lists<std::uint32_t> lower, const Point_array& points, unsigned int seed,
+  Net_hierarchy(Edge_source& edges, const Point_array& points, unsigned int seed,
                 std::size_t block = Random_blocks::one_of_many, const Executor& executor = Alone())
     : names(1)
-    , number_of_coarsest(lower.size())
+    , number_of_coarsest(points.size())
   {
     Split_mix random(seed);
+    Lists<std::uint32_t> contracted_edges;
+    Lists_view<std::uint32_t> lower = edges.edges();
     while (number_of_coarsest > coarsest_net) {
       const std::size_t level = names.size() - 1;
       const Vertex_points vertices(points, level == 0 ? nullptr : names[level].data());
@@ -166,7 +136,9 @@ struct Net_hierarchy
       if (double(net.centers.size()) > net_stall * double(number_of_coarsest))
         break;
       clusters.push_back(members(net, executor));
-      lower = contracted(lower, net.cluster_of, clusters.back(), executor);
+      contracted_edges = contracted(lower, net.cluster_of, clusters.back(), executor);
+      lower = contracted_edges;
+      edges.give_up();
       number_of_coarsest = lower.size();
       for (std::uint32_t& c : net.centers)
         c = std::uint32_t(point(level, c));
@@ -182,6 +154,7 @@ struct Net_hierarchy
   }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

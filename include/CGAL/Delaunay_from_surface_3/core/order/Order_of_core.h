@@ -5,53 +5,57 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_ORDER_OF_CORE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_ORDER_OF_CORE_H
 
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_source.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Edge_source.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Order_source.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/order_of_points.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The order that the core makes itself: by nets of the edges, within a budget; then by random rounds.
-// edges() gives the edges as lower neighbours, each time that nets are made.
-template <class Edges>
 class Order_of_core final : public Order_source
 {
 public:
-  Order_of_core(const Order_request& request, const Edges& edges)
+  // Keeps a reference.
+  Order_of_core(const Order_request& request, Edge_source& edges)
     : m_request(request)
     , m_edges(edges)
   {
   }
 
-  Insertion_order make(const Point_array& points, const Executor& executor) override
+  Order_view make(const Point_array& points, const Executor& executor) override
   {
-    Lists<std::uint32_t> lower; // none are no edges
-    if (m_request.kind == Order_request::NETS)
-      lower = m_edges();
-    return order_of_points(points, std::move(lower), m_request, executor);
+    m_order = order_of_points(points, m_edges, m_request, executor);
+    return view_of(m_order);
   }
-  Insertion_budget budget() const override
+  std::size_t cells_per_point() const override
   {
-    return m_request.kind == Order_request::NETS ? Insertion_budget(cells_per_point_of_nets)
-                                                 : Insertion_budget();
+    return m_request.kind == Order_request::NETS ? cells_per_point_of_nets : any_number;
   }
   bool go_on() override
   {
+    m_order = Insertion_order(); // before there is another
     return std::exchange(m_request.kind, Order_request::GEOMETRIC) == Order_request::NETS;
   }
 
 private:
   Order_request m_request;
-  const Edges m_edges;
+  Edge_source& m_edges;
+  Insertion_order m_order;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

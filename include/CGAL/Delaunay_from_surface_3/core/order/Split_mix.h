@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPLIT_MIX_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPLIT_MIX_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -12,6 +14,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Random numbers that depend on the seed alone, with any library: splitmix64 (Steele, Lea, Flood
 // 2014).
@@ -53,6 +56,7 @@ private:
   std::uint64_t m_state;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -13,31 +13,17 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/geometric_round_ends.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-
-// …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n, from the first that is at most first_round; nothing for
-// n = 0.
-inline std::vector<std::size_t> geometric_round_ends(std::size_t n, double ratio,
-                                                     std::size_t first_round)
-{
-  std::vector<std::size_t> ends;
-  for (std::size_t end = n; end > 0;) {
-    ends.push_back(end);
-    end = end <= first_round ? 0 : static_cast<std::size_t>(std::floor(double(end) * ratio));
-  }
-  std::reverse(ends.begin(), ends.end());
-  return ends;
-}
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A random order, in these rounds, each sorted by halves.
 inline Insertion_order geometric_rounds(const Point_array& points, unsigned int seed, double ratio,
@@ -57,6 +43,7 @@ inline Insertion_order geometric_rounds(const Point_array& points, unsigned int 
   return result;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

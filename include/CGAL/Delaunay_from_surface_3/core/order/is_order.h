@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_IS_ORDER_H
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <vector>
@@ -13,6 +14,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Is it an order of n points: a permutation, rounds that end later and later, the last with the last
 // point, and no starting places or one before each? Linear.
@@ -32,6 +34,7 @@ inline bool is_order(const Insertion_order& order, std::size_t n)
          (order.starting_places.empty() || order.starting_places.size() == n);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

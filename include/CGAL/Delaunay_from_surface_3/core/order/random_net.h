@@ -22,10 +22,12 @@
 // seen from both: a vertex asks those in its list, and tells them when it joins.
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/squared_distance.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
-#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists_view.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,6 +39,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The numbers 0, …, n-1 in random order; where they are many, block by block, in random order
 // inside each. The blocks share one permutation, each with a twist of its own. What belongs to one
@@ -99,8 +102,8 @@ public:
 
   double squared_distance(std::size_t v, std::size_t u) const
   {
-    return m_names == nullptr ? m_points.squared_distance(v, u)
-                              : m_points.squared_distance(m_names[v], m_names[u]);
+    return m_names == nullptr ? internal::squared_distance(m_points, v, u)
+                              : internal::squared_distance(m_points, m_names[v], m_names[u]);
   }
 
 private:
@@ -116,16 +119,17 @@ struct Net
 
 // The vertices with more than three times as many edges as the others have on average, in random
 // order.
-inline std::vector<std::uint32_t> hubs_of(const Lists<std::uint32_t>& lower, std::uint64_t seed)
+inline std::vector<std::uint32_t> hubs_of(const Lists_view<std::uint32_t>& lower,
+                                          std::uint64_t seed)
 {
   using Index = std::uint32_t;
   const std::size_t n = lower.size();
   Large_vector<Index> degree(n);
   for (std::size_t v = 0; v < n; ++v)
     degree[v] = Index(lower.end(v) - lower.begin(v));
-  for (const Index u : lower.items)
-    ++degree[u];
-  const Index most = Index(3 * 2 * lower.items.size() / n);
+  for (std::size_t k = 0; k < lower.number_of_items; ++k)
+    ++degree[lower.items[k]];
+  const Index most = Index(3 * 2 * lower.number_of_items / n);
   std::vector<Index> result;
   for (std::size_t v = 0; v < n; ++v)
     if (degree[v] > most)
@@ -136,7 +140,7 @@ inline std::vector<std::uint32_t> hubs_of(const Lists<std::uint32_t>& lower, std
 
 // By vertex: itself if it is in the greedy net of the graph with these lower neighbours, else a
 // neighbour that is. `hubs` come first.
-inline Large_vector<std::uint32_t> random_net(const Lists<std::uint32_t>& lower,
+inline Large_vector<std::uint32_t> random_net(const Lists_view<std::uint32_t>& lower,
                                               const std::vector<std::uint32_t>& hubs,
                                               std::uint64_t seed, std::size_t block)
 {
@@ -167,7 +171,7 @@ inline Large_vector<std::uint32_t> random_net(const Lists<std::uint32_t>& lower,
 
 // Of several net vertices beside a vertex that is_wanted, makes the nearest one its centre.
 template <class Is_wanted>
-void choose_nearest_centers(const Lists<std::uint32_t>& lower, const Is_wanted& is_wanted,
+void choose_nearest_centers(const Lists_view<std::uint32_t>& lower, const Is_wanted& is_wanted,
                             const Vertex_points& points, Large_vector<std::uint32_t>& center)
 {
   using Index = std::uint32_t;
@@ -194,7 +198,7 @@ void choose_nearest_centers(const Lists<std::uint32_t>& lower, const Is_wanted& 
 // The same for the vertices in the clusters of hubs. A hub would keep all that are beside it,
 // however far away, and its cluster those of the next level, until one cluster has half of all
 // vertices.
-inline void choose_nearest_instead_of_hubs(const Lists<std::uint32_t>& lower,
+inline void choose_nearest_instead_of_hubs(const Lists_view<std::uint32_t>& lower,
                                            const std::vector<std::uint32_t>& hubs,
                                            const Vertex_points& points,
                                            Large_vector<std::uint32_t>& center)
@@ -212,7 +216,8 @@ inline void choose_nearest_instead_of_hubs(const Lists<std::uint32_t>& lower,
 
 // Is every centre its own, and every other vertex beside its own centre; and is no centre beside
 // another? By vertex: the centre. Linear.
-inline bool is_net(const Lists<std::uint32_t>& lower, const Large_vector<std::uint32_t>& center)
+inline bool is_net(const Lists_view<std::uint32_t>& lower,
+                   const Large_vector<std::uint32_t>& center)
 {
   std::vector<char> is_beside_center(lower.size());
   for (std::size_t v = 0; v < lower.size(); ++v)
@@ -231,7 +236,7 @@ inline bool is_net(const Lists<std::uint32_t>& lower, const Large_vector<std::ui
 // The net and its clusters. Distances are those of neighbours, one of which is in the net; where
 // there are many vertices, of those beside hubs only: a pass over all points is dear there, for a
 // small gain.
-inline Net net_of(const Lists<std::uint32_t>& lower, std::uint64_t seed,
+inline Net net_of(const Lists_view<std::uint32_t>& lower, std::uint64_t seed,
                   const Vertex_points& points, std::size_t block = Random_blocks::one_of_many)
 {
   using Index = std::uint32_t;
@@ -257,6 +262,7 @@ inline Net net_of(const Lists<std::uint32_t>& lower, std::uint64_t seed,
   return net;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -14,13 +14,16 @@
 // Cost: see Net_hierarchy.h.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Edge_source.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_request.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/squared_distance.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +35,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The median of squared distances from members to net vertices of a level, of about a thousand
 // clusters.
@@ -43,7 +47,7 @@ inline double median_of_distances(const Point_array& points, const Net_hierarchy
   for (std::size_t c = 0; c < clusters.size(); c += clusters.size() / 1024 + 1)
     if (const std::uint32_t* center = clusters.begin(c); clusters.end(c) - center > 1)
       distances.push_back(
-          points.squared_distance(nets.point(level, *center), nets.point(level, center[1])));
+          squared_distance(points, nets.point(level, *center), nets.point(level, center[1])));
   if (distances.empty())
     return 0;
   const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
@@ -164,7 +168,7 @@ private:
     for (const std::size_t k : random_rounds(fan).order) {
       const std::size_t point = m_nets.point(level, members[k]);
       const bool previous_is_nearer =
-          m_points.squared_distance(point, previous) < m_points.squared_distance(point, center);
+          squared_distance(m_points, point, previous) < squared_distance(m_points, point, center);
       const std::uint32_t place =
           append(level, members[k], previous_is_nearer ? place_of_previous : place_of_center);
       sequence.push_back({members[k], place});
@@ -197,15 +201,16 @@ private:
 
 // Of n points whose graph has these lower neighbours. Without starting places if the graph says
 // nothing about which points are near each other.
-inline Insertion_order surface_net_rounds(const Point_array& points, Lists<std::uint32_t>&& lower,
+inline Insertion_order surface_net_rounds(const Point_array& points, Edge_source& edges,
                                           const Order_request& request, const Executor& executor)
 {
-  const Net_hierarchy nets(std::move(lower), points, request.seed, request.block, executor);
+  const Net_hierarchy nets(edges, points, request.seed, request.block, executor);
   if (!joins_near_points(points, nets))
     return geometric_rounds(points, request.seed, request.ratio, request.first_round);
   return Rounds_of_nets(points, nets, request).order();
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -19,12 +19,14 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Announced_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The parts of the handshake. Tests leave out one after the other.
 struct Handshake
@@ -196,6 +198,7 @@ protected:
   Cell m_neighbor;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -9,17 +9,20 @@
 // (Parallel_triangulation.h). No point can be left out: what is nearest to it depends on what others
 // insert.
 
+#include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/crews.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Id>
 class Insert_by_workers
@@ -59,13 +62,14 @@ private:
   Parallel_triangulation<Id> m_triangulation;
 };
 
-// Who inserts.
-struct Many_threads
+template <>
+struct Inserter_of<Many_threads>
 {
   template <class Id>
-  using Insert = Insert_by_workers<Id>;
+  using type = Insert_by_workers<Id>;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

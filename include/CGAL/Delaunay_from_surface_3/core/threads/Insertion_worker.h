@@ -22,6 +22,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/threads/Shared_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Wide_explore_announced.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Write_announced.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,6 +32,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Copies of cells that others may be writing. It is lost after so many cells, or at one that stays
 // busy.
@@ -207,6 +209,7 @@ private:
 #endif
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

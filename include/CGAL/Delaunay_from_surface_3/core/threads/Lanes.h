@@ -10,6 +10,7 @@
 // way, and then look for the other's lane, cannot both overlook the other (Dekker's handshake;
 // Dijkstra 1965).
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <cstddef>
@@ -21,6 +22,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 class Lanes
 {
@@ -137,6 +139,7 @@ auto with_other_lanes(const Lanes& lanes, unsigned worker, const F& f)
   }
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Segments.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <atomic>
@@ -27,6 +28,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // When a round is worth how many workers, and in what portions.
 struct Parallel_rules
@@ -242,6 +244,7 @@ private:
   Insertion_counts m_counts; // those that are not a worker's
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

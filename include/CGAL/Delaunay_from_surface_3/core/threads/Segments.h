@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_SEGMENTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_SEGMENTS_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -15,6 +17,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The numbers first, …, last - 1, cut into as many segments as there are workers. What follows in
 // an order by the surface is a patch of it: so workers meet at the seams only. A worker takes
@@ -95,6 +98,7 @@ private:
   std::vector<Segment> m_segments;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

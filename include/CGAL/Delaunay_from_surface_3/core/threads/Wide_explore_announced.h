@@ -12,6 +12,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Explore_announced.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
@@ -20,6 +21,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Protocol = Handshake>
 class Wide_explore_announced : public Explore_announced<std::uint32_t, Protocol>
@@ -133,6 +135,7 @@ private:
   };
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

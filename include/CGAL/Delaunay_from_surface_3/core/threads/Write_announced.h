@@ -9,6 +9,7 @@
 // its new version; a facet's outer link is set when there is something to see behind it.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fill_star.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <cstddef>
@@ -20,6 +21,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Id>
 class Write_announced
@@ -78,6 +80,7 @@ private:
   Id m_cell_of_infinite_vertex; // not read
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

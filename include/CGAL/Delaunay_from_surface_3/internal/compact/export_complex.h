@@ -10,9 +10,11 @@
 // Cells are made in ascending order, each linked with those made before it, so that a compact cell
 // is read once and its memory can go back to the system while CGAL's grows. Linear.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 
 #include <CGAL/Triangulation_hierarchy_3.h>
@@ -25,6 +27,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Tr>
 std::true_type has_upper_levels(const Triangulation_hierarchy_3<Tr>*);
@@ -65,21 +68,21 @@ template <class Tds, class Id>
 class Export_block
 {
   using Cell_handle = typename Tds::Cell_handle;
-  using Complex = Compact_complex<Id>;
+  using Numbers = Compact_numbers<Id>;
 
 public:
   // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
   // ones they are cannot be predicted. One to a later block is kept, for both its ends.
   template <class Vertex>
-  void make(typename Tds::Cell_range& range, Complex& complex, const std::vector<Vertex>& vertices,
+  void make(typename Tds::Cell_range& range, Built<Id>& built, const std::vector<Vertex>& vertices,
             Large_vector<Cell_handle>& cells, Cell_handle scratch, std::size_t first,
             std::size_t last)
   {
     for_each_portion(first, last, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
-        fetch_ahead(complex, cells, c, first, last);
-        const Compact_cell<Id>& cell = complex.cell(c);
-        if (Complex::is_dead(cell))
+        fetch_ahead(built, cells, c, first, last);
+        const Compact_cell<Id>& cell = built.cells[c];
+        if (Numbers::is_dead(cell))
           continue;
         const Cell_handle made = range.emplace(vertices[cell.v[0]], vertices[cell.v[1]],
                                                vertices[cell.v[2]], vertices[cell.v[3]]);
@@ -91,10 +94,10 @@ public:
           made->set_neighbor(i, neighbor);
           neighbor->set_neighbor(int(link & 3), made);
           if (std::size_t(link >> 2) >= last)
-            m_links_out.push_back({Complex::link(Id(c), unsigned(i)), link});
+            m_links_out.push_back({Numbers::link(Id(c), unsigned(i)), link});
         }
       }
-      complex.release_cells(begin, end);
+      built.release_cells(begin, end);
     });
   }
 
@@ -123,13 +126,13 @@ private:
 
   // So many cells ahead handles, and then what they lead to, are fetched. The distances were chosen
   // by trial; no measurement of them is kept.
-  static void fetch_ahead(const Complex& complex, const Large_vector<Cell_handle>& cells,
+  static void fetch_ahead(const Built<Id>& built, const Large_vector<Cell_handle>& cells,
                           std::size_t c, std::size_t first, std::size_t last)
   {
     constexpr std::size_t handles_ahead = 24, cells_ahead = 8;
-    for (const Id link : complex.cell((std::min)(c + handles_ahead, last - 1)).links)
+    for (const Id link : built.cells[(std::min)(c + handles_ahead, last - 1)].links)
       prefetch(&cells[link >> 2]);
-    for (const Id link : complex.cell((std::min)(c + cells_ahead, last - 1)).links)
+    for (const Id link : built.cells[(std::min)(c + cells_ahead, last - 1)].links)
       if (std::size_t(link >> 2) - first < last - first) // others write theirs
         prefetch(&*cells[link >> 2]);
   }
@@ -140,11 +143,11 @@ private:
 // The cells alone. Returns their handles by cell.
 template <class Tds, class Id, class Vertex>
 Large_vector<typename Tds::Cell_handle>
-export_cells(Tds& tds, Compact_complex<Id>& complex, const std::vector<Vertex>& vertices,
+export_cells(Tds& tds, Built<Id>& built, const std::vector<Vertex>& vertices,
              typename Tds::Cell_handle scratch, const Executor& executor)
 {
   using Range = typename Tds::Cell_range;
-  Large_vector<typename Tds::Cell_handle> cells(complex.cells_end(), scratch);
+  Large_vector<typename Tds::Cell_handle> cells(built.cells_end, scratch);
   const std::size_t number = blocks_of_export<Range>(executor, cells.size());
   std::vector<Range> ranges(number);
   std::vector<Export_block<Tds, Id>> blocks(number);
@@ -153,10 +156,10 @@ export_cells(Tds& tds, Compact_complex<Id>& complex, const std::vector<Vertex>& 
       executor, cells.size(), number, [&](std::size_t first, std::size_t last, std::size_t b) {
         const auto own = b == 0 ? scratch : ranges[b].emplace();
         std::fill(cells.begin() + std::ptrdiff_t(first), cells.begin() + std::ptrdiff_t(last), own);
-        blocks[b].make(ranges[b], complex, vertices, cells, own, first, last);
+        blocks[b].make(ranges[b], built, vertices, cells, own, first, last);
         ranges[b].erase(own);
       });
-  complex.deallocate_cells();
+  built.give_up_cells();
   for_each_block(executor, number, number, [&](std::size_t, std::size_t, std::size_t part) {
     for (const auto& block : blocks)
       block.set_links_out(cells, part, number);
@@ -172,7 +175,7 @@ template <class Vertex>
 struct Creation_order
 {
   const std::vector<std::size_t>* order;
-  const std::vector<Vertex>& vertices; // by point
+  const Vertex* vertices; // by point
   bool is_own() const { return order == nullptr; }
   std::size_t operator()(std::size_t k) const
   {
@@ -208,7 +211,7 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
   return vertices;
 }
 
-// Fills `tr`, empty, and gives up the memory of `complex`. point(v) leads to the point of vertex v,
+// Fills `tr`, empty, and gives up the memory of `built`. point(v) leads to the point of vertex v,
 // or to none if that vertex is in no cell. The vertices are made in the order in which in_order(1),
 // … first names them; in_order.is_own() says that it is that of the numbers. Returns the handles by
 // vertex, that of the infinite vertex first, and none where there is no vertex. With several
@@ -216,22 +219,22 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
 // numbers all the same.
 template <class Triangulation, class Id, class PointOf, class InOrder>
 std::vector<typename Triangulation::Vertex_handle>
-export_complex(Triangulation& tr, Compact_complex<Id>& complex, const PointOf& point,
-               const InOrder& in_order, const Executor& executor)
+export_complex(Triangulation& tr, Built<Id>& built, const PointOf& point, const InOrder& in_order,
+               const Executor& executor)
 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
   auto& tds = tr.tds();
-  const auto vertices = export_vertices(tr, complex.vertices_end(), point, in_order, executor);
+  const auto vertices = export_vertices(tr, built.vertices_end, point, in_order, executor);
   Large_vector<Id> cell_of(vertices.size());
   const std::size_t number = number_of_blocks(executor, vertices.size(), 4096);
   for_each_block(executor, vertices.size(), number,
                  [&](std::size_t first, std::size_t last, std::size_t) {
                    for (std::size_t v = first; v < last; ++v)
-                     cell_of[v] = complex.vertex(v).cell;
+                     cell_of[v] = built.vertices[v].cell;
                  });
-  complex.deallocate_vertices();
+  built.give_up_vertices();
   tds.set_dimension(3);
-  const auto cells = export_cells(tds, complex, vertices, tr.infinite_vertex()->cell(), executor);
+  const auto cells = export_cells(tds, built, vertices, tr.infinite_vertex()->cell(), executor);
   for_each_block(executor, vertices.size(), number,
                  [&](std::size_t first, std::size_t last, std::size_t) {
                    for (std::size_t v = first; v < last; ++v)
@@ -261,6 +264,7 @@ void fill_upper_levels(Triangulation& tr,
   }
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

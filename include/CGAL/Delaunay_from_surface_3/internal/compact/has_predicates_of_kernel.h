@@ -7,6 +7,8 @@
 
 // What the filters of the compact kernel rely on at compile time.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/tags.h>
 
@@ -16,6 +18,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Whether all predicates that the filters decide without asking are those of the kernel. What
 // counts is what the triangulation calls: the objects.
@@ -56,6 +59,7 @@ constexpr bool has_exact_predicates()
   return Has_filtered_predicates<GeomTraits>::value || std::is_same<Is_exact, Tag_true>::value;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/number_utils.h>
 
@@ -20,6 +21,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The coordinates of a caller's points as doubles: the numbers themselves, or, if that is not so of
 // all of them, what is near enough to make an order of.
@@ -73,6 +75,7 @@ private:
   std::size_t m_not_double; // the first point of which one is not, or the number of points
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

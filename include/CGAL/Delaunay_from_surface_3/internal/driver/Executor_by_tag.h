@@ -5,19 +5,24 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_EXECUTOR_BY_TAG_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_EXECUTOR_BY_TAG_H
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Insert_by_workers.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/internal/parallel/Tbb_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/tags.h>
+
+#if defined(CGAL_LINKED_WITH_TBB) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
+#include <CGAL/Delaunay_from_surface_3/core/threads/Insert_by_workers.h>
+#endif
 
 #include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Tag>
 struct Executor_of_tag
@@ -45,6 +50,7 @@ template <class ConcurrencyTag, class Triangulation>
 using Executor_by_tag = typename Executor_of_tag<
     typename Default::Get<ConcurrencyTag, typename Triangulation::Concurrency_tag>::type>::type;
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -5,12 +5,15 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_HAS_BUDGET_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_HAS_BUDGET_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Does a plan name a budget, and another plan for when it is exceeded?
 template <class Plan, class = void>
@@ -24,6 +27,7 @@ struct Has_budget<Plan, std::void_t<decltype(Plan::cells_per_point),
 {
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

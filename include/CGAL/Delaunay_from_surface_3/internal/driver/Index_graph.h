@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INDEX_GRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INDEX_GRAPH_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
@@ -16,6 +18,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A graph on the indices of the points. Every edge is stored in both directions, so that
 // adjacent_vertices() gives all neighbours.
@@ -42,6 +45,7 @@ Index_graph index_graph(const SurfaceSubgraph& subgraph, const Graph& graph,
                      numbers.size());
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERTION_INPUT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_INSERTION_INPUT_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // What a public function hands over: the points, checked; a graph on them; what the caller calls
 // them, as a function of their indices; and the infos that came with them.
@@ -33,6 +36,7 @@ Insertion_input(const std::vector<Point>&, const Graph&, VertexIndexMap, std::op
 // Points that need not be a surface are not irregular.
 inline const std::optional<std::string> no_irregularity = std::nullopt;
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Insertion_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -24,6 +25,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class FaceGraph>
 std::optional<std::string> irregularity_of_mesh(const FaceGraph& mesh)
@@ -88,6 +90,7 @@ private:
   const std::vector<typename Triangulation::Point> m_points;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

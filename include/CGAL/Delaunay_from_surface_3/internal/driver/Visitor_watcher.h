@@ -6,9 +6,10 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_VISITOR_WATCHER_H
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Watcher.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/accepts_points.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <string>
@@ -19,6 +20,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Is there a phase_begins() that is not that of the default visitor? Whoever has one is told of every
 // point.
@@ -170,6 +172,7 @@ private:
   std::vector<char> m_answers; // by point
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

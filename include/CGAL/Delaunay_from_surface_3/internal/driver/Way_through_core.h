@@ -9,11 +9,14 @@
 // given, what comes of it, and CGAL's insertion, in the same order, where it cannot serve.
 
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Doubles_of_points.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/export_built.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_through_cgal.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/obstacles.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/order_source.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Edges_of_graph.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
 
 #include <cstdint>
@@ -26,6 +29,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The numbers of the core's vertices and cells where a traits class is used; tests have others.
 template <class Traits>
@@ -70,7 +74,8 @@ public:
     , m_executor(executor)
     , m_doubles(input.points)
     , m_planned{input.points, tr.geom_traits(), input.graph, input.index_map}
-    , m_orders(order_source(traits.insertion_plan_object(options.seed), m_planned))
+    , m_edges(input.graph, input.index_map, input.points.size())
+    , m_orders(order_source(traits.insertion_plan_object(options.seed), m_planned, m_edges))
     , m_obstacle(obstacle_to_core(tr, m_doubles))
   {
   }
@@ -82,7 +87,7 @@ public:
   Request request() const { return {false, Uses_starting_places<Traits>::value}; }
 
   // What build() made becomes the triangulation, or leads round the core.
-  void take(Built<Id> built)
+  void take(Built<Id>& built)
   {
     m_obstacle = obstacle_found(built);
     m_inserted.is_complete = built.outcome == Insertion_outcome::COMPLETE;
@@ -90,7 +95,7 @@ public:
       m_inserted.vertices =
           export_built(built, m_input.points, m_options.creates_in_input_order, m_tr, m_executor);
     } else if (built.outcome == Insertion_outcome::FLAT) {
-      m_order = std::move(built.order);
+      m_order = copy_of(built.order);
     }
   }
 
@@ -103,9 +108,9 @@ public:
   }
 
 private:
-  using Planned = Planned_points<Point, typename Triangulation::Geom_traits,
-                                 std::decay_t<decltype(std::declval<const Input&>().graph)>,
-                                 decltype(std::declval<const Input&>().index_map)>;
+  using Graph = std::decay_t<decltype(std::declval<const Input&>().graph)>;
+  using Index_map = decltype(std::declval<const Input&>().index_map);
+  using Planned = Planned_points<Point, typename Triangulation::Geom_traits, Graph, Index_map>;
 
   void insert_round_the_core()
   {
@@ -114,7 +119,7 @@ private:
       refuse_input_order(m_obstacle);
     if (!m_order) {
       m_watcher.phase_begins(Phase::PLAN);
-      m_order = m_orders->make(m_doubles.points(), m_executor);
+      m_order = copy_of(m_orders->make(m_doubles.points(), m_executor));
       if (!Uses_starting_places<Traits>::value)
         m_order->starting_places.clear();
       m_watcher.phase_begins(Phase::SUBGRAPH);
@@ -132,12 +137,14 @@ private:
   const Executor& m_executor;
   Doubles_of_points<Point> m_doubles;
   const Planned m_planned;
+  Edges_of_graph<Graph, Index_map> m_edges;
   const std::unique_ptr<Order_source> m_orders;
   std::string m_obstacle; // empty as long as there is none
   std::optional<Insertion_order> m_order;
   Inserted m_inserted;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ACCEPTS_POINTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_ACCEPTS_POINTS_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -13,6 +15,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Visitor, class Point, class = void>
 struct Has_accept : std::false_type
@@ -62,6 +65,7 @@ constexpr bool accepts_points()
   return has_accept;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

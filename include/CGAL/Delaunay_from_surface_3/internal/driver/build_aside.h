@@ -10,6 +10,7 @@
 // copied, nor say that it cannot be (a std::vector of what cannot does not).
 
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <type_traits>
 #include <utility>
@@ -17,6 +18,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A vertex with constant members can be copied, and not moved into another.
 template <class Vertex>
@@ -60,6 +62,7 @@ void take_place(Triangulation& aside, Triangulation& tr)
   tr.swap(aside);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_CHECK_NAMED_PARAMETERS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_CHECK_NAMED_PARAMETERS_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 #include <type_traits>
@@ -12,6 +14,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Is given where a named parameter is: compilers print its argument beside the message.
 template <class Tag, bool is_known>
@@ -48,6 +51,7 @@ constexpr bool check_named_parameters(const NamedParameters&)
 template <class NamedParameters, class Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

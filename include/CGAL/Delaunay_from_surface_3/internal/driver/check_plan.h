@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_CHECK_PLAN_H
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A plan of a user's may be wrong, and an insertion by it would lose points or read past an end.
 
@@ -77,6 +79,7 @@ inline std::vector<std::size_t> check_plan(const Insertion_order& plan, std::siz
   return places_in_order(plan.order, n);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -7,9 +7,10 @@
 
 // From the core's complex to the caller's triangulation.
 
-#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 
@@ -20,6 +21,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Fills `tr`, which is empty, with what was built of the points, and gives up its memory. Returns the
 // vertices by point, none for those that were left out. They are made in the order of insertion or in
@@ -30,20 +32,21 @@ export_built(Built<Id>& built, const std::vector<typename Triangulation::Point>&
              bool creates_in_input_order, Triangulation& tr, const Executor& executor)
 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
-  const std::vector<std::size_t>& order = built.order.order;
+  const std::size_t n = built.order.size;
+  const std::size_t* const order = built.order.order;
   const auto point = [&](std::size_t v) -> const typename Triangulation::Point* {
-    const std::size_t k = Compact_complex<Id>::point_of_vertex(v);
-    prefetch(&points[order[(std::min)(k + prefetch_distance, order.size() - 1)]]);
+    const std::size_t k = Compact_numbers<Id>::point_of_vertex(v);
+    prefetch(&points[order[(std::min)(k + prefetch_distance, n - 1)]]);
     return built.vertex_of[k] == v ? &points[order[k]] : nullptr;
   };
-  const auto places = creates_in_input_order ? inverse(order) : std::vector<std::size_t>();
+  const auto places = creates_in_input_order ? inverse(order, n) : std::vector<std::size_t>();
   const Creation_order<Id> in_order = {creates_in_input_order ? &places : nullptr, built.vertex_of};
-  auto handles = export_complex(tr, built.complex, point, in_order, executor);
+  auto handles = export_complex(tr, built, point, in_order, executor);
   fill_upper_levels(tr, handles);
   handles.front() = {}; // points that were left out have no vertex, nor that at infinity
 
-  std::vector<Vertex_handle> vertices(order.size());
-  for_each_block(executor, order.size(), number_of_blocks(executor, order.size(), 4096),
+  std::vector<Vertex_handle> vertices(n);
+  for_each_block(executor, n, number_of_blocks(executor, n, 4096),
                  [&](std::size_t first, std::size_t last, std::size_t) {
                    for (std::size_t k = first; k < last; ++k)
                      vertices[order[k]] = handles[built.vertex_of[k]];
@@ -51,6 +54,7 @@ export_built(Built<Id>& built, const std::vector<typename Triangulation::Point>&
   return vertices;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -13,6 +13,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/vertex_info.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -27,6 +28,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Infos are functions from the index of a point to its info; or there are none.
 struct No_infos
@@ -155,6 +157,7 @@ void write_vertices(const std::vector<Vertex_handle>& vertices, const NameOf& na
     }
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -20,6 +20,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_with_traces.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/iterator.h>
@@ -32,6 +33,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class NamedParameters>
 Order_options order_options(const NamedParameters& np)
@@ -119,7 +121,7 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
     Way way(into, input, traits, options, watcher, executor);
     if constexpr (serves_geom_traits<Triangulation>())
       if (way.is_open())
-        way.take(build<typename Way::Id, typename Crew<Executor>::type>(
+        way.take(*build<typename Way::Id, typename Crew<Executor>::type>(
             way.points(), way.orders(), way.request(), watcher, executor));
     inserted = way.finish();
   } else {
@@ -136,6 +138,7 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
   return static_cast<std::ptrdiff_t>(tr.number_of_vertices()) - static_cast<std::ptrdiff_t>(before);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_plan.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_through_cgal.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/spanning_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <vector>
@@ -17,6 +18,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Traits, class Triangulation, class Input, class Watcher>
 Inserted_points<typename Triangulation::Vertex_handle>
@@ -39,6 +41,7 @@ insert_with_traces(Triangulation& tr, const Input& input, const Traits& traits, 
                                                                  watcher);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

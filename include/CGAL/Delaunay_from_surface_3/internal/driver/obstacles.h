@@ -8,10 +8,12 @@
 // What keeps a call from going through the core, so that CGAL's own insertion takes its place.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 #include <CGAL/Delaunay_from_surface_3/internal/compact/has_predicates_of_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Doubles_of_points.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Kernel_traits.h>
 
@@ -22,6 +24,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Are the numbers and predicates of the triangulation those that the core knows? Traits that bring
 // predicates of their own are not served: its filters would go past them.
@@ -55,8 +58,8 @@ std::string obstacle_found(const Built<Id>& built)
 {
   switch (built.outcome) {
   case Insertion_outcome::FLAT:
-    return built.simplex.dimension < 3 ? "the points lie in one plane"
-                                       : "the points that are accepted first lie in one plane";
+    return built.dimension < 3 ? "the points lie in one plane"
+                               : "the points that are accepted first lie in one plane";
   case Insertion_outcome::TOO_FEW_IDS:
     return Too_few_ids(std::numeric_limits<Id>::digits).what();
   default:
@@ -70,6 +73,7 @@ std::string obstacle_found(const Built<Id>& built)
                             obstacle);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

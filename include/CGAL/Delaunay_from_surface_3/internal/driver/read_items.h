@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -26,6 +27,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The items that bring an info with their point, as they may for CGAL's own insertion: pairs, and
 // tuples of two, which boost::zip_iterator makes.
@@ -132,6 +134,7 @@ struct Identity_name
   std::size_t operator()(std::size_t i) const { return i; }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -6,11 +6,12 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_DRIVER_SOUP_GRAPH_H
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/lower_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,6 +28,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 struct Soup_graph
 {
@@ -203,6 +205,7 @@ Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points,
   return soup;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/iterator.h>
 
@@ -18,6 +19,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // T, made by the functor of the traits. A functor may need more than the graph has, as faces,
 // or refuse the surface by a Surface_input_error; a spanning forest serves then, and the visitor is
@@ -41,6 +43,7 @@ Index_graph spanning_subgraph(const SurfaceSubgraph& subgraph, const Graph& grap
   return index_graph(Spanning_forest(), graph, index_map, numbers);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

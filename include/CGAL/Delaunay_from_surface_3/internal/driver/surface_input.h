@@ -9,6 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/internal/support/double_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Iterator_range.h>
@@ -28,6 +29,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The rule where the kernels differ: a point of the same or a convertible type is taken as it is;
 // any other goes through Cartesian_converter, exactly if the target's numbers can hold it, else by
@@ -148,6 +150,7 @@ void check_indices(const Graph& graph, VertexIndexMap index_map, std::size_t n)
   dense_indices(make_range(range.first, range.second), index_map, n);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

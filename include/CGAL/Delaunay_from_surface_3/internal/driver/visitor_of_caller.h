@@ -9,6 +9,7 @@
 // work is.
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,6 +20,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Visitor, class = void>
 struct Is_visitor : std::false_type
@@ -100,6 +102,7 @@ decltype(auto) visitor_of_caller(const std::reference_wrapper<Visitor>& visitor,
     return Progress_visitor<std::reference_wrapper<Visitor>>(visitor, number_of_points);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -9,6 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -20,6 +21,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Runs bodies as tasks of TBB, in the arena of the caller. They are isolated: while the caller
 // waits for them it takes no other task, such as one that called this package, too; and they belong
@@ -58,6 +60,7 @@ private:
 
 using Parallel_executor = Tbb_executor;
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
@@ -67,9 +70,11 @@ using Parallel_executor = Tbb_executor;
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 using Parallel_executor = void;
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_LOWER_NEIGHBOR_GRAPH_H
 
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -20,6 +21,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A graph on 0, …, n-1 in the form that nets are made from: for each vertex the neighbours with
 // smaller numbers, every edge once. For anyone else it models boost::VertexListGraph and
@@ -156,6 +158,7 @@ inline Identity_index_map get(boost::vertex_index_t, const Lower_neighbor_graph&
   return {};
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

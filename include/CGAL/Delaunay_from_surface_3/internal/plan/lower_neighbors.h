@@ -5,10 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_LOWER_NEIGHBORS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_LOWER_NEIGHBORS_H
 
-#include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/lower_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -19,6 +20,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The neighbours of each of the n vertices of a graph that have smaller numbers. Its number of
 // edges must have 32 bits.
@@ -49,6 +51,7 @@ Lists<std::uint32_t> lower_neighbors(const Graph_of_faces<FaceRange>& graph, Ide
   return graph.lists();
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include <CGAL/property_map.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <numeric>
@@ -21,6 +22,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The plans sort indices by the points behind them. Sorting (point, index) pairs keeps the points
 // beside each other in memory; sorting bare indices would miss the cache at every comparison.
@@ -73,6 +75,7 @@ inline std::vector<std::size_t> random_order(std::size_t n, unsigned int seed)
   return order;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

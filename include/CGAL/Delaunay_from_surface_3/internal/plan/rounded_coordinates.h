@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_ROUNDED_COORDINATES_H
 
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/number_utils.h>
 
@@ -15,6 +16,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // x, y and z of one point after the other, as doubles near them.
 template <class Point>
@@ -30,6 +32,7 @@ Large_vector<double> rounded_coordinates(const std::vector<Point>& points)
   return coordinates;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -26,6 +26,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Prune_cut.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Search_triangles.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <utility>
@@ -34,6 +35,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 enum class Subgraph_kind { SUBGRAPH, TREE };
 
@@ -208,6 +210,7 @@ private:
   std::size_t m_vertices_on_rim = 0;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

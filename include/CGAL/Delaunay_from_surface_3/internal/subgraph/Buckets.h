@@ -10,6 +10,8 @@
 // an edge meet where the cut needs it; elsewhere they never have to.
 // Cost: the array of heads is the caller's; two words per value.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -17,6 +19,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Index>
 class Buckets
@@ -50,6 +53,7 @@ private:
   std::vector<Index> m_next;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

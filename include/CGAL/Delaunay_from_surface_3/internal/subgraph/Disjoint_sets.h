@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_DISJOINT_SETS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_SUBGRAPH_DISJOINT_SETS_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -14,6 +16,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // boost::disjoint_sets over 0, …, n-1, with its storage. Not boost::disjoint_sets_with_storage:
 // that takes pointers for property maps, whose get() cannot be found where
@@ -54,6 +57,7 @@ private:
   boost::disjoint_sets<Map<unsigned char>, Map<Index>> m_sets;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

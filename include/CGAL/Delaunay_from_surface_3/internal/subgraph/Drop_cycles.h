@@ -19,6 +19,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Opened_surface.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <vector>
@@ -26,6 +27,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // An edge of the rim, by the dart at which H marks it.
 template <class Index>
@@ -95,6 +97,7 @@ private:
   std::vector<Index> m_degree;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

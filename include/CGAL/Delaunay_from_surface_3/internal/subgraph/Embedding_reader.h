@@ -17,6 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Check_triangles.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -31,6 +32,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Graph, class Embedding, class VertexIndexMap, class EdgeIsBoundaryMap>
 class Embedding_reader
@@ -181,6 +183,7 @@ private:
   EdgeIsBoundaryMap m_is_boundary;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -18,12 +18,14 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Euler_count.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Pair_darts.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Index>
 class Find_topology
@@ -131,6 +133,7 @@ private:
   Surface_topology m_topology;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -15,6 +15,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -27,6 +28,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Graph, class VertexIndexMap>
 class Halfedge_graph_reader
@@ -269,6 +271,7 @@ private:
   VertexIndexMap m_index;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -19,12 +19,14 @@
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Buckets.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Opened_surface.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Search_triangles.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Index>
 class Open_along_cut
@@ -174,6 +176,7 @@ private:
   Buckets<Index> m_told;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

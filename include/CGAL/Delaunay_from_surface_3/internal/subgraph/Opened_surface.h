@@ -14,6 +14,7 @@
 // Cost: no memory where nothing is cut; 4 bytes per dart of a copy and 16 per copy.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <vector>
@@ -21,6 +22,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Index>
 struct Opened_surface
@@ -68,6 +70,7 @@ struct Opened_surface
   }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

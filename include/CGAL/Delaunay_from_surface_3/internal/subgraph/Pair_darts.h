@@ -13,12 +13,14 @@
 // Cost: O(n), two passes; 24 bytes per vertex and twice that again while it runs.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Index>
 std::vector<Index> pair_darts(const Rotation_system<Index>& surface)
@@ -46,6 +48,7 @@ std::vector<Index> pair_darts(const Rotation_system<Index>& surface)
   return mate;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -36,8 +36,9 @@
 // Cost: two scans of each list, about 12 neighbour visits per vertex (Lemma 8); 4 bytes per vertex
 // and the stack, at most as long as C.
 
-#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Opened_surface.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 
 #include <limits>
 #include <vector>
@@ -45,6 +46,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Index>
 class Peel_discs
@@ -186,6 +188,7 @@ private:
   std::size_t m_inside = 0;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

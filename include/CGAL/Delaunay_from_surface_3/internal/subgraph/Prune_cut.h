@@ -19,12 +19,14 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Buckets.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Search_triangles.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Index>
 class Prune_cut
@@ -96,6 +98,7 @@ private:
   Cut_candidate<Index>& m_candidate;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -9,6 +9,7 @@
 // edge. Vertices are named by their index, edges by their two ends.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <string>
@@ -16,6 +17,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 [[noreturn]] inline void refuse(const std::string& what)
 {
@@ -57,6 +59,7 @@ template <class Graph, class VertexIndexMap>
          " times, as edges number " + positions + " of edges(g)");
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

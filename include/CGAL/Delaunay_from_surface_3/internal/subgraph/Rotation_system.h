@@ -13,12 +13,15 @@
 // simple, so an edge is known by its two ends and the darts of an edge need no link to each other.
 // Cost: 4 bytes per dart and per vertex; 28 bytes per vertex on a closed surface.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 using Dart_marks = std::vector<bool>; // one bit per dart
 
@@ -60,6 +63,7 @@ struct Rotation_system
   }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

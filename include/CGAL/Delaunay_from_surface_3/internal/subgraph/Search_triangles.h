@@ -21,12 +21,14 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Euler_count.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The graph G of edges that were not crossed, and later the cut graph it is pruned to.
 template <class Index>
@@ -142,6 +144,7 @@ private:
   std::vector<Index> m_next_front;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

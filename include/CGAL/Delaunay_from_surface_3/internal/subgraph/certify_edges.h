@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/Spanning_subgraph_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_component_topology.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -25,6 +26,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Counts the components of n vertices under edges that are added one by one.
 class Component_count
@@ -108,6 +110,7 @@ Spanning_subgraph_certificate certify_edges(const Graph& graph, const EdgeRange&
   return result;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -9,6 +9,7 @@
 // algorithm".
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -25,6 +26,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // An edge between the points numbered ends[0] < ends[1], and its place in a list of the caller's.
 struct Measured_edge
@@ -98,6 +100,7 @@ void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges,
   edges.erase(std::remove_if(edges.begin(), edges.end(), is_superfluous), edges.end());
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

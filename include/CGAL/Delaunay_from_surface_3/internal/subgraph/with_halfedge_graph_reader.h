@@ -9,6 +9,7 @@
 // common.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -18,6 +19,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class HalfedgeGraph, class NamedParameters, class Function>
 auto with_halfedge_graph_reader(const HalfedgeGraph& g, const NamedParameters& np,
@@ -28,6 +30,7 @@ auto with_halfedge_graph_reader(const HalfedgeGraph& g, const NamedParameters& n
   return function(Halfedge_graph_reader<HalfedgeGraph, Vertex_index_map>(g, vertex_index_map));
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -8,6 +8,7 @@
 // Chooses the index type: 32 bits wherever the number of edges allows.
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Reads the surface and calls function(Rotation_system<Index>&). A reader (Halfedge_graph_reader,
 // Embedding_reader) turns one kind of graph into a rotation system, and marked darts back into its
@@ -33,6 +35,7 @@ auto with_rotation_system(const Reader& reader, const Function& function)
   return function(surface);
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

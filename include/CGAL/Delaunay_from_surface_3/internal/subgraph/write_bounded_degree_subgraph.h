@@ -9,12 +9,14 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Bounded_degree_marks.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Reader, class Index, class OutputIterator>
 OutputIterator write_marked(const Reader& reader, const Rotation_system<Index>& surface,
@@ -53,6 +55,7 @@ OutputIterator write_cut_graph(const Reader& reader, OutputIterator out)
   });
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

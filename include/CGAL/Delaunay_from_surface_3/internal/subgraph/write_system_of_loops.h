@@ -10,6 +10,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/Find_loops.h>
 #include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -19,6 +20,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Edge, class Reader, class OutputIterator>
 OutputIterator write_system_of_loops(const Reader& reader, OutputIterator out)
@@ -48,6 +50,7 @@ OutputIterator write_system_of_loops(const Reader& reader, OutputIterator out)
   });
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

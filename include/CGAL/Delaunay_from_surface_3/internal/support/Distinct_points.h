@@ -8,6 +8,8 @@
 // Points as doubles, each of them once, and a tree of them to search in: distances need no more
 // than that, whatever the kernel.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <CGAL/Kd_tree.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
@@ -23,6 +25,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 using Plain_point = Simple_cartesian<double>::Point_3;
 using Numbered_point = std::pair<Plain_point, std::size_t>;
@@ -91,6 +94,7 @@ private:
   std::vector<std::size_t> m_first, m_number;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

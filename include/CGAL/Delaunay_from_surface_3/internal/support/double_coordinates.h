@@ -7,6 +7,8 @@
 
 // Coordinates of any number type, as doubles where they are doubles.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -20,6 +22,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 using Coordinate_intervals = std::array<std::pair<double, double>, 3>;
 
@@ -88,6 +91,7 @@ std::optional<std::array<double, 3>> double_coordinates(const Point& p)
   }
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -9,6 +9,7 @@
 // the minimum over all points q of f(q) + |pq|.
 
 #include <CGAL/Delaunay_from_surface_3/internal/support/Distinct_points.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Dimension.h>
 #include <CGAL/K_neighbor_search.h>
@@ -23,6 +24,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A point and the value there, as a fourth coordinate. Then a box of CGAL's tree knows the smallest
 // value inside, and q with the smallest f(q) + |pq| is a nearest neighbor of p for another distance.
@@ -88,6 +90,7 @@ inline void make_lipschitz(const std::vector<Plain_point>& points, std::vector<d
     values[k] = Search(tree, points[k]).begin()->second;
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -8,6 +8,8 @@
 // Whether a point is in conflict with a cell that may be gone: of the cell only the vertices are
 // known. The answers are those of CGAL's find_conflicts(), perturbation included.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/enum.h>
 
@@ -18,6 +20,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 enum class Conflict { NO, YES, AT_VERTEX };
 
@@ -98,6 +101,7 @@ private:
   Exposed m_exposed;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_TRACE_ZONE_BOUNDARY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_TRACE_ZONE_BOUNDARY_H
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The facets of the boundary of a conflict zone, each with its two cells: by the one across, which
 // survives, the one behind it, which does not, can be asked for.
@@ -54,6 +57,7 @@ private:
   std::vector<Facet> m_facets;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -2,11 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WATCHER_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WATCHER_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_WATCHER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_WATCHER_H
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <array>
 #include <cstddef>
@@ -14,6 +15,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 // Is told what the core does, and can stop it. All functions are called by the thread that called
 // the core.
@@ -50,8 +52,9 @@ public:
   }
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WATCHER_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_WATCHER_H

@@ -2,14 +2,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_ORDER_REQUEST_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_ORDER_REQUEST_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_ORDER_REQUEST_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_ORDER_REQUEST_H
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 // What Surface_net_rounds says of its constants holds for these.
 constexpr double net_stall = 0.9;
@@ -20,6 +24,9 @@ constexpr std::size_t large_cluster = 32;
 // Which order points are to be inserted in.
 struct Order_request
 {
+  // The default: nets.
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Order_request() {}
+
   // By nets of their graph, as Surface_net_rounds; or by random rounds, as Geometric_rounds.
   enum Kind { NETS, GEOMETRIC } kind = NETS;
 
@@ -33,8 +40,9 @@ struct Order_request
   std::size_t block = 1024;
 };
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_ORDER_REQUEST_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_ORDER_REQUEST_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_PARTITION_CELLS_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_PARTITION_CELLS_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_PARTITION_CELLS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_PARTITION_CELLS_H
 
 // Puts the cells in place: the finite ones first, then the infinite ones, and none that is dead.
 //
@@ -11,7 +11,8 @@
 // that lead back to it are known, and no table from old to new numbers is needed. Linear, O(1)
 // memory.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <utility>
@@ -19,45 +20,45 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The cell at place c has come from elsewhere: its neighbours learn it.
 template <class Id>
-void link_back(Compact_complex<Id>& complex, Id c)
+void link_back(Compact_cell<Id>* cells, Id c)
 {
   for (unsigned i = 0; i < 4; ++i) {
-    const Id there = complex.cell(c).links[i];
-    complex.cell(there >> 2).links[there & 3] = Compact_complex<Id>::link(c, i);
+    const Id there = cells[c].links[i];
+    cells[there >> 2].links[there & 3] = Compact_numbers<Id>::link(c, i);
   }
 }
 
 template <class Id>
-void swap_cells(Compact_complex<Id>& complex, Id a, Id b)
+void swap_cells(Compact_cell<Id>* cells, Id a, Id b)
 {
-  std::swap(complex.cell(a), complex.cell(b));
+  std::swap(cells[a], cells[b]);
   const auto redirect = [&](Id here,
                             Id former) { // a cell at `here` that names itself meant the other
-    for (Id& link : complex.cell(here).links)
+    for (Id& link : cells[here].links)
       if ((link >> 2) == here)
-        link = Compact_complex<Id>::link(former, link & 3);
+        link = Compact_numbers<Id>::link(former, link & 3);
   };
   redirect(a, b);
   redirect(b, a);
-  link_back(complex, a);
-  link_back(complex, b);
+  link_back(cells, a);
+  link_back(cells, b);
 }
 
 // Moves the last living cells to the places of dead ones. Returns the number of cells.
 template <class Id>
-std::size_t close_gaps(Compact_complex<Id>& complex)
+std::size_t close_gaps(Compact_cell<Id>* cells, std::size_t end)
 {
-  using Complex = Compact_complex<Id>;
-  std::size_t end = complex.cells_end();
+  using Numbers = Compact_numbers<Id>;
   for (std::size_t c = 0; c < end; ++c) {
-    while (c < end && Complex::is_dead(complex.cell(c))) {
+    while (c < end && Numbers::is_dead(cells[c])) {
       --end;
-      if (c < end && !Complex::is_dead(complex.cell(end))) {
-        complex.cell(c) = complex.cell(end);
-        link_back(complex, Id(c));
+      if (c < end && !Numbers::is_dead(cells[end])) {
+        cells[c] = cells[end];
+        link_back(cells, Id(c));
       }
     }
   }
@@ -71,24 +72,25 @@ struct Numbers_of_cells
 
 // The vertices' cells are not kept up to date.
 template <class Id>
-Numbers_of_cells partition_cells(Compact_complex<Id>& complex)
+Numbers_of_cells partition_cells(Compact_cell<Id>* cells, std::size_t end)
 {
-  using Complex = Compact_complex<Id>;
-  const std::size_t all = close_gaps(complex);
+  using Numbers = Compact_numbers<Id>;
+  const std::size_t all = close_gaps(cells, end);
   std::size_t finite = 0, infinite = all;
   while (true) {
-    while (finite < infinite && !Complex::is_infinite(complex.cell(finite)))
+    while (finite < infinite && !Numbers::is_infinite(cells[finite]))
       ++finite;
-    while (finite < infinite && Complex::is_infinite(complex.cell(infinite - 1)))
+    while (finite < infinite && Numbers::is_infinite(cells[infinite - 1]))
       --infinite;
     if (finite == infinite)
       return {finite, all};
-    swap_cells(complex, Id(finite), Id(infinite - 1));
+    swap_cells(cells, Id(finite), Id(infinite - 1));
   }
 }
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_PARTITION_CELLS_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_PARTITION_CELLS_H

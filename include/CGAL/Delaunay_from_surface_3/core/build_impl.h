@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_IMPL_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_IMPL_H
+
+// This is the loop of rounds of Choi 2002, Fig. 1, in which nothing is traced: the order itself names
+// a point to start from.
+
+#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/core/Built_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/apex_of_plane.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/order_along_line.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
+#include <CGAL/Delaunay_from_surface_3/support/fail.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The points in rounds, the rounds in pieces, between which watcher and budget are asked; not when all
+// are inserted, since what is done is kept.
+template <class Insert>
+Insertion_outcome insert_in_rounds(Insert& insert, const Order_view& order, Watcher& watcher,
+                                   const Insertion_budget& budget)
+{
+  watcher.insertion_begins(insert.number_of_threads());
+  std::size_t first = 0;
+  for (std::size_t h = 0; h < order.number_of_rounds; ++h) {
+    const std::size_t N_h = order.round_ends[h];
+    watcher.round_begins(h, N_h - first);
+    while (first < N_h) {
+      const std::size_t next = (std::min)(N_h, first + insert.size_of_piece(first));
+      if (!insert(first, next)) // 2b, 2c
+        return Insertion_outcome::STOPPED;
+      if (next < order.size && budget.is_exceeded(insert.counts(), next))
+        return Insertion_outcome::OVER_BUDGET;
+      first = next;
+    }
+  }
+  return Insertion_outcome::COMPLETE;
+}
+
+// The points in the order of `orders`: the order and the four points that come first.
+template <class Id>
+void begin_to_build(Built_complex<Id>& built, Point_source& source, Order_source& orders,
+                    const Request& request, Watcher& watcher, const Executor& executor)
+{
+  using Phase = Surface_insertion_phase;
+  watcher.phase_begins(Phase::PLAN);
+  const Point_array points = source.points();
+  const Starting_simplex simplex =
+      starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
+  built.dimension = simplex.dimension;
+  built.order = simplex.dimension < 2 && !watcher.leaves_points_out()
+                    ? built.keep(order_along_line(points))
+                    : orders.make(points, executor);
+  if (!request.uses_starting_places)
+    built.order.starting_places = nullptr;
+  watcher.phase_begins(Phase::SUBGRAPH);
+  if (simplex.dimension == 3) {
+    built.start(points, nullptr, watcher);
+  } else if (simplex.dimension == 2 && request.adds_apex) {
+    const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
+                                    points[simplex.points[2]]);
+    built.start(points, apex.data(), watcher);
+  }
+  if (built.has_started())
+    source.give_up();
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE std::unique_ptr<Order_source>
+order_of_core(const Order_request& request, Edge_source& edges)
+{
+  return std::make_unique<Order_of_core>(request, edges);
+}
+
+template <class Id, class Crew>
+std::unique_ptr<Built<Id>> build(Point_source& points, Order_source& orders, const Request& request,
+                                 Watcher& watcher, const Executor& executor)
+{
+  for (;;) {
+    auto built = std::make_unique<Built_complex<Id>>();
+    try {
+      begin_to_build(*built, points, orders, request, watcher, executor);
+      if (!built->has_started())
+        return built;
+      const Insertion_budget budget(orders.cells_per_point());
+      typename Inserter_of<Crew>::template type<Id> insert(built->points(), executor, watcher);
+      built->outcome = insert_in_rounds(insert, built->order, watcher, budget);
+      built->counts = insert.counts();
+      if (built->outcome == Insertion_outcome::COMPLETE) {
+        watcher.insertion_ends(built->counts);
+        watcher.phase_begins(Surface_insertion_phase::FINISH);
+        insert.finish();
+        CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(
+            is_valid(built->points().complex, Delaunay_validity_level::DELAUNAY));
+      }
+    } catch (const Too_few_ids&) {
+      built->outcome = Insertion_outcome::TOO_FEW_IDS;
+    }
+    if (built->outcome != Insertion_outcome::OVER_BUDGET) {
+      built->show();
+      return built;
+    }
+    if (!orders.go_on())
+      fail("an order with a budget has another behind it");
+    watcher.order_is_replaced("its insertions destroy or enter too many cells");
+  }
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_IMPL_H

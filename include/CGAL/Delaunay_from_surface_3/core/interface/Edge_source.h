@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_EDGE_SOURCE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_EDGE_SOURCE_H
+
+#include <CGAL/Delaunay_from_surface_3/support/Lists_view.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+// Where the edges of a surface come from. They may be asked for again after they were given up.
+class Edge_source
+{
+public:
+  virtual ~Edge_source() = default;
+
+  // Of each point those of its neighbours that have smaller numbers, every edge once; or no list at
+  // all, if there are no edges or too many for numbers of 32 bits.
+  virtual Lists_view<std::uint32_t> edges() = 0;
+
+  // For a long time nobody will ask: what can be had again need not be kept.
+  virtual void give_up() {}
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_EDGE_SOURCE_H

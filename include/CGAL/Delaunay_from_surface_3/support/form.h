@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FORM_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FORM_H
+
+// In which form the package is used, as the names of two inline namespaces, so that one program may
+// mix them: header-only (the default) or with the core compiled (CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED,
+// which the target Delaunay_from_surface_3::compiled defines), this version or another, units with
+// more instructions or more checks than others. Of two functions of one name a linker keeps any, also
+// that of the unit whose instructions the machine lacks.
+//
+//   …_FORM       what each unit compiles for itself: bodies, and types that only they see;
+//   …_INTERFACE  what the compiled core and those who call it share: declarations, abstract classes,
+//                structs of pointers and numbers. Nothing there depends on a unit's options.
+
+#define CGAL_DELAUNAY_FROM_SURFACE_3_VERSION v0_1_0
+
+#if defined(CGAL_NO_ASSERTIONS) || defined(CGAL_NDEBUG) || (defined(NDEBUG) && !defined(CGAL_DEBUG))
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CHECKS unchecked
+#elif defined(CGAL_CHECK_EXPENSIVE)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CHECKS checked_at_any_price
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CHECKS checked
+#endif
+
+#if defined(__AVX512F__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSTRUCTIONS avx512
+#elif defined(__AVX2__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSTRUCTIONS avx2
+#elif defined(__AVX__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSTRUCTIONS avx
+#elif defined(__SSE4_1__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSTRUCTIONS sse4
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSTRUCTIONS base
+#endif
+
+#if defined(__FAST_MATH__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ARITHMETIC fast
+#elif defined(__FMA__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ARITHMETIC fused
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ARITHMETIC strict
+#endif
+
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY) // in the compiled core itself
+#define CGAL_DELAUNAY_FROM_SURFACE_3_KIND library
+#elif defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_KIND compiled
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_KIND header_only
+#endif
+
+#define CGAL_DELAUNAY_FROM_SURFACE_3_JOINED(a, b, c, d, e) a##_##b##_##c##_##d##_##e
+#define CGAL_DELAUNAY_FROM_SURFACE_3_JOIN(a, b, c, d, e)                                           \
+  CGAL_DELAUNAY_FROM_SURFACE_3_JOINED(a, b, c, d, e)
+
+#define CGAL_DELAUNAY_FROM_SURFACE_3_FORM                                                          \
+  CGAL_DELAUNAY_FROM_SURFACE_3_JOIN(                                                               \
+      CGAL_DELAUNAY_FROM_SURFACE_3_VERSION, CGAL_DELAUNAY_FROM_SURFACE_3_KIND,                     \
+      CGAL_DELAUNAY_FROM_SURFACE_3_CHECKS, CGAL_DELAUNAY_FROM_SURFACE_3_INSTRUCTIONS,              \
+      CGAL_DELAUNAY_FROM_SURFACE_3_ARITHMETIC)
+
+// Of functions that are no templates.
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INLINE
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INLINE inline
+#endif
+
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE                                                     \
+  CGAL_DELAUNAY_FROM_SURFACE_3_JOIN(CGAL_DELAUNAY_FROM_SURFACE_3_VERSION, of, the, compiled, core)
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+#endif
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FORM_H

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The core, compiled once for all that link Delaunay_from_surface_3::compiled.
+
+#define CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
+#define CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY
+
+#include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Insert_by_workers.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+#define CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(Id, Crew)                                               \
+  template std::unique_ptr<Built<Id>> build<Id, Crew>(Point_source&, Order_source&,                \
+                                                      const Request&, Watcher&, const Executor&)
+
+CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(std::uint32_t, One_thread);
+CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(std::uint64_t, One_thread);
+CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(std::uint32_t, Many_threads);
+CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(std::uint64_t, Many_threads);
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL

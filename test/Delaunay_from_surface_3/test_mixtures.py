@@ -1,0 +1,87 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""One program of units in several forms: header-only and with the core compiled, checked and not, for a newer processor,
+of another version. A linker keeps one of all functions of one name, so these shall not have the same names."""
+
+import os
+import platform
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+COMPILED = "-DCGAL_DELAUNAY_FROM_SURFACE_3_COMPILED"
+UNITS = {
+    "header_only": ["-DNDEBUG"],
+    "compiled": ["-DNDEBUG", COMPILED],
+    "checked": ["-DCGAL_CHECK_EXPENSIVE", COMPILED],
+    "of_another_version": ["-DNDEBUG"],
+    "wide": ["-DNDEBUG", "-mavx512f", "-mfma"],
+}
+
+
+def functions(path):
+    """The functions that an object or a library defines where others see them, by their names in the program."""
+    lines = subprocess.run(["nm", "--defined-only", path], capture_output=True, text=True, check=True).stdout
+    return {found.group(1) for found in re.finditer(r"^[0-9a-f]+ [TW] (\S+)$", lines, re.MULTILINE)}
+
+
+def readable(names):
+    return subprocess.run(["c++filt"], input="\n".join(names), capture_output=True, text=True, check=True).stdout.split("\n")
+
+
+@unittest.skipUnless(platform.machine() == "x86_64", "the options are those of one processor")
+class Mixtures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        newer = cls.folder / "newer"
+        shutil.copytree(ROOT / "include", newer)
+        form = newer / "CGAL" / "Delaunay_from_surface_3" / "support" / "form.h"
+        text = form.read_text(encoding="utf-8")
+        form.write_text(re.sub(r"VERSION v\w+", "VERSION v7_8_9", text), encoding="utf-8")
+        running = [cls.start("main.cpp", "main", ROOT / "include", []),
+                   cls.start("../../../src/core.cpp", "core", ROOT / "include", ["-O1", "-DNDEBUG"])]
+        running += [cls.start("unit.cpp", name, newer if name == "of_another_version" else ROOT / "include",
+                              [f"-DUNIT={name}", *options]) for name, options in UNITS.items()]
+        for process in running:
+            if process.wait() != 0:
+                raise RuntimeError(process.args)
+
+    @classmethod
+    def start(cls, source, name, include, options):
+        """Without optimization: what could become part of another function is one of its own."""
+        return subprocess.Popen([os.environ.get("CXX", "c++"), "-std=c++17", "-O0", "-frounding-math", f"-I{include}",
+                                 "-c", HERE / "mixtures" / source, "-o", cls.folder / f"{name}.o", *options])
+
+    def test_one_program(self):
+        objects = [self.folder / f"{name}.o" for name in ("main", *UNITS, "core")]
+        program = self.folder / "program"
+        subprocess.run([os.environ.get("CXX", "c++"), *objects, "-o", program, "-lmpfr", "-lgmp"], check=True)
+        done = subprocess.run([program], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_no_bodies_in_common(self):
+        """But for those of abstract classes, which do nothing."""
+        trivial = re.compile(r"::(Watcher|Task|Executor|(Point|Edge|Order)_source|Built<[^>]*>)::")
+        names = {name: functions(self.folder / f"{name}.o") for name in (*UNITS, "core")}
+        for one in names:
+            for other in names:
+                if one < other:
+                    own = [name for name in names[one] & names[other]
+                           if re.match("_ZNK?4CGAL(23Delaunay_from_surface_38internal|17delaunay_3_arrays)", name)]
+                    common = [name for name in readable(sorted(own)) if name and not trivial.search(name)]
+                    self.assertEqual(common, [], f"{one} and {other}")
+        self.assertTrue(any("v7_8_9" in name for name in names["of_another_version"]))
+
+
+if __name__ == "__main__":
+    unittest.main()
