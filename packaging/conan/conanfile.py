@@ -44,6 +44,7 @@ class DelaunayFromSurface3(ConanFile):
         toolchain.cache_variables["BUILD_TESTING"] = False
         for part in ("PROGRAMS", "EXAMPLES", "BENCHMARK"):
             toolchain.cache_variables[f"DELAUNAY_FROM_SURFACE_3_BUILD_{part}"] = False
+        toolchain.cache_variables["DELAUNAY_FROM_SURFACE_3_INSTALL_COMPILED"] = False
         toolchain.generate()
 
     def build(self):

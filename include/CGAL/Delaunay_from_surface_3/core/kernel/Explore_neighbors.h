@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 #include <cstddef>
 #include <limits>
@@ -40,6 +41,15 @@ struct Neighborhood
   unsigned inside;    // of these: in conflict
   unsigned undecided; // of these: the filter cannot tell
 };
+
+// By the signs of the filter, which was asked about those `filtered`.
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Neighborhood neighborhood(unsigned open,
+                                                                     unsigned filtered,
+                                                                     const Sphere_signs& signs)
+{
+  const unsigned decided = filtered & (signs.inside | signs.outside);
+  return {open, signs.inside & filtered, open & ~decided};
+}
 
 // Scalar code for any machine and any Id. Cells that nobody else writes meanwhile: they are read
 // where they are, and marked as dead when they join the zone.
@@ -91,8 +101,7 @@ struct Explore_neighbors : Explore_alone
     if (filtered == 0)
       return {open, 0, open};
     const Sphere_signs signs = Sphere_filter::neighbors(v, opposite, p, filtered);
-    return {open, signs.inside & filtered,
-            (open & infinite) | (filtered & ~(signs.inside | signs.outside))};
+    return neighborhood(open, filtered, signs);
   }
 
   // Writes down the neighbours `inside`, and the facets `bounding`.

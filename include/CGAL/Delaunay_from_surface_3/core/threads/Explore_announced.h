@@ -103,8 +103,7 @@ public:
     if (m_is_torn || filtered == 0)
       return {open, 0, open};
     const Sphere_signs signs = Sphere_filter::neighbors(v, opposite, p, filtered);
-    return {open, signs.inside & filtered,
-            (open & infinite) | (filtered & ~(signs.inside | signs.outside))};
+    return neighborhood(open, filtered, signs);
   }
 
   // The k-th neighbour of the cell looked around last, of one piece and as it was then; else

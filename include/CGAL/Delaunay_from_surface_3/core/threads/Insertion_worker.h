@@ -14,10 +14,8 @@
 // finished before, its cleared lanes make its writes visible: a first vertex or a link is not what
 // was read. Insertions whose zones share a cell beside them only write different links of it.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Explore_announced.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Shared_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Wide_explore_announced.h>
@@ -26,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -69,19 +68,46 @@ enum class Insertion_try {
   NO_CELLS // there are no fresh cells any more; nothing was written
 };
 
+// How a worker looks at cells, and writes them: it announces what it does.
+template <class Id_, class Protocol>
+struct Announced_to_others
+{
+  using Id = Id_;
+  using Zone = Announced_zone<Id>;
+  using Write = Write_announced<Id>;
+  using Explore = Explore_announced<Id, Protocol>;
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  using Wide_explore = std::conditional_t<std::is_same<Id, std::uint32_t>::value,
+                                          Wide_explore_announced<Protocol>, Explore>;
+#endif
+  static constexpr bool may_be_wide = !is_watched;
+
+  Write write() const
+  {
+    return Write(shared.complex().vertices_end());
+  }
+  template <class Explorer>
+  Explorer explore(Zone& zone) const
+  {
+    return Explorer(zone, shared.lanes(), number);
+  }
+
+  Shared_complex<Id>& shared;
+  const unsigned number; // of the worker
+};
+
 template <class Id, class Protocol = Handshake>
 class Insertion_worker
 {
   using Complex = Compact_complex<Id>;
-  using Predicates = Compact_predicates<Id>;
-  using Location = Compact_location<Id>;
+  using Access = Announced_to_others<Id, Protocol>;
 
 public:
   // The worker with this number, of those that `shared` has lanes for.
   Insertion_worker(Shared_complex<Id>& shared, unsigned number)
     : m_shared(shared)
     , m_number(number)
-    , m_fill_star(Write_announced<Id>(shared.complex().vertices_end()))
+    , m_inserter(shared.complex(), Access{shared, number})
   {
   }
 
@@ -98,7 +124,7 @@ public:
   Insertion_try announce(Id p, Id start, Id& present, std::size_t most_cells)
   {
     Read_announced<Id> read(most_cells);
-    const Location location = walk(p, start, read);
+    const Compact_location<Id> location = m_inserter.walk(p, start, read);
     if (read.is_lost())
       return Insertion_try::CLASH;
     if (location.vertex != 0) {
@@ -106,7 +132,7 @@ public:
       return Insertion_try::PRESENT;
     }
     m_zone.words[0] = read.word();
-    if (!dig(p, location.cell))
+    if (!m_inserter.dig(p, location.cell))
       return withdraw(Insertion_try::CLASH);
     return has_cells_for_star() ? Insertion_try::DONE : withdraw(Insertion_try::NO_CELLS);
   }
@@ -116,7 +142,7 @@ public:
   {
     if (Protocol::has_fence)
       full_fence();
-    if (!is_zone_still_true())
+    if (!m_inserter.is_zone_still_true())
       return withdraw(Insertion_try::CLASH);
     write_star(p);
     return Insertion_try::DONE;
@@ -125,44 +151,6 @@ public:
   const Insertion_counts& counts() const { return m_zone.counts; }
 
 private:
-  Location walk(Id p, Id start, Read_announced<Id>& read)
-  {
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-    if (m_is_wide)
-      return Walk_to_conflict<Wide_sphere_filter, Read_announced<Id>&>()(
-          m_shared.complex(), m_predicates, p, start, read);
-#endif
-    return Walk_to_conflict<Sphere_filter, Read_announced<Id>&>()(m_shared.complex(), m_predicates,
-                                                                  p, start, read);
-  }
-
-  // Digs from a cell that was found in conflict under the word in the zone.
-  bool dig(Id p, Id cell)
-  {
-    return with_explore([&](auto&& explore) {
-      return Dig_conflict_zone<std::decay_t<decltype(explore)>&>()(m_shared.complex(), m_predicates,
-                                                                   m_zone, p, cell, explore);
-    });
-  }
-
-  bool is_zone_still_true()
-  {
-    return with_explore([&](const auto& explore) {
-      return explore.is_still_true(m_shared.complex().cells(), m_zone.number_of_cells);
-    });
-  }
-
-  template <class F>
-  bool with_explore(const F& f)
-  {
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-    if constexpr (std::is_same<Id, std::uint32_t>::value)
-      if (m_is_wide)
-        return f(Wide_explore_announced<Protocol>(m_zone, m_shared.lanes(), m_number));
-#endif
-    return f(Explore_announced<Id, Protocol>(m_zone, m_shared.lanes(), m_number));
-  }
-
   Insertion_try withdraw(Insertion_try outcome)
   {
     for (std::size_t k = 0; k < m_zone.number_of_cells; ++k)
@@ -170,10 +158,7 @@ private:
     return outcome;
   }
 
-  void release(Id c)
-  {
-    store_release(m_shared.lanes().lane(c, m_number), std::uint8_t(0));
-  }
+  void release(Id c) { store_release(m_shared.lanes().lane(c, m_number), std::uint8_t(0)); }
 
   bool has_cells_for_star()
   {
@@ -194,19 +179,15 @@ private:
       store_relaxed(word, Id(word | Complex::dead));
       release(m_zone.cells[k]);
     }
-    m_fill_star(complex, m_zone, p);
+    m_inserter.fill(p);
     for (std::size_t k = 0; k < (std::min)(destroyed, created); ++k) // these kept their places
       release(m_zone.cells[k]);
   }
 
   Shared_complex<Id>& m_shared;
   const unsigned m_number;
-  Announced_zone<Id> m_zone;
-  Predicates m_predicates{m_shared.complex(), m_zone.counts};
-  Fill_star<Id, Write_announced<Id>> m_fill_star;
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-  const bool m_is_wide = !is_watched && machine_has_vectors();
-#endif
+  Inserter<Access> m_inserter;
+  Announced_zone<Id>& m_zone = m_inserter.zone;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

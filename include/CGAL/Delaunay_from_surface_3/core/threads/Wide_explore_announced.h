@@ -81,8 +81,7 @@ public:
     const double* const opposite[4] = {vertices[e0].coordinates, vertices[e1].coordinates,
                                        vertices[e2].coordinates, vertices[e3].coordinates};
     const Sphere_signs signs = Wide_sphere_filter::signs(v, opposite, p);
-    return {open, signs.inside & filtered,
-            (open & infinite) | (filtered & ~(signs.inside | signs.outside))};
+    return neighborhood(open, filtered, signs);
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Zone_ends<Id>

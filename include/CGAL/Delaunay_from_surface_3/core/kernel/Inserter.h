@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERTER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERTER_H
+
+// Insertion (Bowyer 1981; Watson 1981) on numbered cells: walk to a conflict, dig the conflict
+// zone, fill the star (Choi 2002, Fig. 1, lines 2b and 2c). Each of the three has a header of its
+// own; this is the one composition of them, for a thread that is alone and for one that announces
+// what it does (threads/Insertion_worker.h).
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Explore_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Fill_star.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_explore_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/vectors.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// How a thread that is alone looks at cells, and writes them.
+template <class Id_>
+struct Alone_with_complex
+{
+  using Id = Id_;
+  using Zone = Conflict_zone<Id>;
+  using Write = Write_alone<Id>;
+  using Explore = Explore_neighbors;
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  using Wide_explore = Widest_explore_neighbors<Id>;
+#endif
+  static constexpr bool may_be_wide = true;
+
+  Write write() const
+  {
+    return Write();
+  }
+  template <class Explorer>
+  Explorer explore(Zone&) const
+  {
+    return Explorer();
+  }
+};
+
+// Access: how cells are looked at and written.
+template <class Access>
+class Inserter
+{
+  using Id = typename Access::Id;
+  using Complex = Compact_complex<Id>;
+
+public:
+  // Into `complex`, which has started. Keeps a reference.
+  explicit Inserter(Complex& complex, const Access& access = Access())
+    : m_complex(complex)
+    , m_access(access)
+    , m_fill_star(access.write())
+  {
+  }
+  Inserter(const Inserter&) = delete;
+
+  // Where vertex p, in no cell yet, goes, from cell `start`.
+  template <class Read>
+  Compact_location<Id> walk(Id p, Id start, Read&& read)
+  {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+    if (m_is_wide)
+      return Walk_to_conflict<Wide_sphere_filter, Read>()(m_complex, m_predicates, p, start,
+                                                          std::forward<Read>(read));
+#endif
+    return Walk_to_conflict<Sphere_filter, Read>()(m_complex, m_predicates, p, start,
+                                                   std::forward<Read>(read));
+  }
+
+  // The zone of p, from a cell in conflict with it; false if somebody was in the way.
+  bool dig(Id p, Id cell)
+  {
+    return with_explorer([&](auto explorer) {
+      return Dig_conflict_zone<decltype(explorer)&>()(m_complex, m_predicates, zone, p, cell,
+                                                      explorer);
+    });
+  }
+
+  // Does all that the dig read still hold?
+  bool is_zone_still_true()
+  {
+    return with_explorer([&](const auto& explorer) {
+      return explorer.is_still_true(m_complex.cells(), zone.number_of_cells);
+    });
+  }
+
+  // The star of p takes the zone's place.
+  void fill(Id p)
+  {
+    m_fill_star(m_complex, zone, p);
+  }
+
+  typename Access::Zone zone; // of the vertex dug for last
+
+private:
+  template <class F>
+  bool with_explorer(const F& f)
+  {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+    if (m_is_wide)
+      return f(m_access.template explore<typename Access::Wide_explore>(zone));
+#endif
+    return f(m_access.template explore<typename Access::Explore>(zone));
+  }
+
+  Complex& m_complex;
+  const Access m_access;
+  Compact_predicates<Id> m_predicates{m_complex, zone.counts};
+  Fill_star<Id, typename Access::Write> m_fill_star;
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  const bool m_is_wide = Access::may_be_wide && machine_has_vectors();
+#endif
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERTER_H
