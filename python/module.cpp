@@ -10,7 +10,7 @@
 #include <pybind11/stl.h>
 
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/delaunay_3_arrays.h>
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
 #define CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
 
 namespace CGAL {
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 #define CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/Spanning_subgraph_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/certify_edges.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/surface/certify_edges.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
 namespace CGAL {
 

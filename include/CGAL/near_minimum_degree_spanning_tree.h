@@ -5,9 +5,9 @@
 #ifndef CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 #define CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 
-#include <CGAL/Delaunay_from_surface_3/Minimum_degree_witness.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Minimum_degree_witness.h>
+#include <CGAL/Delaunay_from_surface_3/surface/with_halfedge_graph_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
 
 #include <CGAL/assertions.h>

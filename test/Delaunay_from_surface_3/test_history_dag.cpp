@@ -12,17 +12,17 @@
 #include "history_cases.h"
 #include "named_surfaces.h"
 
-#include <CGAL/Delaunay_from_surface_3/trace/History_dag_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/History_dag_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 #include <boost/graph/adjacency_list.hpp>

@@ -14,11 +14,11 @@
 
 #include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>

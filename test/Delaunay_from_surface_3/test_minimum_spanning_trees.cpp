@@ -16,8 +16,8 @@
 #include <Delaunay_from_surface_3_surfaces/topology.h>
 
 #include <CGAL/Delaunay_from_surface_3/delaunay_share.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Minimum_spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/trees/Minimum_spanning_forest.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -17,7 +17,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 
 #include <boost/archive/iterators/base64_from_binary.hpp>

@@ -13,15 +13,15 @@
 #include <Delaunay_from_surface_3_theory/crossings.h>
 #include <Delaunay_from_surface_3_theory/trees.h>
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_dag_3.h>
+#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/History_dag_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 
 #include <array>
 #include <cstddef>

@@ -23,10 +23,10 @@
 // Cost: O(n) if there is anything to do, O(d log n) for a look at a vertex with d edges, and
 // O(n α(n)) for each phase.
 
-#include <CGAL/Delaunay_from_surface_3/Minimum_degree_witness.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Degree_phase.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Exchange_tree.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Minimum_degree_witness.h>
 
 #include <algorithm>
 #include <vector>

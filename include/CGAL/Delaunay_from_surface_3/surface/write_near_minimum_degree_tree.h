@@ -7,9 +7,9 @@
 
 // What both public forms come down to: read, mark the tree of bounded degree, exchange edges, write.
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
 
 #include <algorithm>
 #include <type_traits>
