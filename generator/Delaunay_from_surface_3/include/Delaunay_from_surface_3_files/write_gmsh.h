@@ -2,23 +2,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_GMSH_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_GMSH_H
+#ifndef DELAUNAY_FROM_SURFACE_3_FILES_WRITE_GMSH_H
+#define DELAUNAY_FROM_SURFACE_3_FILES_WRITE_GMSH_H
 
-#include <CGAL/Delaunay_from_surface_3/IO/Simplices_3.h>
+#include <Delaunay_from_surface_3_files/Simplices_3.h>
 
 #include <cstddef>
 #include <ostream>
 
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
+namespace files {
 
-/*!
-\ingroup PkgDelaunayFromSurface3IO
-
-writes simplices in Gmsh's text format, `.msh`, version 2.2, which every reader of such files knows.
-All elements are of entity 1, without a physical group; data are written as `ElementData`.
-*/
+// writes simplices in Gmsh's text format, `.msh`, version 2.2, which every reader of such files knows.
+// All elements are of entity 1, without a physical group; data are written as `ElementData`.
 inline void write_gmsh(std::ostream& out, const Simplices_3& s)
 {
   static const int gmsh_types[] = {15, 1, 2, 4}; // point, line, triangle, tetrahedron
@@ -39,7 +34,6 @@ inline void write_gmsh(std::ostream& out, const Simplices_3& s)
   }
 }
 
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
+} // namespace files
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_GMSH_H
+#endif // DELAUNAY_FROM_SURFACE_3_FILES_WRITE_GMSH_H

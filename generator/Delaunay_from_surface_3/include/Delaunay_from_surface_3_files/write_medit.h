@@ -2,23 +2,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_MEDIT_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_MEDIT_H
+#ifndef DELAUNAY_FROM_SURFACE_3_FILES_WRITE_MEDIT_H
+#define DELAUNAY_FROM_SURFACE_3_FILES_WRITE_MEDIT_H
 
-#include <CGAL/Delaunay_from_surface_3/IO/Simplices_3.h>
+#include <Delaunay_from_surface_3_files/Simplices_3.h>
 
 #include <cstddef>
 #include <ostream>
 
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
+namespace files {
 
-/*!
-\ingroup PkgDelaunayFromSurface3IO
-
-writes simplices in Medit's text format, `.mesh`. The last number of each line is a label that means
-nothing here; data are not written.
-*/
+// writes simplices in Medit's text format, `.mesh`. The last number of each line is a label that means
+// nothing here; data are not written.
 inline void write_medit(std::ostream& out, const Simplices_3& s)
 {
   static const char* const keywords[] = {nullptr, "Edges", "Triangles", "Tetrahedra"};
@@ -34,7 +29,6 @@ inline void write_medit(std::ostream& out, const Simplices_3& s)
   out << "\nEnd\n";
 }
 
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
+} // namespace files
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_MEDIT_H
+#endif // DELAUNAY_FROM_SURFACE_3_FILES_WRITE_MEDIT_H

@@ -2,11 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_VTU_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_VTU_H
+#ifndef DELAUNAY_FROM_SURFACE_3_FILES_WRITE_VTU_H
+#define DELAUNAY_FROM_SURFACE_3_FILES_WRITE_VTU_H
 
-#include <CGAL/Delaunay_from_surface_3/IO/Simplices_3.h>
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <Delaunay_from_surface_3_files/Simplices_3.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -14,10 +13,8 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
+namespace files {
 namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // One array at the end of a .vtu file: its size in bytes and then its bytes.
 template <class T>
@@ -54,16 +51,11 @@ private:
   std::uint64_t m_offset = 0;
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
-/*!
-\ingroup PkgDelaunayFromSurface3IO
-
-writes simplices in VTK's XML format for unstructured grids, `.vtu`, with the arrays appended as
-they are in memory; with the points' indices in the input as `input_index`, and all data of the
-simplices. The stream must be binary.
-*/
+// writes simplices in VTK's XML format for unstructured grids, `.vtu`, with the arrays appended as
+// they are in memory; with the points' indices in the input as `input_index`, and all data of the
+// simplices. The stream must be binary.
 inline void write_vtu(std::ostream& out, const Simplices_3& s)
 {
   static const std::uint8_t vtk_types[] = {1, 3, 5, 10}; // vertex, line, triangle, tetrahedron
@@ -107,7 +99,6 @@ inline void write_vtu(std::ostream& out, const Simplices_3& s)
   out << "\n  </AppendedData>\n</VTKFile>\n";
 }
 
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
+} // namespace files
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_VTU_H
+#endif // DELAUNAY_FROM_SURFACE_3_FILES_WRITE_VTU_H

@@ -2,23 +2,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_VTK_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_VTK_H
+#ifndef DELAUNAY_FROM_SURFACE_3_FILES_WRITE_VTK_H
+#define DELAUNAY_FROM_SURFACE_3_FILES_WRITE_VTK_H
 
-#include <CGAL/Delaunay_from_surface_3/IO/Simplices_3.h>
+#include <Delaunay_from_surface_3_files/Simplices_3.h>
 
 #include <cstddef>
 #include <ostream>
 
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
+namespace files {
 
-/*!
-\ingroup PkgDelaunayFromSurface3IO
-
-writes simplices in VTK's legacy text format for unstructured grids, `.vtk`, with the same data as
-`write_vtu()`. Those files are smaller, and read faster.
-*/
+// writes simplices in VTK's legacy text format for unstructured grids, `.vtk`, with the same data as
+// `write_vtu()`. Those files are smaller, and read faster.
 inline void write_vtk(std::ostream& out, const Simplices_3& s)
 {
   static const int vtk_types[] = {1, 3, 5, 10}; // vertex, line, triangle, tetrahedron
@@ -45,7 +40,6 @@ inline void write_vtk(std::ostream& out, const Simplices_3& s)
   }
 }
 
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
+} // namespace files
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_IO_WRITE_VTK_H
+#endif // DELAUNAY_FROM_SURFACE_3_FILES_WRITE_VTK_H

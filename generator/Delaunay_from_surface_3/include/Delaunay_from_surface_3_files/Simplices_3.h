@@ -2,11 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_IO_SIMPLICES_3_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_IO_SIMPLICES_3_H
+#ifndef DELAUNAY_FROM_SURFACE_3_FILES_SIMPLICES_3_H
+#define DELAUNAY_FROM_SURFACE_3_FILES_SIMPLICES_3_H
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/number_utils.h>
 
@@ -22,52 +21,43 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
+namespace files {
 
-/*!
-\ingroup PkgDelaunayFromSurface3IO
-
-is what the functions that write files take: points, and the simplices on them that are to be
-written. `simplices_of()` makes it; anybody may change it, or fill it from elsewhere.
-*/
+// is what the functions that write files take: points, and the simplices on them that are to be
+// written. `simplices_of()` makes it; anybody may change it, or fill it from elsewhere.
 struct Simplices_3
 {
-  /// one number for each simplex.
+  // one number for each simplex.
   struct Data
   {
-    std::string name;           ///< letters, digits and underscores.
-    std::vector<double> values; ///< by simplex.
+    std::string name;           // letters, digits and underscores.
+    std::vector<double> values; // by simplex.
   };
 
-  int dimension = 3;                         ///< 3: tetrahedra, 2: triangles, 1: edges, 0: points.
-  std::vector<std::array<double, 3>> points; ///< their coordinates.
-  std::vector<std::int64_t> input_indices;   ///< of each point: where it was in the input.
-  std::vector<std::int64_t> simplices;       ///< `dimension + 1` indices of points for each.
-  std::vector<std::int64_t> neighbors;       ///< as many: simplices, or -1. Empty: not known.
-  std::vector<Data> data;                    ///< what else is known of the simplices.
+  int dimension = 3;                         // 3: tetrahedra, 2: triangles, 1: edges, 0: points.
+  std::vector<std::array<double, 3>> points; // their coordinates.
+  std::vector<std::int64_t> input_indices;   // of each point: where it was in the input.
+  std::vector<std::int64_t> simplices;       // `dimension + 1` indices of points for each.
+  std::vector<std::int64_t> neighbors;       // as many: simplices, or -1. Empty: not known.
+  std::vector<Data> data;                    // what else is known of the simplices.
 
-  /// returns how many points a simplex has.
+  // returns how many points a simplex has.
   std::size_t corners() const { return std::size_t(dimension) + 1; }
 
-  /// returns the number of simplices.
+  // returns the number of simplices.
   std::size_t size() const { return simplices.size() / corners(); }
 };
 
-/*!
-\ingroup PkgDelaunayFromSurface3IO
-
-returns those finite cells `c` of a triangulation for which `is_wanted(c)` holds, and all its
-different points, in the order of the input. The neighbours are left out if the arrays have none.
-Linear.
-
-\param points the points of which `arrays` was made: a range of points of any kernel, of
-`std::array<double, 3>`, or of anything with coordinates `p[0]`, `p[1]`, `p[2]`
-\param arrays what `delaunay_3_arrays()` returned
-\param is_wanted a function from cell numbers to `bool`
-*/
+// returns those finite cells `c` of a triangulation for which `is_wanted(c)` holds, and all its
+// different points, in the order of the input. The neighbours are left out if the arrays have none.
+// Linear.
+//
+// points: the points of which `arrays` was made: a range of points of any kernel, of
+// `std::array<double, 3>`, or of anything with coordinates `p[0]`, `p[1]`, `p[2]`
+// arrays: what `delaunay_3_arrays()` returned
+// is_wanted: a function from cell numbers to `bool`
 template <class PointRange, class Index, class IsWanted>
-Simplices_3 simplices_of(const PointRange& points, const Delaunay_3_arrays<Index>& arrays,
+Simplices_3 simplices_of(const PointRange& points, const CGAL::Delaunay_3_arrays<Index>& arrays,
                          const IsWanted& is_wanted)
 {
   Simplices_3 result;
@@ -77,7 +67,7 @@ Simplices_3 simplices_of(const PointRange& points, const Delaunay_3_arrays<Index
   for (std::size_t i = 0; i < point_numbers.size(); ++i, ++p)
     if (std::size_t(arrays.vertex_of_point(i)) == i) {
       point_numbers[i] = std::int64_t(result.points.size());
-      result.points.push_back({to_double((*p)[0]), to_double((*p)[1]), to_double((*p)[2])});
+      result.points.push_back({CGAL::to_double((*p)[0]), CGAL::to_double((*p)[1]), CGAL::to_double((*p)[2])});
       result.input_indices.push_back(std::int64_t(i));
     }
 
@@ -97,20 +87,15 @@ Simplices_3 simplices_of(const PointRange& points, const Delaunay_3_arrays<Index
   return result;
 }
 
-/// \ingroup PkgDelaunayFromSurface3IO
-/// does the same for all finite cells.
+// does the same for all finite cells.
 template <class PointRange, class Index>
-Simplices_3 simplices_of(const PointRange& points, const Delaunay_3_arrays<Index>& arrays)
+Simplices_3 simplices_of(const PointRange& points, const CGAL::Delaunay_3_arrays<Index>& arrays)
 {
   return simplices_of(points, arrays, [](std::size_t) { return true; });
 }
 
-/*!
-\ingroup PkgDelaunayFromSurface3IO
-
-returns the radii of the spheres through the points of tetrahedra, up to rounding; of very flat ones
-infinity or any large number. \pre the dimension is 3
-*/
+// returns the radii of the spheres through the points of tetrahedra, up to rounding; of very flat ones
+// infinity or any large number. \pre the dimension is 3
 inline Simplices_3::Data circumradii(const Simplices_3& s)
 {
   Simplices_3::Data data = {"circumradius", {}};
@@ -139,7 +124,6 @@ inline Simplices_3::Data circumradii(const Simplices_3& s)
 }
 
 namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Writes numbers with as many digits as a double needs, and leaves the stream as it was.
 class Full_precision
@@ -181,9 +165,7 @@ void write_rows(std::ostream& out, const Simplices_3& s, const std::vector<std::
   }
 }
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
+} // namespace files
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_IO_SIMPLICES_3_H
+#endif // DELAUNAY_FROM_SURFACE_3_FILES_SIMPLICES_3_H

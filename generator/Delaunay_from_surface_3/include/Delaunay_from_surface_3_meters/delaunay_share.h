@@ -2,13 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DELAUNAY_SHARE_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_DELAUNAY_SHARE_H
+#ifndef DELAUNAY_FROM_SURFACE_3_METERS_DELAUNAY_SHARE_H
+#define DELAUNAY_FROM_SURFACE_3_METERS_DELAUNAY_SHARE_H
 
 // The hypothesis of Choi 2002, as a function: "consisting of Delaunay triangles".
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Unique_hash_map.h>
@@ -26,33 +25,27 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
+namespace meters {
 
-/*!
-\ingroup PkgDelaunayFromSurface3Statistics
-
-says how much of a surface is in a triangulation. Vertices at the same point count as one; edges and
-triangles that this makes collapse are left out, and others count once.
-
-\tparam VertexHandle a vertex of the triangulation
-*/
+// says how much of a surface is in a triangulation. Vertices at the same point count as one; edges and
+// triangles that this makes collapse are left out, and others count once.
+//
+// VertexHandle: a vertex of the triangulation
 template <class VertexHandle>
 struct Delaunay_share
 {
-  std::size_t edges = 0;              ///< edges of the surface.
-  std::size_t delaunay_edges = 0;     ///< those that are edges of the triangulation.
-  std::size_t triangles = 0;          ///< faces with three vertices.
-  std::size_t delaunay_triangles = 0; ///< those that are facets of the triangulation.
-  std::size_t polygons = 0;           ///< faces with more than three vertices.
-  double longest_other_edge = 0; ///< the length of the longest edge that is not Delaunay, or 0.
+  std::size_t edges = 0;              // edges of the surface.
+  std::size_t delaunay_edges = 0;     // those that are edges of the triangulation.
+  std::size_t triangles = 0;          // faces with three vertices.
+  std::size_t delaunay_triangles = 0; // those that are facets of the triangulation.
+  std::size_t polygons = 0;           // faces with more than three vertices.
+  double longest_other_edge = 0;      // the length of the longest edge that is not Delaunay, or 0.
 
-  /// the ends of that edge; default-constructed if there is none.
+  // the ends of that edge; default-constructed if there is none.
   std::pair<VertexHandle, VertexHandle> ends_of_longest_other_edge;
 };
 
 namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Edges and triangles between vertices of a triangulation, numbered by their first points.
 template <class Triangulation>
@@ -67,8 +60,8 @@ public:
   {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (vertices[i] == Vertex())
-        throw Surface_input_error("vertex " + std::to_string(i) +
-                                  " of the surface has no vertex in the triangulation");
+        throw CGAL::Surface_input_error("vertex " + std::to_string(i) +
+                                        " of the surface has no vertex in the triangulation");
       if (m_number[vertices[i]] == vertices.size())
         m_number[vertices[i]] = i;
     }
@@ -149,37 +142,32 @@ private:
     }
   }
 
-  Unique_hash_map<Vertex, std::size_t> m_number;
+  CGAL::Unique_hash_map<Vertex, std::size_t> m_number;
   const std::vector<Vertex>& m_vertices;
   std::vector<std::array<std::size_t, 2>> m_edges;
   std::vector<std::array<std::size_t, 3>> m_triangles;
   std::size_t m_polygons = 0;
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
-/*!
-\ingroup PkgDelaunayFromSurface3Statistics
-
-counts the edges and triangles of a polygon soup that are in a Delaunay triangulation of its points:
-how far the hypothesis of \cgalCite{choi-dtsm-02} holds, that the surface consists of Delaunay
-triangles.
-
-Where the triangulation has no edges or facets, in dimensions below 1 and 2, none are Delaunay.
-
-\f$O(m \log m)\f$ for m edges, and the sum of the numbers of cells around one end of each edge.
-
-\tparam Triangulation a `CGAL::Delaunay_triangulation_3`
-\tparam FaceRange a range of ranges of integers
-
-\param tr the triangulation
-\param vertices the vertices of `tr` at the points of the soup, as
-`vertex_to_vertex_output_iterator` gives them
-\param faces the faces: for each the indices of its points in order
-
-\throws Surface_input_error if a vertex is default-constructed or an index out of range
-*/
+// counts the edges and triangles of a polygon soup that are in a Delaunay triangulation of its points:
+// how far the hypothesis of {choi-dtsm-02} holds, that the surface consists of Delaunay
+// triangles.
+//
+// Where the triangulation has no edges or facets, in dimensions below 1 and 2, none are Delaunay.
+//
+// O(m \log m) for m edges, and the sum of the numbers of cells around one end of each edge.
+//
+// Triangulation: a `CGAL::Delaunay_triangulation_3`
+// FaceRange: a range of ranges of integers
+//
+// tr: the triangulation
+// vertices: the vertices of `tr` at the points of the soup, as
+// `vertex_to_vertex_output_iterator` gives them
+// faces: the faces: for each the indices of its points in order
+//
+// \throws Surface_input_error if a vertex is default-constructed or an index out of range
 template <class Triangulation, class FaceRange>
 Delaunay_share<typename Triangulation::Vertex_handle>
 delaunay_share(const Triangulation& tr,
@@ -192,29 +180,25 @@ delaunay_share(const Triangulation& tr,
     indices.assign(std::begin(face), std::end(face));
     for (const std::size_t i : indices)
       if (i >= vertices.size())
-        throw Surface_input_error("the index " + std::to_string(i) +
-                                  " of a face is not one of the " +
-                                  std::to_string(vertices.size()) + " points");
+        throw CGAL::Surface_input_error("the index " + std::to_string(i) +
+                                        " of a face is not one of the " +
+                                        std::to_string(vertices.size()) + " points");
     surface.add_face(indices);
   }
   return surface.share(tr);
 }
 
-/*!
-\ingroup PkgDelaunayFromSurface3Statistics
-
-does the same for a mesh.
-
-\tparam FaceGraph a model of `FaceListGraph` and `HalfedgeGraph`
-\tparam VertexToVertexMap a model of `boost::ReadablePropertyMap` from the vertices of `mesh` to those of
-`tr`
-
-\param tr the triangulation
-\param mesh the surface
-\param vertex_to_vertex the vertex of `tr` at each vertex of `mesh`
-
-\throws Surface_input_error if a vertex is default-constructed
-*/
+// does the same for a mesh.
+//
+// FaceGraph: a model of `FaceListGraph` and `HalfedgeGraph`
+// VertexToVertexMap: a model of `boost::ReadablePropertyMap` from the vertices of `mesh` to those of
+// `tr`
+//
+// tr: the triangulation
+// mesh: the surface
+// vertex_to_vertex: the vertex of `tr` at each vertex of `mesh`
+//
+// \throws Surface_input_error if a vertex is default-constructed
 template <class Triangulation, class FaceGraph, class VertexToVertexMap,
           class = std::enable_if_t<
               !std::is_same<FaceGraph, std::vector<typename Triangulation::Vertex_handle>>::value>>
@@ -223,7 +207,7 @@ delaunay_share(const Triangulation& tr, const FaceGraph& mesh, VertexToVertexMap
 {
   using Vertex = typename Triangulation::Vertex_handle;
   std::vector<Vertex> handles;
-  Unique_hash_map<Vertex, std::size_t> number;
+  CGAL::Unique_hash_map<Vertex, std::size_t> number;
   const auto number_of = [&](auto v) {
     const Vertex w = get(vertex_to_vertex, v);
     if (w != Vertex() && !number.is_defined(w)) {
@@ -231,7 +215,7 @@ delaunay_share(const Triangulation& tr, const FaceGraph& mesh, VertexToVertexMap
       handles.push_back(w);
     }
     if (w == Vertex())
-      throw Surface_input_error("a vertex of the surface has no vertex in the triangulation");
+      throw CGAL::Surface_input_error("a vertex of the surface has no vertex in the triangulation");
     return number[w];
   };
   std::vector<std::array<std::size_t, 2>> all_edges;
@@ -255,7 +239,6 @@ delaunay_share(const Triangulation& tr, const FaceGraph& mesh, VertexToVertexMap
   return surface.share(tr);
 }
 
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
+} // namespace meters
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DELAUNAY_SHARE_H
+#endif // DELAUNAY_FROM_SURFACE_3_METERS_DELAUNAY_SHARE_H
