@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(smallest_index_gives_point_and_info)
     Tr along_graph, as_soup;
     CGAL::insert_points_along_graph_3(along_graph, pairs, Graph(pairs.size()));
     check_infos(along_graph, points);
-    CGAL::insert_surface_points_3(as_soup, pairs, Faces{{0, 1, 2}}, CGAL::Tracing_traits_3());
+    CGAL::insert_points_3(as_soup, pairs, Faces{{0, 1, 2}}, CGAL::Tracing_traits_3());
     check_infos(as_soup, points);
   };
   const std::vector<Point> in_space = with_duplicates(torus().points);
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(infos_by_named_parameters)
                           DFS::vertex_info_map(CGAL::Identity_property_map<std::size_t>()));
   });
   check([&](With_info& tr) {
-    CGAL::insert_surface_points_3(tr, points, torus().surface.faces,
+    CGAL::insert_points_3(tr, points, torus().surface.faces,
                                   DFS::vertex_info_map(by_index));
   });
   check([&](With_info& tr) {
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(callables)
   std::size_t calls = 0;
   auto stops = [&](double share) { return ++calls, share < 0.5; };
   Triangulation stopped;
-  CGAL::insert_surface_points_3(
+  CGAL::insert_points_3(
       stopped, torus().points, torus().surface.faces,
       parameters::visitor(std::ref(stops))
           .vertex_to_vertex_output_iterator([](const std::pair<std::size_t, Vertex_handle>&) {
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(vertices_in_the_order_of_the_input)
     return CGAL::insert_points_3(tr, points, np);
   };
   const auto as_soup = [&](auto& tr, const auto& np) {
-    return CGAL::insert_surface_points_3(tr, points, torus().surface.faces, np);
+    return CGAL::insert_points_3(tr, points, torus().surface.faces, np);
   };
   check(Triangulation(), as_points);
   check(Triangulation(), as_soup);
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(order_of_the_input_that_cannot_be_had)
         [&](Triangulation& tr) { CGAL::insert_points_3(tr, torus().points, np); });
   check(Triangulation(), "that needs traits that go through the core",
         [&](Triangulation& tr) {
-          CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces,
+          CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
                                         CGAL::Plain_insertion_traits_3(), np);
         });
 }

@@ -10,7 +10,6 @@
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
-#include <CGAL/insert_surface_points_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -68,7 +67,7 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   // expected: the accept() of a visitor takes the numbers of two points and a point
   CGAL::insert_points_3(without_info, points, parameters::visitor(Wrong_visitor()));
   // expected: traits say by through_core who inserts
-  CGAL::insert_surface_points_3(without_info, points, std::vector<std::vector<int>>(),
+  CGAL::insert_points_3(without_info, points, std::vector<std::vector<int>>(),
                                 Old_traits());
   // expected: delaunay_3_arrays() leaves no point out
   CGAL::delaunay_3_arrays(points, parameters::visitor(Thinning_visitor()));
