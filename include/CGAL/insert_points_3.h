@@ -9,6 +9,7 @@
 #include <CGAL/Delaunay_from_surface_3/door/Read_soup.h>
 #include <CGAL/Delaunay_from_surface_3/door/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/door/read_items.h>
+#include <CGAL/Delaunay_from_surface_3/door/refuse_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Point_insertion_traits_3.h>
@@ -45,7 +46,8 @@ of the triangulation. Any of them serves any triangulation: many threads can fil
 for a single thread. `Parallel_tag` needs TBB.
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
 exact predicates.
-\tparam PointRange a range of points, of pairs of points and infos, or of items that `point_map` turns
+\tparam PointRange a range of points, of pairs of points and infos, of anything with numbers `p[0]`,
+`p[1]`, `p[2]` (arrays, pointers, vectors of other libraries), or of items that `point_map` turns
 into points
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -228,9 +230,15 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
-  const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
-                                                                            Executor());
-  return insert_surface<Executor, internal_np::point_t>(tr, read.input(), traits, np);
+  static_assert(Are_faces<FaceRange>::value, "behind the points come faces, ranges of indices, or "
+                                             "named parameters");
+  if constexpr (Are_faces<FaceRange>::value) {
+    const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
+                                                                              Executor());
+    return insert_surface<Executor, internal_np::point_t>(tr, read.input(), traits, np);
+  } else {
+    return 0;
+  }
 }
 
 /// \ingroup PkgDelaunayFromSurface3Soup
@@ -244,13 +252,25 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
-  const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
-                                                                            Executor());
-  return insert_surface<Executor, internal_np::point_t>(tr, read.input(),
-                                                        Surface_insertion_traits_3(), np);
+  static_assert(Are_faces<FaceRange>::value, "behind the points come faces, ranges of indices, or "
+                                             "named parameters");
+  if constexpr (Are_faces<FaceRange>::value) {
+    const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
+                                                                              Executor());
+    return insert_surface<Executor, internal_np::point_t>(tr, read.input(),
+                                                          Surface_insertion_traits_3(), np);
+  } else {
+    return 0;
+  }
 }
 
 /// \cond SKIP_IN_MANUAL
+template <class ConcurrencyTag = Default, class Triangulation, class... Arguments>
+Delaunay_from_surface_3::internal::If_refused<Triangulation> insert_points_3(Triangulation&,
+                                                                             const Arguments&...)
+{
+  return Delaunay_from_surface_3::internal::refuse_triangulation<Triangulation>();
+}
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 /// \endcond
 

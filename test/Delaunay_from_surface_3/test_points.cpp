@@ -17,6 +17,7 @@
 #include <boost/iterator/zip_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <list>
@@ -171,8 +172,7 @@ BOOST_AUTO_TEST_CASE(infos_by_named_parameters)
                           DFS::vertex_info_map(CGAL::Identity_property_map<std::size_t>()));
   });
   check([&](With_info& tr) {
-    CGAL::insert_points_3(tr, points, torus().surface.faces,
-                                  DFS::vertex_info_map(by_index));
+    CGAL::insert_points_3(tr, points, torus().surface.faces, DFS::vertex_info_map(by_index));
   });
   check([&](With_info& tr) {
     CGAL::insert_points_along_graph_3(tr, points, Graph(points.size()),
@@ -302,9 +302,33 @@ BOOST_AUTO_TEST_CASE(order_of_the_input_that_cannot_be_had)
         [&](Triangulation& tr) { CGAL::insert_points_3(tr, flat, np); });
   check(cube_of_points(), "the triangulation is not empty",
         [&](Triangulation& tr) { CGAL::insert_points_3(tr, torus().points, np); });
-  check(Triangulation(), "that needs traits that go through the core",
-        [&](Triangulation& tr) {
-          CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
-                                        CGAL::Plain_insertion_traits_3(), np);
-        });
+  check(Triangulation(), "that needs traits that go through the core", [&](Triangulation& tr) {
+    CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
+                          CGAL::Plain_insertion_traits_3(), np);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_without_a_point)
+{
+  const std::vector<Point>& points = torus().points;
+  std::vector<std::array<double, 3>> arrays;
+  std::vector<std::array<float, 3>> floats;
+  std::vector<const double*> pointers;
+  for (const Point& p : points) {
+    arrays.push_back({p.x(), p.y(), p.z()});
+    floats.push_back({float(p.x()), float(p.y()), float(p.z())});
+  }
+  for (const auto& p : arrays)
+    pointers.push_back(p.data());
+  Triangulation from_arrays, from_pointers, with_faces, from_floats, from_c_array;
+  CGAL::insert_points_3(from_arrays, arrays);
+  CGAL::insert_points_3(from_pointers, pointers.begin(), pointers.end());
+  CGAL::insert_points_3(with_faces, arrays, torus().surface.faces);
+  BOOST_TEST((from_arrays == torus().stock));
+  BOOST_TEST((from_pointers == torus().stock));
+  BOOST_TEST((with_faces == torus().stock));
+  CGAL::insert_points_3(from_floats, floats);
+  BOOST_TEST(from_floats.number_of_vertices() > 0u);
+  const double corners[5][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  BOOST_TEST(CGAL::insert_points_3(from_c_array, corners) == 5);
 }
