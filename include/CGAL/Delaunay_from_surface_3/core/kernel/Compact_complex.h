@@ -68,6 +68,24 @@ public:
     }
   }
 
+  // One more vertex, in no cell yet; and back, if it is in none still. Vertices may move.
+  Id add_vertex(const std::array<double, 3>& p)
+  {
+    if (m_number_of_vertices == max_vertices)
+      throw Too_few_ids(std::numeric_limits<Id>::digits);
+    if (m_number_of_vertices == m_vertices.capacity())
+      m_vertices.reserve(m_number_of_vertices + m_number_of_vertices / 2 + 16,
+                         m_number_of_vertices);
+    m_vertices[m_number_of_vertices] = {{p[0], p[1], p[2]}, 0, 0};
+    return Id(m_number_of_vertices++);
+  }
+  void drop_last_vertex()
+  {
+    --m_number_of_vertices;
+    m_own_coordinates.resize((std::min)(m_own_coordinates.size(), m_number_of_vertices - 1));
+  }
+  void add_own_coordinates(const std::array<double, 3>& p) { m_own_coordinates.push_back(p); }
+
   // The coordinates of the points before they were scaled, if that rounded any.
   void keep_own_coordinates(std::vector<std::array<double, 3>>&& coordinates)
   {

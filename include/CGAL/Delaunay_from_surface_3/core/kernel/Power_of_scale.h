@@ -36,10 +36,16 @@ public:
       look_at(points[i]);
     if (one_more != nullptr)
       look_at(one_more);
-    int exponent = 0;
-    std::frexp(m_largest, &exponent);
-    m_factor = std::ldexp(1., (std::min)(58 - exponent, 1000));
-    m_is_exact = m_least * m_factor > (std::numeric_limits<double>::min)();
+    choose();
+  }
+
+  // Of points whose coordinates are at most `largest` in absolute value, and 0 or at least `least`.
+  Power_of_scale(double largest, double least)
+    : m_largest(largest)
+    , m_least(least)
+  {
+    if (obstacle_of_compiler() == nullptr)
+      choose();
   }
 
   // No coordinate becomes so small that it is rounded.
@@ -58,6 +64,14 @@ private:
       m_largest = (std::max)(m_largest, size);
       m_least = size == 0 ? m_least : (std::min)(m_least, size);
     }
+  }
+
+  void choose()
+  {
+    int exponent = 0;
+    std::frexp(m_largest, &exponent);
+    m_factor = std::ldexp(1., (std::min)(58 - exponent, 1000));
+    m_is_exact = m_least * m_factor > (std::numeric_limits<double>::min)();
   }
 
   double m_largest = 0, m_least = (std::numeric_limits<double>::max)();
