@@ -5,9 +5,9 @@
 #ifndef CGAL_POINT_INSERTION_TRAITS_3_H
 #define CGAL_POINT_INSERTION_TRAITS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 namespace CGAL {
@@ -15,9 +15,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is what inserts points without a surface: a biased randomised insertion order, each point from the
-one before it, into a compact triangulation that is written into the user's at the end. Where that
-cannot serve, CGAL's own insertion does.
+is what inserts points without a surface: rounds of well-spaced points, each from one of an earlier
+round that is near, into a compact triangulation that is written into the user's at the end. Where
+that cannot serve, CGAL's own insertion does.
 
 Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions take.
 
@@ -25,8 +25,8 @@ Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions t
 */
 struct Point_insertion_traits_3
   : Surface_insertion_policies_3<Delaunay_from_surface_3::Full_graph,
-                                 Delaunay_from_surface_3::Geometric_rounds,
-                                 Delaunay_from_surface_3::Previous_hint_3>
+                                 Delaunay_from_surface_3::Spaced_rounds,
+                                 Delaunay_from_surface_3::Planned_hints_3>
 {
 };
 

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/plan/Spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
@@ -64,6 +65,9 @@ void check_nets_and_compact_kernel_apart(const Case& stock_case, unsigned int se
       Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>>(seed);
   stock_case
       .template check<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Planned_hints_3>>(
+          seed);
+  stock_case
+      .template check<Surface_insertion_policies_3<Full_graph, Spaced_rounds, Planned_hints_3>>(
           seed);
   stock_case
       .template check<Surface_insertion_policies_3<Full_graph, Log_star_rounds, Previous_hint_3>>(

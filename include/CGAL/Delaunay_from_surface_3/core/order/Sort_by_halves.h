@@ -26,13 +26,13 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 class Sort_by_halves
 {
+public:
   struct Item
   {
     double coordinates[3];
     std::size_t index;
   };
 
-public:
   // Sorts the indices [first, last) of points.
   void operator()(const Point_array& points, std::size_t* first, std::size_t* last)
   {
@@ -50,6 +50,9 @@ public:
     for (const Item& item : m_items)
       *first++ = item.index;
   }
+
+  // What was sorted last.
+  const std::vector<Item>& items() const { return m_items; }
 
 private:
   static constexpr std::ptrdiff_t few = 4; // are left as they are
