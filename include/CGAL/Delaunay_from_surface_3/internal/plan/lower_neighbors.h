@@ -6,7 +6,6 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERNAL_PLAN_LOWER_NEIGHBORS_H
 
 #include <CGAL/Delaunay_from_surface_3/core/order/lower_neighbors.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -35,20 +34,6 @@ Lists<std::uint32_t> lower_neighbors(const Graph& graph, VertexIndexMap index_ma
     numbered[0].emplace_back(Index(get(index_map, source(*e, graph))),
                              Index(get(index_map, target(*e, graph))));
   return lower_neighbors(numbered, n);
-}
-
-// The same for a graph that has them.
-inline Lists<std::uint32_t> lower_neighbors(const Lower_neighbor_graph& graph, Identity_index_map,
-                                            std::size_t)
-{
-  return graph.lists();
-}
-
-template <class FaceRange>
-Lists<std::uint32_t> lower_neighbors(const Graph_of_faces<FaceRange>& graph, Identity_index_map,
-                                     std::size_t)
-{
-  return graph.lists();
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
