@@ -81,7 +81,7 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
       watcher.phase_begins(Surface_insertion_phase::FINISH);
     }
   }
-  Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(*built, points);
+  Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(*built, points, executor);
   watcher.phase_begins(Surface_insertion_phase::DONE);
   return arrays;
 }
