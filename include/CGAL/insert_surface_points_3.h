@@ -112,8 +112,8 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
-  const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
-                                                                            Executor());
+  const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
+      points, faces, np, Executor(), least_points_for_core<SurfaceInsertionTraits>(tr, np));
   return insert_surface<Executor, internal_np::point_t>(tr, read.input(), traits, np);
 }
 
@@ -128,8 +128,8 @@ std::ptrdiff_t insert_surface_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Sld
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
-  const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
-                                                                            Executor());
+  const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
+      points, faces, np, Executor(), least_points_for_core<Surface_insertion_traits_3>(tr, np));
   return insert_surface<Executor, internal_np::point_t>(tr, read.input(),
                                                         Surface_insertion_traits_3(), np);
 }
