@@ -6,7 +6,9 @@
 #define CGAL_POINT_INSERTION_TRAITS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
@@ -15,9 +17,9 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is what inserts points without a surface: a biased randomised insertion order, each point from the
-one before it, into a compact triangulation that is written into the user's at the end. Where that
-cannot serve, CGAL's own insertion does.
+is what inserts points without a surface: rounds of well-spaced points, each from one of an earlier
+round that is near, into a compact triangulation that is written into the user's at the end. Where
+that cannot serve, CGAL's own insertion does.
 
 Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions take.
 
@@ -25,8 +27,8 @@ Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions t
 */
 struct Point_insertion_traits_3
   : Surface_insertion_policies_3<Delaunay_from_surface_3::Full_graph,
-                                 Delaunay_from_surface_3::Geometric_rounds,
-                                 Delaunay_from_surface_3::Previous_hint_3>
+                                 Delaunay_from_surface_3::Spaced_rounds,
+                                 Delaunay_from_surface_3::Planned_hints_3>
 {
 };
 

@@ -81,7 +81,7 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
       watcher.phase_begins(Surface_insertion_phase::FINISH);
     }
   }
-  Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(*built, points);
+  Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(*built, points, executor);
   watcher.phase_begins(Surface_insertion_phase::DONE);
   return arrays;
 }
@@ -153,7 +153,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
   using namespace Delaunay_from_surface_3::internal;
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
   Given_edges none;
-  const auto orders = order_of_core(order_of_arrays(Order_request::GEOMETRIC, np), none);
+  const auto orders = order_of_core(order_of_arrays(Order_request::SPACED, np), none);
   return insert_into_arrays<Index>(read, *orders, std::nullopt,
                                    typename Executor_of_tag<ConcurrencyTag>::type(), np);
 }

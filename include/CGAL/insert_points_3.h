@@ -233,8 +233,8 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   static_assert(Are_faces<FaceRange>::value, "behind the points come faces, ranges of indices, or "
                                              "named parameters");
   if constexpr (Are_faces<FaceRange>::value) {
-    const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
-                                                                              Executor());
+    const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
+        points, faces, np, Executor(), least_points_for_core<SurfaceInsertionTraits>(tr, np));
     return insert_surface<Executor, internal_np::point_t>(tr, read.input(), traits, np);
   } else {
     return 0;
@@ -255,8 +255,8 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   static_assert(Are_faces<FaceRange>::value, "behind the points come faces, ranges of indices, or "
                                              "named parameters");
   if constexpr (Are_faces<FaceRange>::value) {
-    const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(points, faces, np,
-                                                                              Executor());
+    const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
+        points, faces, np, Executor(), least_points_for_core<Surface_insertion_traits_3>(tr, np));
     return insert_surface<Executor, internal_np::point_t>(tr, read.input(),
                                                           Surface_insertion_traits_3(), np);
   } else {

@@ -8,6 +8,7 @@
 #define BOOST_TEST_MODULE test_driver
 #include <boost/test/included/unit_test.hpp>
 
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -139,7 +140,7 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
   Watch kept;
   Triangulation tr;
   CGAL::insert_points_3(tr, surface.points, surface.faces,
-                                CGAL::parameters::visitor(std::ref(kept)));
+                        CGAL::parameters::visitor(std::ref(kept)));
   BOOST_TEST(kept.orders_replaced == 0u);
   BOOST_TEST(kept.ends == 1u);
   BOOST_TEST(kept.plans == 1u);
@@ -149,17 +150,26 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
   Watch replaced;
   Triangulation again;
   BOOST_TEST(CGAL::insert_points_3(again, surface.points, surface.faces, Starved_traits(),
-                                           CGAL::parameters::visitor(std::ref(replaced))) == n);
+                                   CGAL::parameters::visitor(std::ref(replaced))) == n);
   BOOST_TEST((again == expected));
   BOOST_TEST(replaced.orders_replaced == 1u);
   BOOST_TEST(replaced.ends == 1u);
   BOOST_TEST(replaced.plans == 2u);
 
+  // Points alone have a budget too, which two lines exceed.
+  const std::vector<Point> lines = surfaces::two_lines(1000).points;
+  Watch exceeded;
+  Triangulation of_lines;
+  CGAL::insert_points_3(of_lines, lines, CGAL::parameters::visitor(std::ref(exceeded)));
+  BOOST_TEST((of_lines == Triangulation(lines.begin(), lines.end())));
+  BOOST_TEST(exceeded.orders_replaced == 1u);
+  BOOST_TEST(exceeded.ends == 1u);
+
   // CGAL's own insertion is not counted, and goes on.
   Watch not_counted;
   again.insert(Point(7, 7, 7));
   CGAL::insert_points_3(again, surface.points, surface.faces, Starved_traits(),
-                                CGAL::parameters::visitor(std::ref(not_counted)));
+                        CGAL::parameters::visitor(std::ref(not_counted)));
   BOOST_TEST(not_counted.orders_replaced == 0u);
   BOOST_TEST(not_counted.ends == 1u);
 }

@@ -2,16 +2,22 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Several threads make the same graph of a soup, and the same order, as one does.
+// Several threads make the same graph of a soup, the same order, and of the same cells the same arrays
+// as one does.
 
 #define BOOST_TEST_MODULE test_order_by_threads
 #include <boost/test/included/unit_test.hpp>
 
 #include "Thread_executor.h"
+#include "build_in_order.h"
+#include "check_arrays.h"
 #include "rounding_modes.h"
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+#include <Delaunay_from_surface_3_surfaces/sphere.h>
 
+#include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
@@ -19,6 +25,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <numeric>
 #include <random>
@@ -140,6 +147,40 @@ BOOST_AUTO_TEST_CASE(every_part_rounds_to_nearest)
     {
       BOOST_TEST(std::count(is_right.begin(), is_right.end(), true) == 4);
       BOOST_TEST(is_kept);
+    }
+  }
+}
+
+// The cells that one thread has built, of which some are dead, as arrays; of a sphere a third of them
+// are infinite, and of points that are there twice one has a vertex.
+BOOST_AUTO_TEST_CASE(arrays)
+{
+  using Index = std::int32_t;
+  for (const bool is_sphere : {false, true}) {
+    auto points =
+        (is_sphere ? surfaces::sphere(40000, 0) : surfaces::genus_surface(3, 40000, 0.05)).points;
+    for (std::size_t i = 0; i < 5000; ++i)
+      points.push_back(points[(7 * i) % points.size()]);
+    const auto coordinates = DFS::internal::rounded_coordinates(points);
+    DFS::internal::Given_points source({coordinates.data(), points.size()});
+    tests::Given_order order(DFS::internal::spaced_rounds(source.points()));
+    const auto arrays_by = [&](const DFS::internal::Executor& executor) {
+      DFS::internal::Watcher nobody;
+      const auto built = DFS::internal::build<std::uint32_t, DFS::internal::One_thread>(
+          source, order, {true, true}, nobody, executor);
+      BOOST_TEST_REQUIRE(built->cells_end > 3u * 65536); // so that threads have a part
+      return DFS::internal::arrays_of_built<Index>(*built, source, executor);
+    };
+    const CGAL::Delaunay_3_arrays<Index> alone = arrays_by(DFS::internal::Alone());
+    tests::arrays::check_arrays(alone, points);
+    const std::size_t size = alone.number_of_cells() * alone.stride();
+    for (const std::size_t number : {2, 5}) {
+      const auto same = arrays_by(tests::Thread_executor(number));
+      BOOST_TEST_REQUIRE(same.number_of_cells() == alone.number_of_cells());
+      BOOST_TEST(same.number_of_simplices() == alone.number_of_simplices());
+      BOOST_TEST(
+          std::equal(alone.vertices_data(), alone.vertices_data() + size, same.vertices_data()));
+      BOOST_TEST((same.vertices_of_points() == alone.vertices_of_points()));
     }
   }
 }

@@ -5,7 +5,8 @@
 // What the order of the default costs, in counts: on every family of surfaces it destroys few more
 // cells than plain CGAL's order does in the same kernel, and its starting places are not much worse
 // than the nearest neighbour on the surface that is already inserted. Walks are short where cells are
-// huge and thin, and where points fill a thin box. And what the budget allows.
+// huge and thin, and where points fill a thin box. That of points alone destroys fewer cells than
+// random rounds do. And what the budget allows.
 
 #define BOOST_TEST_MODULE test_order_costs
 #include <boost/test/included/unit_test.hpp>
@@ -17,12 +18,14 @@
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/is_order.h>
 #include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
@@ -30,7 +33,9 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -129,6 +134,22 @@ void check(const std::vector<tests::Order_case>& cases)
     }
 }
 
+// `most`: so many cells destroyed, in shares of what random rounds destroy.
+void check_spaced(const std::string& name, const std::vector<Point>& points, double most)
+{
+  const Index_graph no_graph(points.size());
+  const Cost rounds = cost(points, plan_of<DFS::Geometric_rounds>(points, no_graph));
+  const Cost spaced = cost(points, plan_of<DFS::Spaced_rounds>(points, no_graph));
+  BOOST_TEST_MESSAGE(name << ": cells destroyed per point: spaced rounds " << spaced.destroyed
+                          << ", random ones " << rounds.destroyed << "; tested to start "
+                          << spaced.tested_to_start << ", " << rounds.tested_to_start);
+  BOOST_TEST_CONTEXT(name)
+  {
+    BOOST_TEST(spaced.destroyed < most * rounds.destroyed);
+    BOOST_TEST(spaced.tested_to_start < 4.);
+  }
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(cad_solids)
@@ -148,8 +169,11 @@ BOOST_AUTO_TEST_CASE(walks_on_a_smooth_torus)
   const Index_graph graph = graph_of(surface);
   const Cost nets = cost(surface.points, plan_of<DFS::Surface_net_rounds>(surface.points, graph));
   const Cost rounds = cost(surface.points, plan_of<DFS::Geometric_rounds>(surface.points, graph));
+  const Cost spaced = cost(surface.points, plan_of<DFS::Spaced_rounds>(surface.points, graph));
   BOOST_TEST_MESSAGE("tested to start: nets " << nets.tested_to_start << ", random rounds "
-                                              << rounds.tested_to_start);
+                                              << rounds.tested_to_start << ", spaced ones "
+                                              << spaced.tested_to_start);
+  BOOST_TEST(spaced.tested_to_start < 4.);
   BOOST_TEST(nets.tested_to_start < 6.);
   BOOST_TEST(rounds.tested_to_start < 6.);
 }
@@ -166,10 +190,69 @@ BOOST_AUTO_TEST_CASE(walks_of_points_in_thin_boxes)
       }
       const Index_graph no_graph(points.size());
       const Cost rounds = cost(points, plan_of<DFS::Geometric_rounds>(points, no_graph));
+      const Cost spaced = cost(points, plan_of<DFS::Spaced_rounds>(points, no_graph));
       BOOST_TEST_MESSAGE((is_flat ? "slab 1 : 1 : " : "box 1 : a : a, a = ")
-                         << a << ": tested to start " << rounds.tested_to_start);
+                         << a << ": tested to start: random rounds " << rounds.tested_to_start
+                         << ", spaced ones " << spaced.tested_to_start);
       BOOST_TEST(rounds.tested_to_start < 4.);
+      BOOST_TEST(spaced.tested_to_start < 3.);
+      BOOST_TEST(spaced.destroyed < 18.);
     }
+}
+
+BOOST_AUTO_TEST_CASE(spaced_rounds_destroy_less_than_random_ones)
+{
+  surfaces::Random random(5);
+  std::vector<Point> cube, cluster;
+  for (int i = 0; i < 20000; ++i) {
+    const double x = random.uniform(0, 1), y = random.uniform(0, 1), z = random.uniform(0, 1);
+    cube.emplace_back(x, y, z);
+    // Plummer's sphere: dense in the middle.
+    const double mass = random.uniform(1e-4, .999), up = random.uniform(-1, 1);
+    const double turn = random.uniform(0, 6.28), r = 1 / std::sqrt(std::pow(mass, -2. / 3) - 1);
+    const double across = r * std::sqrt(1 - up * up);
+    cluster.emplace_back(across * std::cos(turn), across * std::sin(turn), r * up);
+  }
+  check_spaced("cube", cube, .9);
+  check_spaced("cluster", cluster, .95);
+  check_spaced("sphere with noise", surfaces::sphere(12000, 0.01, 13).points, .95);
+  check_spaced("genus 3", surfaces::genus_surface(3, 12000, 0.05, 13).points, .95);
+  check_spaced("winding torus", surfaces::winding_torus(46368).points, 1);
+  check_spaced("tube", surfaces::round_tube(12000).points, .95);
+  for (const surfaces::Cad_family& family : surfaces::cad_families())
+    check_spaced(family.name, family.make(12000, 12, surfaces::Numbering::BY_PROFILE).points, .98);
+}
+
+// Where distances do not tell, every second point is a centre.
+BOOST_AUTO_TEST_CASE(spaced_rounds_of_points_whose_distances_do_not_tell)
+{
+  const double huge = 1e300, tiny = 1e-300;
+  for (const double unit : {0., tiny, huge}) {
+    std::vector<Point> points;
+    for (int i = 0; i < 1000; ++i)
+      points.emplace_back(unit * (i % 10), unit * (i / 10 % 10), unit * (i / 100));
+    const auto order = plan_of<DFS::Spaced_rounds>(points, Index_graph(points.size()));
+    BOOST_TEST(DFS::internal::is_order(order, points.size()));
+    BOOST_TEST(order.round_ends == (std::vector<std::size_t>{63, 125, 250, 500, 1000}),
+               boost::test_tools::per_element());
+  }
+}
+
+// Many points are sorted in parts, where a sample tells enough: not of few different ones.
+BOOST_AUTO_TEST_CASE(sorting_of_many_points_that_are_equal)
+{
+  for (const int different : {1, 2, 3, 70, 5000}) {
+    std::vector<Point> points;
+    for (int i = 0; i < 20000; ++i) {
+      const int k = i % 3 == 0 ? 0 : i % different;
+      points.emplace_back(k % 17, k / 17 % 17, k / 289);
+    }
+    const auto order = plan_of<DFS::Spaced_rounds>(points, Index_graph(points.size()));
+    BOOST_TEST(DFS::internal::is_order(order, points.size()));
+    const double tested = different < 4 ? 0 : cost(points, order).tested_to_start;
+    BOOST_TEST_MESSAGE(different << " different points: tested to start " << tested);
+    BOOST_TEST(tested < 4.);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_the_budget_allows)

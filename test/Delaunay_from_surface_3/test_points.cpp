@@ -10,6 +10,7 @@
 #include "Watching_visitor.h"
 
 #include <CGAL/Delaunay_from_surface_3/vertex_info.h>
+#include <CGAL/Random.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/property_map.h>
@@ -19,11 +20,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <list>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using namespace tests::input;
@@ -114,6 +118,51 @@ BOOST_AUTO_TEST_CASE(ranges_of_points)
   Triangulation tr;
   BOOST_TEST(CGAL::insert_points_3(tr, std::vector<Point>()) == 0);
   BOOST_TEST(tr.number_of_vertices() == 0u);
+}
+
+// CGAL inserts fewer than thirty where nobody can tell. All forms, with faces, points that are equal
+// or all in a plane, infos and vertices handed over; a wrong face is refused.
+BOOST_AUTO_TEST_CASE(few_points)
+{
+  CGAL::Random random(7);
+  for (std::size_t n = 0; n < 40; ++n)
+    for (const bool is_flat : {false, true}) {
+      std::vector<Point> points;
+      for (std::size_t i = 0; i < n; ++i)
+        if (i % 5 == 4)
+          points.push_back(points[i / 2]);
+        else
+          points.emplace_back(random.get_int(-4, 5) * .5,
+                              i % 4 == 0 ? random.get_int(-1, 2) * 0. : double(i % 4),
+                              is_flat ? 1 : random.get_int(-4, 5));
+      std::vector<std::array<std::size_t, 3>> faces;
+      for (std::size_t i = 0; i + 2 < n; ++i)
+        faces.push_back({{i, i + 1, i + 2}});
+      const Triangulation stock(points.begin(), points.end());
+      const auto check = [&](const auto& insert) {
+        With_info tr;
+        std::vector<With_info::Vertex_handle> vertices(n);
+        std::vector<int> infos(n);
+        std::iota(infos.begin(), infos.end(), 0);
+        const auto np = DFS::vertex_info_range(infos).vertex_to_vertex_output_iterator(
+            [&](std::size_t i, With_info::Vertex_handle v) { vertices[i] = v; });
+        BOOST_TEST(insert(tr, np) == std::ptrdiff_t(stock.number_of_vertices()));
+        BOOST_TEST(tr.is_valid());
+        check_infos(tr, points);
+        for (std::size_t i = 0; i < n; ++i)
+          BOOST_TEST((vertices[i]->point() == points[i]));
+        BOOST_TEST((Triangulation(tr.points_begin(), tr.points_end()) == stock));
+        BOOST_TEST(tr.number_of_cells() == stock.number_of_cells());
+      };
+      check([&](With_info& tr, const auto& np) { return CGAL::insert_points_3(tr, points, np); });
+      check([&](With_info& tr, const auto& np) {
+        return CGAL::insert_points_3(tr, points, faces, np);
+      });
+      faces.push_back({{0, 1, n}});
+      Triangulation tr;
+      BOOST_CHECK_THROW(CGAL::insert_points_3(tr, points, faces), CGAL::Surface_input_error);
+      BOOST_TEST(tr.number_of_vertices() == 0u);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(smallest_index_gives_point_and_info)

@@ -24,6 +24,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
@@ -193,6 +194,7 @@ BOOST_AUTO_TEST_CASE(plans_are_permutations_with_increasing_rounds)
   check_plan<DFS::Log_star_rounds>();
   check_plan<DFS::Random_log_star_rounds>();
   check_plan<DFS::Geometric_rounds>();
+  check_plan<DFS::Spaced_rounds>();
   check_plan<DFS::Spatial_sort_order>();
   check_plan<DFS::Hilbert_sorted_rounds<DFS::Log_star_rounds>>();
   check_plan<DFS::Hilbert_sorted_rounds<DFS::Geometric_rounds>>();
@@ -208,6 +210,8 @@ BOOST_AUTO_TEST_CASE(seeds_draw_the_order)
               order_by(DFS::Random_log_star_rounds(2), points).order));
   BOOST_TEST((order_by(DFS::Geometric_rounds(1), points).order !=
               order_by(DFS::Geometric_rounds(2), points).order));
+  BOOST_TEST((order_by(DFS::Spaced_rounds(1), points).order ==
+              order_by(DFS::Spaced_rounds(2), points).order));
   BOOST_TEST((order_by(DFS::Spatial_sort_order(1), points).order ==
               order_by(DFS::Spatial_sort_order(2), points).order));
 }

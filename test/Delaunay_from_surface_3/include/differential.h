@@ -18,6 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
@@ -64,6 +65,9 @@ void check_nets_and_compact_kernel_apart(const Case& stock_case, unsigned int se
       Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>>(seed);
   stock_case
       .template check<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Planned_hints_3>>(
+          seed);
+  stock_case
+      .template check<Surface_insertion_policies_3<Full_graph, Spaced_rounds, Planned_hints_3>>(
           seed);
   stock_case
       .template check<Surface_insertion_policies_3<Full_graph, Log_star_rounds, Previous_hint_3>>(

@@ -139,7 +139,8 @@ inline std::vector<Method> all_methods()
           "geometric-started", "rounds that grow geometrically, neighbour inserted last before"),
       surface_method<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Neighbor_hints_3>>(
           "geometric-neighbor", "rounds that grow geometrically, nearest inserted neighbour"),
-      surface_method<By_cgal<Point_insertion_traits_3>>(
+      surface_method<
+          By_cgal<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Previous_hint_3>>>(
           "geometric-previous", "rounds that grow geometrically, point inserted before"),
       surface_method<
           Surface_insertion_policies_3<Bounded_degree_subgraph, Geometric_rounds, Traced_hints_3>>(

@@ -12,7 +12,9 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/flat_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/partition_cells.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
@@ -30,65 +32,90 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // By vertex: the smallest index of its points.
 template <class Index, class Id>
-std::vector<Index> names_of_vertices(const Built<Id>& built)
+std::vector<Index> names_of_vertices(const Built<Id>& built, const Executor& executor)
 {
   std::vector<Index> names(built.number_of_places + 1, Index(-1));
-  for (std::size_t k = 0; k < built.order.size; ++k) {
-    const Index point = Index(built.order.order[k]);
-    Index& name = names[built.vertex_of[k]];
-    name = name == Index(-1) ? point : (std::min)(name, point);
-  }
+  const std::size_t n = built.order.size, blocks = number_of_blocks(executor, n, 4096);
+  std::vector<std::vector<std::size_t>> others(blocks); // whose vertex is that of another point
+  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
+    for (std::size_t k = first; k < last; ++k)
+      if (std::size_t(built.vertex_of[k]) == Compact_numbers<Id>::vertex_of_point(k))
+        names[k + 1] = Index(built.order.order[k]);
+      else
+        others[b].push_back(k);
+  });
+  for (const std::vector<std::size_t>& places : others)
+    for (const std::size_t k : places) {
+      Index& name = names[built.vertex_of[k]];
+      name = (std::min)(name, Index(built.order.order[k]));
+    }
   return names; // that of the infinite vertex, 0, and of an apex is -1
 }
 
 // By point: the name of its vertex.
 template <class Index, class Id>
-std::vector<Index> vertices_of_points(const Built<Id>& built, const std::vector<Index>& names)
+std::vector<Index> vertices_of_points(const Built<Id>& built, const std::vector<Index>& names,
+                                      const Executor& executor)
 {
-  std::vector<Index> vertices(built.order.size);
-  for (std::size_t k = 0; k < built.order.size; ++k)
-    vertices[built.order.order[k]] = names[built.vertex_of[k]];
+  const std::size_t n = built.order.size;
+  std::vector<Index> vertices(n);
+  for_each_block(executor, n, number_of_blocks(executor, n, 4096),
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t k = first; k < last; ++k)
+                     vertices[built.order.order[k]] = names[built.vertex_of[k]];
+                 });
   return vertices;
 }
 
 // The arrays of points in a plane: the triangles at the apex.
 template <class Index, class Id>
-Delaunay_3_arrays<Index> arrays_at_apex(const Built<Id>& built)
+Delaunay_3_arrays<Index> arrays_at_apex(const Built<Id>& built, const Executor& executor)
 {
   using Arrays = Delaunay_3_arrays<Index>;
-  const std::vector<Index> names = names_of_vertices<Index>(built);
+  const std::vector<Index> names = names_of_vertices<Index>(built, executor);
   typename Arrays::Entries rows;
   const auto [finite, all] = triangles_at(built, names, rows);
-  return Arrays(2, finite, all, std::move(rows), vertices_of_points(built, names));
+  return Arrays(2, finite, all, std::move(rows), vertices_of_points(built, names, executor));
+}
+
+// Vertices get these names, and links become the numbers of neighbours.
+template <class Index, class Id>
+void rename_vertices(Compact_cell<Id>* first, Compact_cell<Id>* last,
+                     const std::vector<Index>& names)
+{
+  for (Compact_cell<Id>* cell = first; cell != last; ++cell)
+    for (std::size_t k = 0; k < 4; ++k) {
+      cell->v[k] = Id(names[cell->v[k]]);
+      cell->links[k] >>= 2;
+    }
 }
 
 // The arrays of points in space. Vertices become indices of points, and links the numbers of
 // neighbours; the memory of the cells is kept.
 template <class Index, class Id>
-Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built)
+Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built, const Executor& executor)
 {
   using Arrays = Delaunay_3_arrays<Index>;
   built.give_up_vertices();
-  const Numbers_of_cells numbers = partition_cells(built.cells, built.cells_end);
-  const std::vector<Index> names = names_of_vertices<Index>(built);
-  for (std::size_t c = 0; c < numbers.all; ++c)
-    for (std::size_t k = 0; k < 4; ++k) {
-      Compact_cell<Id>& cell = built.cells[c];
-      cell.v[k] = Id(names[cell.v[k]]);
-      cell.links[k] >>= 2;
-    }
+  const Numbers_of_cells numbers = partition_cells(built.cells, built.cells_end, executor);
+  const std::vector<Index> names = names_of_vertices<Index>(built, executor);
+  for_each_block(executor, numbers.all, number_of_blocks(executor, numbers.all, 65536),
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   rename_vertices(built.cells + first, built.cells + last, names);
+                 });
   std::size_t capacity = 0;
   Compact_cell<Id>* const cells = built.take_cells(capacity);
   return Arrays(3, numbers.finite, numbers.all,
                 typename Arrays::Entries(Page_array<Compact_cell<Id>>(cells, capacity)),
-                vertices_of_points(built, names));
+                vertices_of_points(built, names, executor));
 }
 
 // What was built of the points, with an apex if they lie in a plane; empty after a stop. Throws a
-// std::length_error if the cells are more than an Index can number. Linear.
+// std::length_error if the cells are more than an Index can number. Linear, by as many threads as the
+// executor has.
 template <class Index>
 Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& built,
-                                         Point_source& source)
+                                         Point_source& source, const Executor& executor = Alone())
 {
   switch (built.outcome) {
   case Insertion_outcome::TOO_FEW_IDS:
@@ -100,7 +127,8 @@ Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& bui
     });
   }
   case Insertion_outcome::COMPLETE:
-    return built.has_apex ? arrays_at_apex<Index>(built) : arrays_in_space<Index>(built);
+    return built.has_apex ? arrays_at_apex<Index>(built, executor)
+                          : arrays_in_space<Index>(built, executor);
   default:
     return {};
   }

@@ -8,14 +8,18 @@
 // Puts the cells in place: the finite ones first, then the infinite ones, and none that is dead.
 //
 // A link names the facet of the neighbour, too. So a cell can be moved at any time: the four links
-// that lead back to it are known, and no table from old to new numbers is needed. Linear, O(1)
-// memory.
+// that lead back to it are known, and no table from old to new numbers is needed. Several threads
+// look for the cells that may have to move, the dead and the infinite ones, which are few where the
+// points are those of a surface or fill a volume; one moves them. Linear.
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -48,21 +52,39 @@ void swap_cells(Compact_cell<Id>* cells, Id a, Id b)
   link_back(cells, b);
 }
 
+// Those of the cells 0, …, n - 1 for which `is` holds, in ascending order.
+template <class Id, class Is>
+std::vector<Id> cells_that(const Compact_cell<Id>* cells, std::size_t n, const Is& is,
+                           const Executor& executor)
+{
+  const std::size_t blocks = number_of_blocks(executor, n, 65536);
+  std::vector<std::vector<Id>> found(blocks);
+  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
+    for (std::size_t c = first; c < last; ++c)
+      if (is(cells[c]))
+        found[b].push_back(Id(c));
+  });
+  for (std::size_t b = 1; b < blocks; ++b)
+    found[0].insert(found[0].end(), found[b].begin(), found[b].end());
+  return std::move(found[0]);
+}
+
 // Moves the last living cells to the places of dead ones. Returns the number of cells.
 template <class Id>
-std::size_t close_gaps(Compact_cell<Id>* cells, std::size_t end)
+std::size_t close_gaps(Compact_cell<Id>* cells, std::size_t end, const Executor& executor)
 {
   using Numbers = Compact_numbers<Id>;
-  for (std::size_t c = 0; c < end; ++c) {
-    while (c < end && Numbers::is_dead(cells[c])) {
-      --end;
-      if (c < end && !Numbers::is_dead(cells[end])) {
-        cells[c] = cells[end];
-        link_back(cells, Id(c));
-      }
+  const std::vector<Id> dead = cells_that(
+      cells, end, [](const auto& c) { return Numbers::is_dead(c); }, executor);
+  const std::size_t all = end - dead.size();
+  auto gap = dead.begin();
+  for (std::size_t c = all; c < end; ++c)
+    if (!Numbers::is_dead(cells[c])) {
+      const Id to = *gap++;
+      cells[to] = cells[c];
+      link_back(cells, to);
     }
-  }
-  return end;
+  return all;
 }
 
 struct Numbers_of_cells
@@ -72,20 +94,22 @@ struct Numbers_of_cells
 
 // The vertices' cells are not kept up to date.
 template <class Id>
-Numbers_of_cells partition_cells(Compact_cell<Id>* cells, std::size_t end)
+Numbers_of_cells partition_cells(Compact_cell<Id>* cells, std::size_t end, const Executor& executor)
 {
   using Numbers = Compact_numbers<Id>;
-  const std::size_t all = close_gaps(cells, end);
-  std::size_t finite = 0, infinite = all;
-  while (true) {
-    while (finite < infinite && !Numbers::is_infinite(cells[finite]))
-      ++finite;
-    while (finite < infinite && Numbers::is_infinite(cells[infinite - 1]))
-      --infinite;
-    if (finite == infinite)
-      return {finite, all};
-    swap_cells(cells, Id(finite), Id(infinite - 1));
+  const std::size_t all = close_gaps(cells, end, executor);
+  const std::vector<Id> infinite = cells_that(
+      cells, all, [](const auto& c) { return Numbers::is_infinite(c); }, executor);
+  const std::size_t finite = all - infinite.size();
+  std::size_t place = finite;
+  for (const Id c : infinite) {
+    if (c >= finite)
+      break;
+    while (Numbers::is_infinite(cells[place]))
+      ++place;
+    swap_cells(cells, c, Id(place++));
   }
+  return {finite, all};
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

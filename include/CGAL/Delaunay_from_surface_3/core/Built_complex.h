@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -34,9 +35,10 @@ public:
   }
 
   // The complex of the points in the order, and its first four.
-  void start(const Point_array& points, const double* apex, Watcher& watcher)
+  void start(const Point_array& points, const double* apex, Watcher& watcher,
+             const Executor& executor)
   {
-    m_points = Ordered_complex<Id>(points, this->order, apex, watcher);
+    m_points = Ordered_complex<Id>(points, this->order, apex, watcher, executor);
     this->has_apex = apex != nullptr;
     show();
   }

@@ -37,8 +37,8 @@ struct Request
   bool uses_starting_places;
 };
 
-// The order that the core makes itself: by nets of the edges, within a budget, and then by random
-// rounds; or by these at once. Keeps a reference.
+// The order that the core makes itself: by nets of the edges or in spaced rounds, within a budget, and
+// then by random rounds; or by these at once. Keeps a reference.
 std::unique_ptr<Order_source> order_of_core(const Order_request& request, Edge_source& edges);
 
 // The Delaunay triangulation of the points, whose coordinates are finite. The numbers in it are places

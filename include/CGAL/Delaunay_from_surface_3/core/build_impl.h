@@ -72,11 +72,11 @@ void begin_to_build(Built_complex<Id>& built, Point_source& source, Order_source
     built.order.starting_places = nullptr;
   watcher.phase_begins(Phase::SUBGRAPH);
   if (simplex.dimension == 3) {
-    built.start(points, nullptr, watcher);
+    built.start(points, nullptr, watcher, executor);
   } else if (simplex.dimension == 2 && request.adds_apex) {
     const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
                                     points[simplex.points[2]]);
-    built.start(points, apex.data(), watcher);
+    built.start(points, apex.data(), watcher, executor);
   }
   if (built.has_started())
     source.give_up();

@@ -14,6 +14,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -44,11 +45,11 @@ template <class Triangulation, class PointRange, class FaceRange, class NamedPar
 class Read_soup
 {
 public:
-  // Keeps a reference to the faces.
+  // Keeps a reference to the faces. Of fewer points than `least` the edges are not used.
   Read_soup(const PointRange& points, const FaceRange& faces, const NamedParameters& np,
-            const Executor& executor)
+            const Executor& executor, std::size_t least)
     : m_items(points, np)
-    , m_soup(is_looked_at(m_items.points())
+    , m_soup(m_items.points().size() >= least && is_looked_at(m_items.points())
                  ? soup_graph(faces, m_items.points().size(), executor)
                  : soup_graph_without_edges(faces, m_items.points().size()))
     , m_graph(std::move(m_soup.graph), faces)

@@ -8,10 +8,11 @@
 // Writes the cells into an empty triangulation through the public interface of its data structure.
 //
 // Cells are made in ascending order, each linked with those made before it, so that a compact cell
-// is read once and its memory can go back to the system while CGAL's grows. Linear.
+// is read once and its memory can take a handle, or go back to the system while CGAL's grows. Linear.
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
+#include <CGAL/Delaunay_from_surface_3/door/Cells_made.h>
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -69,46 +70,50 @@ class Export_block
 {
   using Cell_handle = typename Tds::Cell_handle;
   using Numbers = Compact_numbers<Id>;
+  using Made = Cells_made<Tds, Id>;
+  using Block = typename Made::Block;
 
 public:
   // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
   // ones they are cannot be predicted. One to a later block is kept, for both its ends.
   template <class Vertex>
   void make(typename Tds::Cell_range& range, Built<Id>& built, const std::vector<Vertex>& vertices,
-            Large_vector<Cell_handle>& cells, Cell_handle scratch, std::size_t first,
-            std::size_t last)
+            Block cells, Cell_handle scratch, std::size_t first, std::size_t last)
   {
+    // Before this cell there are handles to keep.
+    const std::size_t kept = first + Made::cells_overwritten(last - first);
     for_each_portion(first, last, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
+        const Compact_cell<Id> cell = built.cells[c];
+        const std::size_t own = c - first;
+        cells.set(own, scratch);
         fetch_ahead(built, cells, c, first, last);
-        const Compact_cell<Id>& cell = built.cells[c];
         if (Numbers::is_dead(cell))
           continue;
         const Cell_handle made = range.emplace(vertices[cell.v[0]], vertices[cell.v[1]],
                                                vertices[cell.v[2]], vertices[cell.v[3]]);
-        cells[c] = made;
         for (int i = 0; i < 4; ++i) {
           const Id link = cell.links[i];
-          const bool is_here = std::size_t(link >> 2) - first < last - first;
-          const Cell_handle neighbor = is_here ? cells[link >> 2] : scratch;
+          const Cell_handle neighbor = cells[place_or(link, first, own)];
           made->set_neighbor(i, neighbor);
           neighbor->set_neighbor(int(link & 3), made);
           if (std::size_t(link >> 2) >= last)
             m_links_out.push_back({Numbers::link(Id(c), unsigned(i)), link});
         }
+        cells.set(own, made);
       }
-      built.release_cells(begin, end);
+      if (end > kept)
+        built.release_cells((std::max)(begin, kept), end);
     });
   }
 
   // When all blocks have made their cells: the part-th of so many parts.
-  void set_links_out(const Large_vector<Cell_handle>& cells, std::size_t part,
-                     std::size_t parts) const
+  void set_links_out(const Made& cells, std::size_t part, std::size_t parts) const
   {
     const std::size_t n = m_links_out.size(), last = n * (part + 1) / parts;
     for (std::size_t k = n * part / parts; k < last; ++k) {
       const Link_out& ahead = m_links_out[(std::min)(k + prefetch_distance, last - 1)];
-      prefetch(&cells[ahead.there >> 2]);
+      prefetch(cells.address(ahead.there >> 2));
       const Link_out& near = m_links_out[(std::min)(k + near_prefetch_distance, last - 1)];
       prefetch(&*cells[near.there >> 2]);
       const Link_out& out = m_links_out[k];
@@ -124,42 +129,44 @@ private:
     Id here, there;
   };
 
+  // The place in its block of the cell that a link leads to; the place given if that cell is of a
+  // block before or not made yet.
+  static std::size_t place_or(Id link, std::size_t first, std::size_t own)
+  {
+    return (std::min)(std::size_t(link >> 2) - first, own);
+  }
+
   // So many cells ahead handles, and then what they lead to, are fetched. The distances were chosen
   // by trial; no measurement of them is kept.
-  static void fetch_ahead(const Built<Id>& built, const Large_vector<Cell_handle>& cells,
-                          std::size_t c, std::size_t first, std::size_t last)
+  static void fetch_ahead(const Built<Id>& built, const Block& cells, std::size_t c,
+                          std::size_t first, std::size_t last)
   {
     constexpr std::size_t handles_ahead = 24, cells_ahead = 8;
     for (const Id link : built.cells[(std::min)(c + handles_ahead, last - 1)].links)
-      prefetch(&cells[link >> 2]);
+      prefetch(cells.address(place_or(link, first, c - first)));
     for (const Id link : built.cells[(std::min)(c + cells_ahead, last - 1)].links)
-      if (std::size_t(link >> 2) - first < last - first) // others write theirs
-        prefetch(&*cells[link >> 2]);
+      prefetch(&*cells[place_or(link, first, c - first)]);
   }
 
   std::vector<Link_out> m_links_out;
 };
 
-// The cells alone. Returns their handles by cell.
+// The cells alone. Returns their handles by cell, which lie in the memory of the compact cells.
 template <class Tds, class Id, class Vertex>
-Large_vector<typename Tds::Cell_handle>
-export_cells(Tds& tds, Built<Id>& built, const std::vector<Vertex>& vertices,
-             typename Tds::Cell_handle scratch, const Executor& executor)
+Cells_made<Tds, Id> export_cells(Tds& tds, Built<Id>& built, const std::vector<Vertex>& vertices,
+                                 typename Tds::Cell_handle scratch, const Executor& executor)
 {
   using Range = typename Tds::Cell_range;
-  Large_vector<typename Tds::Cell_handle> cells(built.cells_end, scratch);
-  const std::size_t number = blocks_of_export<Range>(executor, cells.size());
+  const std::size_t n = built.cells_end, number = blocks_of_export<Range>(executor, n);
+  const Cells_made<Tds, Id> cells(built, n / number + 1);
   std::vector<Range> ranges(number);
   std::vector<Export_block<Tds, Id>> blocks(number);
   ranges[0].swap(tds.cells());
-  for_each_block(
-      executor, cells.size(), number, [&](std::size_t first, std::size_t last, std::size_t b) {
-        const auto own = b == 0 ? scratch : ranges[b].emplace();
-        std::fill(cells.begin() + std::ptrdiff_t(first), cells.begin() + std::ptrdiff_t(last), own);
-        blocks[b].make(ranges[b], built, vertices, cells, own, first, last);
-        ranges[b].erase(own);
-      });
-  built.give_up_cells();
+  for_each_block(executor, n, number, [&](std::size_t first, std::size_t last, std::size_t b) {
+    const auto own = b == 0 ? scratch : ranges[b].emplace();
+    blocks[b].make(ranges[b], built, vertices, cells.block(first), own, first, last);
+    ranges[b].erase(own);
+  });
   for_each_block(executor, number, number, [&](std::size_t, std::size_t, std::size_t part) {
     for (const auto& block : blocks)
       block.set_links_out(cells, part, number);
@@ -241,6 +248,7 @@ export_complex(Triangulation& tr, Built<Id>& built, const PointOf& point, const 
                      if (vertices[v] != Vertex_handle())
                        vertices[v]->set_cell(cells[cell_of[v]]);
                  });
+  built.give_up_cells();
   return vertices;
 }
 

@@ -6,7 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_INSERT_SURFACE_H
 
 // The door into a triangulation, which all functions that insert share: it reads the parameters,
-// builds aside what is empty, through the core or as the paper does, and hands the vertices over.
+// builds aside what is empty, through the core, as the paper does, or by CGAL if that are few points,
+// and hands the vertices over.
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/door/build_aside.h>
 #include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/door/give_to_vertices.h>
+#include <CGAL/Delaunay_from_surface_3/door/insert_few_points.h>
 #include <CGAL/Delaunay_from_surface_3/door/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insert_with_traces.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
@@ -28,6 +30,7 @@
 #include <cstddef>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,6 +68,20 @@ constexpr bool goes_through_core()
     return Traits::through_core;
   else
     return false;
+}
+
+// Fewer points than that are inserted by CGAL at once, where nobody can tell: a plan of the caller's
+// could, and a visitor; and CGAL chooses the order of the vertices itself.
+template <class Traits, class Triangulation, class NamedParameters>
+std::size_t least_points_for_core(const Triangulation& tr, const NamedParameters& np)
+{
+  if constexpr (goes_through_core<Traits>() && !is_given<NamedParameters, internal_np::visitor_t>) {
+    using Plan = std::decay_t<decltype(std::declval<const Traits&>().insertion_plan_object(0u))>;
+    if (Is_plan_of_core<Plan>::value && tr.number_of_vertices() == 0)
+      return order_options(np).creates_in_input_order ? 0 : few_points;
+  }
+  (void)tr, (void)np;
+  return 0;
 }
 
 // Hands the vertices over, by point. A vertex of several points gets that of the first.
@@ -114,16 +131,20 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
   Triangulation& into = aside ? *aside : tr;
   Inserted_points<typename Triangulation::Vertex_handle> inserted;
   if constexpr (goes_through_core<Traits>()) {
-    // One thread if a visitor is asked about each point, in their order.
-    using Executor = std::conditional_t<accepts_points<Visitor, Point>(), Alone, ExecutorOfCall>;
-    using Way = Way_through_core<Traits, Triangulation, Input, decltype(watcher)>;
-    const Executor executor{};
-    Way way(into, input, traits, options, watcher, executor);
-    if constexpr (serves_geom_traits<Triangulation>())
-      if (way.is_open())
-        way.take(*build<typename Way::Id, typename Crew<Executor>::type>(
-            way.points(), way.orders(), way.request(), watcher, executor));
-    inserted = way.finish();
+    if (input.points.size() < least_points_for_core<Traits>(tr, np)) {
+      inserted = insert_few_points(into, input.points);
+    } else {
+      // One thread if a visitor is asked about each point, in their order.
+      using Executor = std::conditional_t<accepts_points<Visitor, Point>(), Alone, ExecutorOfCall>;
+      using Way = Way_through_core<Traits, Triangulation, Input, decltype(watcher)>;
+      const Executor executor{};
+      Way way(into, input, traits, options, watcher, executor);
+      if constexpr (serves_geom_traits<Triangulation>())
+        if (way.is_open())
+          way.take(*build<typename Way::Id, typename Crew<Executor>::type>(
+              way.points(), way.orders(), way.request(), watcher, executor));
+      inserted = way.finish();
+    }
   } else {
     if (options.creates_in_input_order)
       refuse_input_order("that needs traits that go through the core");

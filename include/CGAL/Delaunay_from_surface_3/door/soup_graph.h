@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -53,42 +52,64 @@ constexpr bool has_random_access =
                             std::declval<const Range&>()))>::iterator_category,
                         std::random_access_iterator_tag>::value;
 
-// Of so many faces, from this one on.
-template <class Iterator>
-std::size_t count_sides(Iterator it, std::size_t number)
+// Calls side(s, t) for each side of a face that joins two points.
+template <class IndexRange, class Side>
+void for_each_side(const IndexRange& face, std::ptrdiff_t size, const Side& side)
 {
-  std::size_t sides = 0;
-  for (; number > 0; --number, ++it) {
-    const auto& face = *it;
-    sides += std::size_t(std::distance(std::begin(face), std::end(face)));
+  if (size == 0)
+    return;
+  auto s = std::uint32_t(*std::next(std::begin(face), size - 1));
+  for (const auto& index : face) {
+    const auto t = std::uint32_t(index);
+    if (s != t)
+      side(s, t);
+    s = t;
   }
-  return sides;
 }
 
-// Appends the sides of the faces with numbers first, …, last - 1, of which `it` is the first: every
-// edge as often as there are faces that have it. Returns how many faces are not triangles.
-template <class Iterator>
-std::size_t append_sides(Iterator it, std::size_t first, std::size_t last,
-                         std::size_t number_of_points, Large_vector<Numbered_edge>& sides)
+// What is found in faces on the way.
+struct Face_counts
 {
-  using Index = std::uint32_t;
-  std::size_t non_triangles = 0;
+  std::size_t sides = 0, non_triangles = 0;
+};
+
+// Counts the sides of the faces with numbers first, …, last - 1, of which `it` is the first, in
+// numbers[larger end]: every edge as often as there are faces that have it.
+template <class Iterator>
+Face_counts count_sides(Iterator it, std::size_t first, std::size_t last,
+                        std::size_t number_of_points, std::uint32_t* numbers)
+{
+  Face_counts counts;
   for (std::size_t f = first; f < last; ++f, ++it) {
     const auto& face = *it;
     check_face(face, f, number_of_points);
-    const auto k = std::distance(std::begin(face), std::end(face));
-    non_triangles += k != 3;
-    if (k == 0)
-      continue;
-    auto s = Index(*std::next(std::begin(face), k - 1));
-    for (const auto& index : face) {
-      const auto t = Index(index);
-      if (s != t)
-        sides.emplace_back(s, t);
-      s = t;
+    const auto size = std::distance(std::begin(face), std::end(face));
+    counts.sides += std::size_t(size);
+    counts.non_triangles += size != 3;
+    for_each_side(face, size,
+                  [&](std::uint32_t s, std::uint32_t t) { ++numbers[(std::max)(s, t)]; });
+  }
+  return counts;
+}
+
+// Puts the smaller ends of the same sides to where the places of the larger ones say. Some hundreds
+// of sides are read first, so that it is known before which memory they lead to.
+template <class Iterator>
+void place_sides(Iterator it, std::size_t number, std::uint32_t* places, std::uint32_t* items)
+{
+  constexpr std::size_t many = 512;
+  Large_vector<Numbered_edge> sides;
+  sides.reserve(many + 16);
+  for (; number > 0; --number, ++it) {
+    const auto& face = *it;
+    for_each_side(face, std::distance(std::begin(face), std::end(face)),
+                  [&](std::uint32_t s, std::uint32_t t) { sides.emplace_back(s, t); });
+    if (sides.size() >= many) {
+      place_items(Edges_as_items(sides), places, items);
+      sides.clear();
     }
   }
-  return non_triangles;
+  place_items(Edges_as_items(sides), places, items);
 }
 
 // What one thread keeps of the lists first, …, last - 1: the items begin, …, end - 1.
@@ -177,30 +198,32 @@ Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points,
   const auto begin = std::begin(faces);
   const auto n = std::size_t(std::distance(begin, std::end(faces)));
   const std::size_t blocks = has_random_access<FaceRange> ? number_of_blocks(executor, n, 4096) : 1;
-  std::vector<std::size_t> numbers(blocks), non_triangles(blocks);
-  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
-    numbers[b] = count_sides(std::next(begin, std::ptrdiff_t(first)), last - first);
-  });
-  const std::size_t number_of_sides =
-      std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
-  if ((std::max)(number_of_points, number_of_sides) >= (std::numeric_limits<Index>::max)())
-    return {Lower_neighbor_graph(number_of_points), std::nullopt};
+  const auto face = [&](std::size_t f) { return std::next(begin, std::ptrdiff_t(f)); };
+  const auto first = [&](std::size_t b) { return n * b / blocks; };
+  const std::size_t too_many = (std::numeric_limits<Index>::max)();
+  if (number_of_points >= too_many)
+    return soup_graph_without_edges(faces, number_of_points);
 
-  std::vector<Large_vector<Numbered_edge>> sides(blocks);
-  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
-    sides[b].reserve(numbers[b]);
-    non_triangles[b] = append_sides(std::next(begin, std::ptrdiff_t(first)), first, last,
-                                    number_of_points, sides[b]);
+  Sort_into_lists<Index> sort(number_of_points, blocks, executor);
+  std::vector<Face_counts> counts(blocks);
+  sort.count([&](std::size_t b, Index* numbers) {
+    counts[b] = count_sides(face(first(b)), first(b), first(b + 1), number_of_points, numbers);
   });
-  Lists<Index> lists = lower_neighbors(sides, number_of_points, executor);
-  sides.clear();
-  const std::size_t polygons =
-      std::accumulate(non_triangles.begin(), non_triangles.end(), std::size_t(0));
+  Face_counts all;
+  for (const Face_counts& c : counts) {
+    all.sides += c.sides;
+    all.non_triangles += c.non_triangles;
+  }
+  if (all.sides >= too_many)
+    return {Lower_neighbor_graph(number_of_points), std::nullopt};
+  Lists<Index> lists = sort.place([&](std::size_t b, Index* places, Index* items) {
+    place_sides(face(first(b)), first(b + 1) - first(b), places, items);
+  });
   const std::size_t non_manifold_edges = keep_one_of_each(lists, executor);
 
   Soup_graph soup = {Lower_neighbor_graph(std::move(lists)), std::nullopt};
-  if (polygons + non_manifold_edges > 0)
-    soup.irregularity = "faces that are not triangles: " + std::to_string(polygons) +
+  if (all.non_triangles + non_manifold_edges > 0)
+    soup.irregularity = "faces that are not triangles: " + std::to_string(all.non_triangles) +
                         ", edges with more than two faces: " + std::to_string(non_manifold_edges);
   return soup;
 }

@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_EDGES_OF_GRAPH_H
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Edge_source.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/lower_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -35,11 +37,15 @@ public:
 
   Lists_view<std::uint32_t> edges() override
   {
-    constexpr std::size_t too_many = (std::numeric_limits<std::uint32_t>::max)();
-    const std::size_t m = std::size_t(num_edges(m_graph));
-    if (m_lower.first.empty() && m > 0 && (std::max)(m_number_of_vertices, m) < too_many)
-      m_lower = lower_neighbors(m_graph, m_index_map, m_number_of_vertices);
-    return m_lower;
+    if constexpr (std::is_base_of<Lower_neighbor_graph, Graph>::value) {
+      return m_graph.lists(); // which stay the caller's
+    } else {
+      constexpr std::size_t too_many = (std::numeric_limits<std::uint32_t>::max)();
+      const std::size_t m = std::size_t(num_edges(m_graph));
+      if (m_lower.first.empty() && m > 0 && (std::max)(m_number_of_vertices, m) < too_many)
+        m_lower = lower_neighbors(m_graph, m_index_map, m_number_of_vertices);
+      return m_lower;
+    }
   }
   void give_up() override { m_lower = Lists<std::uint32_t>(); }
 

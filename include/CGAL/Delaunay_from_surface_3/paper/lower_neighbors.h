@@ -37,20 +37,6 @@ Lists<std::uint32_t> lower_neighbors(const Graph& graph, VertexIndexMap index_ma
   return lower_neighbors(numbered, n);
 }
 
-// The same for a graph that has them.
-inline Lists<std::uint32_t> lower_neighbors(const Lower_neighbor_graph& graph, Identity_index_map,
-                                            std::size_t)
-{
-  return graph.lists();
-}
-
-template <class FaceRange>
-Lists<std::uint32_t> lower_neighbors(const Graph_of_faces<FaceRange>& graph, Identity_index_map,
-                                     std::size_t)
-{
-  return graph.lists();
-}
-
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3

@@ -111,37 +111,77 @@ std::size_t numbers_to_places(std::size_t n, const std::vector<Index*>& blocks,
   return begin[ranges];
 }
 
-// Puts the items of all blocks into n lists: a counting sort, which keeps their order. Every block
-// is the work of one thread, which has n numbers of its own.
+// Puts items that come in blocks into n lists: a counting sort, which keeps their order. Every block is
+// the work of one thread, which has n numbers of its own.
+template <class Index>
+class Sort_into_lists
+{
+public:
+  // Keeps a reference to the executor.
+  Sort_into_lists(std::size_t n, std::size_t blocks, const Executor& executor)
+    : m_executor(executor)
+    , m_numbers(blocks - 1)
+    , m_places(blocks)
+  {
+    m_lists.first.assign(n + 1, 0);
+    m_places.back() = m_lists.first.data() + 1; // where its lists end in the end
+  }
+
+  // Before anything is placed: count(b, numbers) adds 1 to numbers[list] for each item of block b.
+  template <class Count>
+  void count(const Count& count)
+  {
+    for_each_block(m_executor, m_places.size(), m_places.size(),
+                   [&](std::size_t, std::size_t, std::size_t b) {
+                     if (b < m_numbers.size()) {
+                       m_numbers[b].assign(m_lists.size(), 0);
+                       m_places[b] = m_numbers[b].data();
+                     }
+                     count(b, m_places[b]);
+                   });
+  }
+
+  // place(b, places, items) puts each item of block b, in order, to items[places[list]++].
+  template <class Place>
+  Lists<Index> place(const Place& place)
+  {
+    m_lists.items.resize(numbers_to_places(m_lists.size(), m_places, m_executor));
+    for_each_block(m_executor, m_places.size(), m_places.size(),
+                   [&](std::size_t, std::size_t, std::size_t b) {
+                     place(b, m_places[b], m_lists.items.data());
+                   });
+    return std::move(m_lists);
+  }
+
+private:
+  const Executor& m_executor;
+  Lists<Index> m_lists;
+  std::vector<Large_vector<Index>> m_numbers;
+  std::vector<Index*> m_places;
+};
+
+// Puts the items of a block to where the places say that their lists go on.
+template <class Index, class Items>
+void place_items(const Items& items, Index* places, Index* all)
+{
+  for (std::size_t k = 0, m = items.size(); k < m; ++k) {
+    prefetch(all + places[items.list((std::min)(k + prefetch_distance, m - 1))]);
+    all[places[items.list(k)]++] = items.item(k);
+  }
+}
+
+// All items of these blocks.
 template <class Index, class Items>
 Lists<Index> in_lists(std::size_t n, const std::vector<Items>& blocks,
                       const Executor& executor = Alone())
 {
-  Lists<Index> lists;
-  lists.first.assign(n + 1, 0);
-  std::vector<Large_vector<Index>> numbers(blocks.size() - 1);
-  std::vector<Index*> places(blocks.size());
-  places.back() = lists.first.data() + 1; // where its lists end in the end
-  for_each_block(executor, blocks.size(), blocks.size(),
-                 [&](std::size_t, std::size_t, std::size_t b) {
-                   if (b < numbers.size()) {
-                     numbers[b].assign(n, 0);
-                     places[b] = numbers[b].data();
-                   }
-                   for (std::size_t k = 0; k < blocks[b].size(); ++k)
-                     ++places[b][blocks[b].list(k)];
-                 });
-  lists.items.resize(numbers_to_places(n, places, executor));
-  for_each_block(executor, blocks.size(), blocks.size(),
-                 [&](std::size_t, std::size_t, std::size_t b) {
-                   const Items& block = blocks[b];
-                   Index *const items = lists.items.data(), *const place = places[b];
-                   for (std::size_t k = 0, m = block.size(); k < m; ++k) {
-                     prefetch(items + place[block.list((std::min)(k + prefetch_distance, m - 1))]);
-                     items[place[block.list(k)]++] = block.item(k);
-                   }
-                 });
-  return lists;
+  Sort_into_lists<Index> sort(n, blocks.size(), executor);
+  sort.count([&](std::size_t b, Index* numbers) {
+    for (std::size_t k = 0; k < blocks[b].size(); ++k)
+      ++numbers[blocks[b].list(k)];
+  });
+  return sort.place(
+      [&](std::size_t b, Index* places, Index* items) { place_items(blocks[b], places, items); });
 }
 
 // The same for items in one piece, which is cut into blocks where there are many.

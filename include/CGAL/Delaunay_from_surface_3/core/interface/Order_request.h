@@ -27,8 +27,9 @@ struct Order_request
   // The default: nets.
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Order_request() {}
 
-  // By nets of their graph, as Surface_net_rounds; or by random rounds, as Geometric_rounds.
-  enum Kind { NETS, GEOMETRIC } kind = NETS;
+  // By nets of their graph, as Surface_net_rounds; without a graph, as Spaced_rounds; or by random
+  // rounds, as Geometric_rounds, which take the place of the others when a budget is exceeded.
+  enum Kind { NETS, SPACED, GEOMETRIC } kind = NETS;
 
   unsigned int seed = 0;
 

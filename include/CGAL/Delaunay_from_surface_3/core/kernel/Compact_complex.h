@@ -17,7 +17,9 @@
 
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
@@ -53,19 +55,22 @@ public:
   // Without vertices.
   Compact_complex() = default;
 
-  // The vertices of n points, in no cell yet; coordinates(i) returns those of the i-th.
+  // The vertices of n points, in no cell yet; coordinates(i) returns those of the i-th, to any thread.
   template <class Coordinates>
-  Compact_complex(std::size_t n, const Coordinates& coordinates)
+  Compact_complex(std::size_t n, const Coordinates& coordinates, const Executor& executor = Alone())
     : m_number_of_vertices(n + 1)
   {
     if (m_number_of_vertices > max_vertices)
       throw Too_few_ids(std::numeric_limits<Id>::digits);
     m_vertices.allocate(m_number_of_vertices);
     m_vertices[infinite] = Vertex();
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::array<double, 3> p = coordinates(i);
-      m_vertices[vertex_of_point(i)] = {{p[0], p[1], p[2]}, 0, 0};
-    }
+    for_each_block(executor, n, number_of_blocks(executor, n, 4096),
+                   [&](std::size_t first, std::size_t last, std::size_t) {
+                     for (std::size_t i = first; i < last; ++i) {
+                       const std::array<double, 3> p = coordinates(i);
+                       m_vertices[vertex_of_point(i)] = {{p[0], p[1], p[2]}, 0, 0};
+                     }
+                   });
   }
 
   // One more vertex, in no cell yet; and back, if it is in none still. Vertices may move.

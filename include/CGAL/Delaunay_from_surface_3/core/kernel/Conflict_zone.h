@@ -44,7 +44,7 @@ struct Conflict_zone
   std::vector<Id> free_cells; // dead, and in no zone
   Insertion_counts counts;
 
-  Conflict_zone() { make_room(256); }
+  Conflict_zone() { make_room(64); }
 
   // For a zone of n cells, which has at most 2 n + 2 facets; four of either can be written beyond.
   // Both arrays grow together: has_room() is asked at every cell, and looks at one number.

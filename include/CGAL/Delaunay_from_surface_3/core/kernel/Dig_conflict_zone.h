@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
@@ -44,7 +45,7 @@ struct Dig_conflict_zone
       if (!zone.has_room(zone.number_of_cells + 4)) {
         if (!explore.is_still_true(complex.cells(), k))
           return false;
-        zone.make_room(2 * zone.room());
+        grow(zone);
       }
       if (k + 1 < zone.number_of_cells)
         for (const Id& link : complex.cell(zone.cells[k + 1]).links)
@@ -61,6 +62,12 @@ struct Dig_conflict_zone
   }
 
 private:
+  template <class Zone>
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART static void grow(Zone& zone)
+  {
+    zone.make_room(2 * zone.room());
+  }
+
   // Tests the neighbours of a cell in conflict.
   template <class Id, class Predicates, class Zone>
   static void look_around(Compact_complex<Id>& complex, Predicates& predicates, Zone& zone, Id p,
@@ -80,9 +87,9 @@ private:
 
   // Of the neighbours that the filter left undecided, those in conflict.
   template <class Id, class Predicates>
-  static unsigned undecided_conflicts(const Compact_complex<Id>& complex, Predicates& predicates,
-                                      const Compact_cell<Id>& cell, unsigned undecided, Id p,
-                                      Explore& explore)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART static unsigned
+  undecided_conflicts(const Compact_complex<Id>& complex, Predicates& predicates,
+                      const Compact_cell<Id>& cell, unsigned undecided, Id p, Explore& explore)
   {
     using Complex = Compact_complex<Id>;
     unsigned inside = 0;

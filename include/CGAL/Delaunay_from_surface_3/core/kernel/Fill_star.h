@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -79,7 +80,7 @@ public:
   static constexpr std::size_t max_table_facets = 2 * side - 4;
 
   explicit Fill_star(Write write = Write())
-    : m_table(side * side)
+    : m_table(new Id[side * side]) // what is read of it was written for the same star
     , m_write(std::move(write))
   {
   }
@@ -110,7 +111,7 @@ private:
   template <std::size_t Side>
   void fill_by_table(Complex& complex, Zone& zone, Id p)
   {
-    Id* const table = m_table.data();
+    Id* const table = m_table.get();
     make_cells(complex, zone, p, [table](Id a, Id b, Id d, Id c) {
       table[b * Side + d] = Complex::link(c, 1);
       table[d * Side + a] = Complex::link(c, 2);
@@ -209,7 +210,7 @@ private:
     m_edges.swap(m_sorted);
   }
 
-  std::vector<Id> m_table;
+  std::unique_ptr<Id[]> m_table;
   Write m_write;
   Id m_base = 1;
   std::vector<Edge> m_edges, m_sorted;

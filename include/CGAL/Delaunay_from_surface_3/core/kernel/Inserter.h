@@ -86,10 +86,11 @@ public:
   // The zone of p, from a cell in conflict with it; false if somebody was in the way.
   bool dig(Id p, Id cell)
   {
-    return with_explorer([&](auto explorer) {
-      return Dig_conflict_zone<decltype(explorer)&>()(m_complex, m_predicates, zone, p, cell,
-                                                      explorer);
-    });
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+    if (m_is_wide)
+      return dig_in_vectors(p, cell);
+#endif
+    return dig<typename Access::Explore>(p, cell);
   }
 
   // Does all that the dig read still hold?
@@ -109,6 +110,20 @@ public:
   typename Access::Zone zone; // of the vertex dug for last
 
 private:
+  template <class Explorer>
+  bool dig(Id p, Id cell)
+  {
+    Explorer explorer = m_access.template explore<Explorer>(zone);
+    return Dig_conflict_zone<Explorer&>()(m_complex, m_predicates, zone, p, cell, explorer);
+  }
+
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALL_IN_VECTORS bool dig_in_vectors(Id p, Id cell)
+  {
+    return dig<typename Access::Wide_explore>(p, cell);
+  }
+#endif
+
   template <class F>
   bool with_explorer(const F& f)
   {

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Starting_cells.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/first_accepted_points.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -38,11 +39,11 @@ struct Ordered_complex
 
   Ordered_complex() = default;
 
-  // Of these points, in an order that is kept elsewhere; if there is an apex, of that one too, at the place behind the last. Four of them
-  // that do not lie in one plane are inserted. The watcher is asked about the first ones if it leaves
-  // points out.
+  // Of these points, in an order that is kept elsewhere; if there is an apex, of that one too, at the
+  // place behind the last. Four of them that do not lie in one plane are inserted. The watcher is
+  // asked about the first ones if it leaves points out.
   Ordered_complex(const Point_array& points, const Order_view& by, const double* apex,
-                  Watcher& watcher)
+                  Watcher& watcher, const Executor& executor = Alone())
     : order(by)
     , vertex_of(order.size + (apex != nullptr), 0)
   {
@@ -50,7 +51,8 @@ struct Ordered_complex
     const auto point = [&](std::size_t k) {
       return k < order.size ? points[order.order[k]] : apex;
     };
-    complex = Complex(vertex_of.size(), [&](std::size_t k) { return scaled(point(k)); });
+    complex = Complex(
+        vertex_of.size(), [&](std::size_t k) { return scaled(point(k)); }, executor);
     CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(std::all_of(
         complex.vertices(), complex.vertices() + complex.vertices_end(), [](const auto& v) {
           return std::all_of(v.coordinates, v.coordinates + 3,

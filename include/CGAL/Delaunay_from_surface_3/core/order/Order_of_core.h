@@ -23,7 +23,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The order that the core makes itself: by nets of the edges, within a budget; then by random rounds.
+// The order that the core makes itself: by nets of the edges or in spaced rounds, within a budget; then
+// by random rounds.
 class Order_of_core final : public Order_source
 {
 public:
@@ -41,12 +42,12 @@ public:
   }
   std::size_t cells_per_point() const override
   {
-    return m_request.kind == Order_request::NETS ? cells_per_point_of_nets : any_number;
+    return m_request.kind != Order_request::GEOMETRIC ? cells_per_point_of_nets : any_number;
   }
   bool go_on() override
   {
     m_order = Insertion_order(); // before there is another
-    return std::exchange(m_request.kind, Order_request::GEOMETRIC) == Order_request::NETS;
+    return std::exchange(m_request.kind, Order_request::GEOMETRIC) != Order_request::GEOMETRIC;
   }
 
 private:

@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/is_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -24,17 +25,19 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The order that is asked for. Where there are no edges, and where points are too many for numbers of
+// The order that is asked for. Where nets have no edges, and where points are too many for numbers of
 // 32 bits, rounds are random.
 inline Insertion_order order_of_points(const Point_array& points, Edge_source& edges,
                                        const Order_request& request, const Executor& executor)
 {
-  const bool has_nets = request.kind == Order_request::NETS &&
-                        points.size() < (std::numeric_limits<std::uint32_t>::max)() &&
-                        edges.edges().number_of_items > 0;
+  const bool are_few = points.size() < (std::numeric_limits<std::uint32_t>::max)();
+  const bool has_nets =
+      request.kind == Order_request::NETS && are_few && edges.edges().number_of_items > 0;
   Insertion_order order =
       has_nets ? surface_net_rounds(points, edges, request, executor)
-               : geometric_rounds(points, request.seed, request.ratio, request.first_round);
+      : request.kind == Order_request::SPACED && are_few
+          ? spaced_rounds(points)
+          : geometric_rounds(points, request.seed, request.ratio, request.first_round);
   CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(is_order(order, points.size()));
   return order;
 }

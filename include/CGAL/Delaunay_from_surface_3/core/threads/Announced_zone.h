@@ -30,7 +30,7 @@ struct Announced_zone : Conflict_zone<Id>
   std::vector<Id> words;        // the first vertices of the zone's cells, which tell their versions
   std::vector<Id> outside_words; // the same of the cells beyond the facets
 
-  Announced_zone() { make_room(256); }
+  Announced_zone() { make_room(64); }
 
   // Hides that of the base, of which it keeps the promises.
   void make_room(std::size_t n)

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPACED_ROUNDS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPACED_ROUNDS_H
+
+// Rounds of well-spaced points, without a surface. The points are sorted once, by halves. Along that
+// order a point is a centre unless one of the last few centres is near; the others are the last round.
+// The centres among the centres stay for the rounds before the one before, and so on. A point that is
+// crowded has a small Voronoi cell: it destroys few cells if it comes late. It starts at the centre
+// that was near.
+//
+// How near is near, the points tell themselves: a share of the diagonals of the boxes of eight points
+// each that follow each other, so that nothing depends on the scale, nor on random numbers.
+//
+// Cost: one sort, and linear time after it.
+
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Of points that are sorted, each named by its position.
+class Spaced_centers
+{
+public:
+  using Position = std::uint32_t;
+  using Items = std::vector<Sort_by_halves::Item>;
+
+  explicit Spaced_centers(const Items& items)
+    : m_items(items)
+    , m_left(items.size())
+  {
+    std::iota(m_left.begin(), m_left.end(), Position(0));
+    level.resize(items.size());
+    center = m_left;
+    sizes.push_back(items.size());
+    while (m_left.size() > coarsest) {
+      thin_out();
+      for (const Position i : m_left)
+        ++level[i];
+      sizes.push_back(m_left.size());
+    }
+  }
+
+  std::vector<unsigned char> level; // how often a point was a centre: seldom a hundred times
+  std::vector<Position> center;     // which was near when it was none; the point itself if none was
+  std::vector<std::size_t> sizes;   // of each level: so many points have it or a higher one
+
+private:
+  static constexpr std::size_t coarsest = 64, group = 8, window = 6;
+  static constexpr double spacing = 0.35;
+
+  double squared_distance(const double* p, const double* q) const
+  {
+    const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+    return x * x + y * y + z * z;
+  }
+
+  // Of the box of the group of points that begins there.
+  double squared_diagonal(std::size_t first) const
+  {
+    double low[3], high[3];
+    std::copy(coordinates(first), coordinates(first) + 3, low);
+    std::copy(low, low + 3, high);
+    for (std::size_t k = first + 1; k < (std::min)(first + group, m_left.size()); ++k)
+      for (int i = 0; i < 3; ++i) {
+        low[i] = (std::min)(low[i], coordinates(k)[i]);
+        high[i] = (std::max)(high[i], coordinates(k)[i]);
+      }
+    return squared_distance(low, high);
+  }
+
+  // Leaves the centres of those left, seven eighths of them at most.
+  void thin_out()
+  {
+    const std::size_t n = m_left.size();
+    std::size_t m = 0;
+    double before = squared_diagonal(0), here = before, after = before;
+    for (std::size_t first = 0; first < n; first += group) {
+      before = here;
+      here = after;
+      if (first + group < n)
+        after = squared_diagonal(first + group);
+      const double near = spacing * spacing * (before + here + after) / 3;
+      for (std::size_t k = first; k < (std::min)(first + group, n); ++k)
+        m = keep_or_give_to_center(m_left[k], m, near);
+    }
+    if (m > n - n / 8)
+      m = every_second(m);
+    m_left.resize(m);
+  }
+
+  // After m centres. Returns how many there are then.
+  std::size_t keep_or_give_to_center(Position i, std::size_t m, double near)
+  {
+    const std::size_t oldest = m > window ? m - window : 0;
+    for (std::size_t c = m; c > oldest; --c)
+      if (squared_distance(coordinates(c - 1), m_items[i].coordinates) < near) {
+        center[i] = m_left[c - 1];
+        return m;
+      }
+    m_left[m] = i;
+    return m + 1;
+  }
+
+  // Distances do not tell: of m points every second one is a centre, of the next.
+  std::size_t every_second(std::size_t m)
+  {
+    for (std::size_t k = 1; k < m; k += 2)
+      center[m_left[k]] = m_left[k - 1];
+    for (std::size_t k = 0; k < m; k += 2)
+      m_left[k / 2] = m_left[k];
+    return (m + 1) / 2;
+  }
+
+  const double* coordinates(std::size_t k) const { return m_items[m_left[k]].coordinates; }
+
+  const Items& m_items;
+  std::vector<Position> m_left; // ascending
+};
+
+// Of fewer than 2^32 points.
+inline Insertion_order spaced_rounds(const Point_array& points)
+{
+  const std::size_t n = points.size();
+  Insertion_order result;
+  if (n == 0)
+    return result;
+  result.order.resize(n);
+  std::iota(result.order.begin(), result.order.end(), std::size_t(0));
+  Sort_by_halves sort;
+  sort(points, result.order.data(), result.order.data() + n);
+  const Spaced_centers centers(sort.items());
+  const std::vector<std::size_t>& sizes = centers.sizes;
+  result.round_ends.assign(sizes.rbegin(), sizes.rend());
+  std::vector<std::size_t> next(sizes.begin() + 1, sizes.end()); // places, by level
+  next.push_back(0);
+  std::vector<Spaced_centers::Position> places(n); // by position
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t place = next[centers.level[i]]++;
+    places[i] = static_cast<Spaced_centers::Position>(place);
+    result.order[place] = sort.items()[i].index;
+  }
+  result.starting_places.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t place = places[i], of_center = places[centers.center[i]];
+    result.starting_places[place] = of_center != place ? of_center : place - (place > 0);
+  }
+  return result;
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPACED_ROUNDS_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SPACED_ROUNDS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SPACED_ROUNDS_H
+
+// The public face of core/order/spaced_rounds.h.
+
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/rounded_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Plans
+
+makes rounds of well-spaced points, where there is no surface. The points are sorted once by halves,
+as `Geometric_rounds` sorts a round. Along that order a point is a centre unless one of the last six
+centres is nearer than .35 of the diagonal (in the root mean square of three) of the boxes of eight
+successive points; the others are the last round. The same with the centres gives the round before,
+and so on, until a few dozen are left; where fewer than an eighth of the points are near a centre,
+every second point is one. Each point starts at its centre
+(`Insertion_order::starting_places`).
+
+Points that come late are crowded ones, which destroy few cells. That is measured on surfaces and in
+volumes, and no bound is proved: there is a budget.
+
+\f$O(n \log n)\f$ for n points.
+
+\cgalModels{InsertionPlan}
+*/
+class Spaced_rounds
+{
+public:
+  /// the budget (`InsertionPlan::cells_per_point`).
+  static constexpr std::size_t cells_per_point = internal::cells_per_point_of_nets;
+
+  /// makes the plan. The seed is for `fallback_plan()`: this order has no random numbers.
+  explicit Spaced_rounds(unsigned int seed = 0)
+    : m_seed(seed)
+  {
+  }
+
+  /// returns order, rounds and starting places of `points`. The graph is not looked at.
+  template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
+  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&, const Graph&,
+                             VertexIndexMap) const
+  {
+    const auto coordinates = internal::rounded_coordinates(points);
+    const internal::Point_array array(coordinates.data(), points.size());
+    internal::Given_edges none;
+    return internal::copy_of(
+        internal::order_of_core(order_request(), none)->make(array, internal::Alone()));
+  }
+
+  /// returns the plan that serves when the budget is exceeded: the bound of \cgalCite{acr-icbr-03}
+  /// holds for it.
+  Geometric_rounds fallback_plan() const { return Geometric_rounds(m_seed); }
+
+  /// \cond
+  using Plan_of_core = Spaced_rounds;
+
+  internal::Order_request order_request() const
+  {
+    internal::Order_request request;
+    request.kind = internal::Order_request::SPACED;
+    request.seed = m_seed;
+    return request;
+  }
+  /// \endcond
+
+private:
+  unsigned int m_seed;
+};
+
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SPACED_ROUNDS_H
