@@ -13,6 +13,7 @@ import threading
 import time
 import typing
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -135,6 +136,37 @@ class Results(unittest.TestCase):
         self.assertTrue(dfs.delaunay3(random_points(50)).simplices.flags.c_contiguous)
         self.assertIsNone(dfs.delaunay3(random_points(50)).neighbors)
 
+    def test_threads(self):
+        points, faces = torus()
+        grid = np.stack(np.meshgrid(*3 * [np.arange(20.)]), axis=-1).reshape(-1, 3)
+        for points, faces in ((random_points(20000), None), (np.vstack([grid, grid[::3]]), None), (points, faces),
+                              (points[:2], None), (points[:0], None), (points * [1, 1, 0], faces)):
+            one = dfs.delaunay3(points, faces)
+            for threads in (2, 5, None, 1000):
+                many = dfs.delaunay3(points, faces, neighbors=True, threads=threads)
+                self.assertEqual(cell_set(many.simplices), cell_set(one.simplices))
+                self.assertTrue((many.vertices == one.vertices).all())
+                self.assertEqual(many.dimension, one.dimension)
+                if many.dimension > 0:
+                    self.check_neighbors(many)
+
+    def test_positive_orientation(self):
+        """Promised, and decided by exact arithmetic."""
+        grid = np.stack(np.meshgrid(*3 * [np.arange(5)]), axis=-1).reshape(-1, 3) * .1
+        for points in (grid, random_points(500).astype(np.float32), random_points(500) * 1e-160):
+            for threads in (1, 2):
+                result = dfs.delaunay3(points, threads=threads)
+                exact = [[Fraction(float(x)) for x in p] for p in points]
+                for s in result.simplices[:2000].tolist():
+                    a, b, c, d = (exact[v] for v in s)
+                    (x, y, z), (u, v, w), (p, q, r) = ([t - o for t, o in zip(corner, a)] for corner in (b, c, d))
+                    self.assertGreater(x * (v * r - w * q) - y * (u * r - w * p) + z * (u * q - v * p), 0)
+
+    def test_nothing(self):
+        for nothing in ([], (), np.zeros(0), np.zeros((0, 3)), np.zeros(0, dtype=np.float32)):
+            result = dfs.delaunay3(nothing)
+            self.assertEqual((result.dimension, result.simplices.shape, result.vertices.shape), (-1, (0, 1), (0,)))
+
     def test_seeds(self):
         points = random_points(500)
         one, other, again = (dfs.delaunay3(points, seed=s).simplices for s in (1, 2, 1))
@@ -159,7 +191,7 @@ class Refusals(unittest.TestCase):
                        list(np.ma.masked_array(points, mask=points > 0.5))):
             self.refuses(ValueError, "points: a masked array is not read", masked)
         points[7, 1] = np.nan
-        self.refuses(ValueError, "vertex 7: its y coordinate is not a finite number", points)
+        self.refuses(ValueError, "^points: point 7: its y coordinate is not a finite number$", points)
 
     def test_faces(self):
         points = random_points(20)
@@ -183,6 +215,10 @@ class Refusals(unittest.TestCase):
                 function(masked)
 
     def test_arguments(self):
+        for threads in (0, -1):
+            self.refuses(ValueError, f"threads: expected a whole number from 1 on, or None for all, got {threads}",
+                         random_points(5), threads=threads)
+        self.refuses(TypeError, "", random_points(5), threads=1.5)
         for seed in (-1, 2 ** 32):
             self.refuses(ValueError, "seed: expected a whole number from 0 to 4294967295", random_points(5), seed=seed)
         self.refuses(TypeError, "", random_points(5), seed="one")
@@ -218,13 +254,73 @@ class Control(unittest.TestCase):
             dfs.delaunay3(random_points(20000), progress=7)
 
     def test_interrupt(self):
-        begin = time.monotonic()
-        killer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-        with self.assertRaises(KeyboardInterrupt):
-            killer.start()
-            while time.monotonic() < begin + 60:
-                dfs.delaunay3(random_points(200000))
-        self.assertLess(time.monotonic(), begin + 30)
+        for threads in (1, 3):
+            begin = time.monotonic()
+            killer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+            with self.assertRaises(KeyboardInterrupt):
+                killer.start()
+                while time.monotonic() < begin + 60:
+                    dfs.delaunay3(random_points(200000), threads=threads)
+            self.assertLess(time.monotonic(), begin + 30)
+
+    def test_many_threads(self):
+        """Progress, stops and exceptions come to the thread that has called, and the others have ended by then."""
+        shares = []
+        dfs.delaunay3(random_points(400000), progress=shares.append, threads=3)
+        self.assertEqual(shares, sorted(shares))
+        self.assertEqual((shares[0], shares[-1]), (0., 1.))
+        with self.assertRaises(dfs.Stopped):
+            dfs.delaunay3(random_points(400000), progress=lambda share: share < .1, threads=3)
+
+        def fail(share):
+            if share > .1:
+                raise LookupError("in the user's function")
+        with self.assertRaisesRegex(LookupError, "in the user's function"):
+            dfs.delaunay3(random_points(400000), progress=fail, threads=3)
+
+    def test_array_that_changes(self):
+        """What another thread writes meanwhile is read or not, and never makes the module fail."""
+        points, faces = random_points(30000), np.random.default_rng(3).integers(0, 30000, (60000, 3))
+        for threads in (1, 2):
+            done = threading.Event()
+
+            def spoil():
+                rng = np.random.default_rng(4)
+                while not done.wait(1e-4):
+                    points[rng.integers(0, len(points), 100)] = rng.choice([np.nan, 1e300, 0, -5], (100, 3))
+                    faces[rng.integers(0, len(faces), 100)] = rng.integers(-2 ** 40, 2 ** 40)
+                    points[:], faces[:] = random_points(30000), rng.integers(0, 30000, (60000, 3))
+            thread = threading.Thread(target=spoil)
+            thread.start()
+            try:
+                for _ in range(8):
+                    try:
+                        dfs.delaunay3(points, faces, threads=threads)
+                    except ValueError as error:
+                        self.assertRegex(str(error), "is not a finite number|is not one of the 30000 points|too large")
+            finally:
+                done.set()
+                thread.join()
+
+    def test_no_leak(self):
+        """Of calls that return and calls that fail, on either way out."""
+        points, spoilt = random_points(60), np.full((60, 3), np.nan)
+
+        def call(times):
+            for i in range(times):
+                dfs.delaunay3(points, [[0, 1, 2]] if i % 2 else None, neighbors=i % 3 == 0)
+                for wrong in ({"points": spoilt}, {"points": points, "faces": [[0, 1, 60]]},
+                              {"points": points, "progress": lambda share: 1 / 0}):
+                    try:
+                        dfs.delaunay3(**wrong)
+                    except (ValueError, ZeroDivisionError):
+                        pass
+            return int(Path("/proc/self/statm").read_text().split()[1])
+        if not Path("/proc/self/statm").exists():
+            self.skipTest("memory is measured on Linux only")
+        call(500)
+        before = call(500)
+        self.assertLess(call(2500) - before, 256)  # pages of 4096 bytes
 
     def test_interrupt_between_few_points(self):
         shares = []
@@ -267,9 +363,9 @@ class Surfaces(unittest.TestCase):
     def test_components_and_refusals(self):
         triangle = [[0, 1, 2]]
         component, = dfs.surface_topology(triangle, 5)
-        self.assertEqual(component, (3, 3, 1, 1, 1, 0, 3))
+        self.assertEqual(component, (3, 3, 1, 1, 1, 0, 3, True))
         self.assertEqual(dfs.surface_topology([]), [])
-        with self.assertRaisesRegex(ValueError, "faces: they are not a consistently oriented manifold"):
+        with self.assertRaisesRegex(ValueError, r"edge \(0, 1\) is in more than two faces"):
             dfs.subgraph([[0, 1, 2], [0, 1, 3], [0, 1, 4]])
         with self.assertRaisesRegex(ValueError, "faces: face 0: the index 2 is not one of a vertex"):
             dfs.subgraph(triangle, 2)
@@ -278,9 +374,9 @@ class Surfaces(unittest.TestCase):
 
 
 class Module(unittest.TestCase):
-    def test_no_gmp(self):
-        self.assertFalse(core.uses_gmp)
-        self.assertNotIn(b"libgmp", Path(core.__file__).read_bytes())
+    def test_needs_no_other_library(self):
+        for library in (b"libgmp", b"libmpfr", b"libtbb", b"libboost"):
+            self.assertNotIn(library, Path(core.__file__).read_bytes())
 
     def test_documentation(self):
         self.assertEqual(doctest.testmod(dfs).failed, 0)

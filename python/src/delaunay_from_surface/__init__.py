@@ -16,6 +16,7 @@ points make it faster; they never change the result.
 from __future__ import annotations
 
 import operator
+import os
 from typing import Callable, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
@@ -56,16 +57,20 @@ class SurfaceComponent(NamedTuple):
     """The number of handles."""
     subgraph_degree_bound: int
     """The largest degree that `subgraph` can give a vertex here."""
+    is_orientable: bool
+    """Whether its triangles can be turned alike; else `genus` is the number of cross-caps."""
 
 
 def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: bool = False, seed: int = 0,
-              progress: Optional[Callable[[float], Optional[bool]]] = None) -> Delaunay3:
+              progress: Optional[Callable[[float], Optional[bool]]] = None,
+              threads: Optional[int] = 1) -> Delaunay3:
     """Return the Delaunay triangulation of points in space.
 
     Parameters
     ----------
     points
-        Array of shape (n, 3) with finite numbers; float64 and float32 are read where they are.
+        Array of shape (n, 3) with finite numbers of any type. It is copied while the order is
+        made, so another thread may change it.
     faces
         Indices of points: an integer array of shape (m, k), or a sequence of sequences of any lengths.
         They need not be a manifold. Without them the points are taken alone.
@@ -78,12 +83,15 @@ def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: b
         Is called about every 50 ms with the share of the points that are inserted, and at last with 1. If it
         returns False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and
         Ctrl-C is seen, once the order of the points is made. The interpreter lock is released in between.
+    threads
+        How many threads work; None: as many as there are processors. With more than one the simplices are the
+        same in another order at every call.
 
     Raises
     ------
     ValueError
-        If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index or the
-        seed is out of range.
+        If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index, the
+        seed or the number of threads is out of range.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError
@@ -93,7 +101,15 @@ def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: b
     """
     if not 0 <= operator.index(seed) < 2 ** 32:
         raise ValueError(f"seed: expected a whole number from 0 to 4294967295, got {seed}")
-    return Delaunay3(*_core.delaunay3(points, faces, neighbors, seed, progress))
+    return Delaunay3(*_core.delaunay3(points, faces, neighbors, seed, progress, _number_of_threads(threads)))
+
+
+def _number_of_threads(threads: Optional[int]) -> int:
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if operator.index(threads) <= 0:
+        raise ValueError(f"threads: expected a whole number from 1 on, or None for all, got {threads}")
+    return operator.index(threads)
 
 
 def subgraph(faces: Faces, number_of_vertices: Optional[int] = None, *, tree: bool = False) -> np.ndarray:
@@ -102,15 +118,15 @@ def subgraph(faces: Faces, number_of_vertices: Optional[int] = None, *, tree: bo
     Parameters
     ----------
     faces
-        Triangles, as in `delaunay3`: a consistently oriented manifold, closed or with boundary.
+        Triangles, as in `delaunay3`: a manifold, closed or with boundary. How they are oriented does not matter.
     number_of_vertices
         One more than the largest index if left out.
     tree
         Whether cycles are left out: a spanning tree of each component.
 
     Raises ValueError, naming a face or a vertex, if the faces are no such surface. Linear time.
-    The degree of every vertex is at most 3 on spheres and discs, and at most 8 g + 2 b + 1 on a component
-    of genus g with b boundary loops (Choi, SoCG 2002).
+    The degree of every vertex is at most 3 on spheres and discs, and at most 8 g + 2 b + 1 on an orientable
+    component of genus g with b boundary loops (Choi, SoCG 2002).
     """
     return _core.subgraph(faces, number_of_vertices, tree)
 
