@@ -125,4 +125,5 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
   m.attr("__version__") = DELAUNAY_FROM_SURFACE_3_VERSION;
   m.def("delaunay3", &delaunay3);
   python::define_surface_functions(m);
+  python::define_queries(m);
 }

@@ -101,8 +101,9 @@ template <class Wide, class Narrow>
 class Matrix_view
 {
 public:
-  explicit Matrix_view(const py::array& array)
-    : m_data(static_cast<const char*>(array.data()))
+  // Of the rows from one on.
+  explicit Matrix_view(const py::array& array, std::size_t first = 0)
+    : m_data(static_cast<const char*>(array.data()) + std::ptrdiff_t(first) * array.strides(0))
     , m_row_stride(array.strides(0))
     , m_column_stride(array.strides(1))
     , m_is_wide(array.itemsize() == sizeof(Wide))
@@ -179,17 +180,18 @@ inline py::array array_of_points(const py::object& object, const std::string& na
 // The points of such an array.
 using Points_view = Matrix_view<double, float>;
 
-// Their coordinates one after the other, in doubles, which are finite.
+// Their coordinates one after the other, in doubles, which are finite; the first has number `first`.
 template <class Vector>
-void copy_points(const Points_view& view, std::size_t n, const char* name, Vector& coordinates)
+void copy_points(const Points_view& view, std::size_t n, const char* name, Vector& coordinates,
+                 std::size_t first = 0)
 {
   coordinates.resize(3 * n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t c = 0; c < 3; ++c) {
       const double x = view(i, c);
       if (!std::isfinite(x))
-        throw py::value_error(std::string(name) + " " + std::to_string(i) + ": its " + "xyz"[c] +
-                              " coordinate is not a finite number");
+        throw py::value_error(std::string(name) + " " + std::to_string(first + i) + ": its " +
+                              "xyz"[c] + " coordinate is not a finite number");
       coordinates[3 * i + c] = x;
     }
 }

@@ -16,33 +16,18 @@ points make it faster; they never change the result.
 from __future__ import annotations
 
 import operator
-import os
-from typing import Callable, List, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, List, NamedTuple, Optional, Union
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._delaunay_from_surface import Stopped, __version__
+from ._result import AlphaComplex, Delaunay3, number_of_threads
 
-__all__ = ["Delaunay3", "Stopped", "SurfaceComponent", "delaunay3", "subgraph", "surface_topology"]
+__all__ = ["AlphaComplex", "Delaunay3", "Stopped", "SurfaceComponent", "delaunay3", "subgraph", "surface_topology"]
 
-Faces = Union[np.ndarray, Sequence[Sequence[int]]]
-
-
-class Delaunay3(NamedTuple):
-    """A Delaunay triangulation in arrays. The names are those of scipy.spatial.Delaunay."""
-
-    simplices: np.ndarray
-    """(m, d + 1) int32: indices of points; tetrahedra with positive orientation if d is 3."""
-
-    neighbors: Optional[np.ndarray]
-    """(m, d + 1) int32: the simplex opposite to each vertex, -1 outside the convex hull; None if not asked for."""
-
-    vertices: np.ndarray
-    """(n,) int32: for each point the smallest index of a point equal to it, which stands in `simplices`."""
-
-    dimension: int
-    """d: 3; less if all points lie in a plane, on a line or in one place; -1 if there are none."""
+Points = Union[np.ndarray, Iterable[Any]]
+Faces = Union[np.ndarray, Iterable[Iterable[int]]]
 
 
 class SurfaceComponent(NamedTuple):
@@ -61,7 +46,7 @@ class SurfaceComponent(NamedTuple):
     """Whether its triangles can be turned alike; else `genus` is the number of cross-caps."""
 
 
-def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: bool = False, seed: int = 0,
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool = False, seed: int = 0,
               progress: Optional[Callable[[float], Optional[bool]]] = None,
               threads: Optional[int] = 1) -> Delaunay3:
     """Return the Delaunay triangulation of points in space.
@@ -69,14 +54,14 @@ def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: b
     Parameters
     ----------
     points
-        Array of shape (n, 3) with finite numbers of any type. It is copied while the order is
-        made, so another thread may change it.
+        Array of shape (n, 3) with finite numbers of any type. It is copied while the order is made, so
+        another thread may change it. float64 and float32 are not copied into the result.
     faces
         Indices of points: an integer array of shape (m, k), or a sequence of sequences of any lengths.
         They need not be a manifold. Without them the points are taken alone.
     neighbors
-        Whether the neighbours are wanted, too. They and the simplices are then views of one array,
-        16 bytes apart.
+        Whether the neighbours are kept: they and the simplices are then views of one array, 16 bytes apart.
+        Else they are found anew when they are first asked for.
     seed
         Decides the order of insertion, and with it the order of the simplices.
     progress
@@ -101,15 +86,10 @@ def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: b
     """
     if not 0 <= operator.index(seed) < 2 ** 32:
         raise ValueError(f"seed: expected a whole number from 0 to 4294967295, got {seed}")
-    return Delaunay3(*_core.delaunay3(points, faces, neighbors, seed, progress, _number_of_threads(threads)))
+    number = number_of_threads(threads)
+    array = _core.array_of_points(points, "points")
+    return Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number), threads=number)
 
-
-def _number_of_threads(threads: Optional[int]) -> int:
-    if threads is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if operator.index(threads) <= 0:
-        raise ValueError(f"threads: expected a whole number from 1 on, or None for all, got {threads}")
-    return operator.index(threads)
 
 
 def subgraph(faces: Faces, number_of_vertices: Optional[int] = None, *, tree: bool = False) -> np.ndarray:
