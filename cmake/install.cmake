@@ -30,6 +30,6 @@ install(FILES
   "${PROJECT_SOURCE_DIR}/cmake/Delaunay_from_surface_3Config.cmake"
   "${PROJECT_BINARY_DIR}/Delaunay_from_surface_3ConfigVersion.cmake"
   DESTINATION "${package_config_dir}")
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/LICENSE.LGPL" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 include("${CMAKE_CURRENT_LIST_DIR}/pkg_config.cmake")

@@ -65,7 +65,8 @@ target_include_directories(Delaunay_from_surface_3_compiled PRIVATE "${DELAUNAY_
 target_compile_definitions(Delaunay_from_surface_3_compiled INTERFACE CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
 target_link_libraries(Delaunay_from_surface_3_compiled INTERFACE Delaunay_from_surface_3)
 
-# The generator of surfaces: headers that tests, benchmark and figures share.
+# The generator of surfaces, readers and writers of files, and meters: headers that tests, benchmark, program and
+# figures share.
 add_library(Delaunay_from_surface_3_generator INTERFACE)
 target_link_libraries(Delaunay_from_surface_3_generator INTERFACE
   Delaunay_from_surface_3::Delaunay_from_surface_3)

@@ -16,7 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
 
 #include <algorithm>
 #include <cstddef>

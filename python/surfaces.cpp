@@ -7,9 +7,9 @@
 #include "functions.h"
 #include "numpy_ranges.h"
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Face_reader.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Find_topology.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Face_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Find_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
 
 #include <pybind11/stl.h>
 

@@ -11,7 +11,7 @@
 #include <Delaunay_from_surface_3_comparison/triangulations.h>
 #include <Delaunay_from_surface_3_sources/Source.h>
 
-#include <CGAL/Delaunay_from_surface_3/delaunay_share.h>
+#include <Delaunay_from_surface_3_meters/delaunay_share.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
@@ -99,7 +99,7 @@ Json properties_of(const Mesh& mesh)
   CGAL::insert_surface_vertices_3(
       tr, mesh,
       CGAL::parameters::vertex_to_vertex_output_iterator(std::inserter(vertices, vertices.end())));
-  const auto share = CGAL::Delaunay_from_surface_3::delaunay_share(
+  const auto share = meters::delaunay_share(
       tr, mesh, boost::associative_property_map<std::map<Mesh::Vertex_index, Vertex>>(vertices));
   const Edges edges = edges_of(mesh, vertices);
   const auto of = [](std::size_t part, std::size_t all) {

@@ -20,8 +20,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/system_of_loops.h>
+#include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/system_of_loops.h>
 
 #include <boost/program_options.hpp>
 

@@ -21,7 +21,7 @@
 #include <Delaunay_from_surface_3_surfaces/simplify.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
-#include <CGAL/Delaunay_from_surface_3/plan/Hilbert_sorted_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Hilbert_sorted_rounds.h>
 #include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_surface_points_3.h>

@@ -4,7 +4,7 @@
 
 // A Möbius band as a graph with the cyclic order of the edges around every vertex.
 
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 

@@ -7,7 +7,7 @@
 // the surface, 1 for the subgraph, 2 for the cut graph.
 
 #include <CGAL/bounded_degree_spanning_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

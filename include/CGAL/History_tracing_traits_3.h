@@ -5,9 +5,9 @@
 #ifndef CGAL_HISTORY_TRACING_TRAITS_3_H
 #define CGAL_HISTORY_TRACING_TRAITS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 namespace CGAL {

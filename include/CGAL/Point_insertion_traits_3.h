@@ -5,9 +5,9 @@
 #ifndef CGAL_POINT_INSERTION_TRAITS_3_H
 #define CGAL_POINT_INSERTION_TRAITS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 namespace CGAL {

@@ -5,9 +5,9 @@
 #ifndef CGAL_SURFACE_INSERTION_TRAITS_3_H
 #define CGAL_SURFACE_INSERTION_TRAITS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 namespace CGAL {

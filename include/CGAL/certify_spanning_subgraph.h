@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 #define CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/Spanning_subgraph_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/certify_edges.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/surface/certify_edges.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
 namespace CGAL {
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_DELAUNAY_3_ARRAYS_H
 #define CGAL_DELAUNAY_3_ARRAYS_H
@@ -9,12 +9,12 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Read_coordinates.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Visitor_watcher.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
+#include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/door/Visitor_watcher.h>
+#include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/door/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 

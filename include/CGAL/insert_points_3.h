@@ -5,10 +5,10 @@
 #ifndef CGAL_INSERT_POINTS_3_H
 #define CGAL_INSERT_POINTS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/read_items.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/Lower_neighbor_graph.h>
+#include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/door/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/door/read_items.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Point_insertion_traits_3.h>
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_INSERT_SURFACE_POINTS_3_H
 #define CGAL_INSERT_SURFACE_POINTS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Executor_by_tag.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Read_soup.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/door/Read_soup.h>
+#include <CGAL/Delaunay_from_surface_3/door/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_IS_VALID_DELAUNAY_3_ARRAYS_H
 #define CGAL_IS_VALID_DELAUNAY_3_ARRAYS_H
@@ -8,7 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 #define CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 
-#include <CGAL/Delaunay_from_surface_3/Minimum_degree_witness.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Minimum_degree_witness.h>
+#include <CGAL/Delaunay_from_surface_3/surface/with_halfedge_graph_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
 
 #include <CGAL/assertions.h>

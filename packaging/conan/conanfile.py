@@ -16,14 +16,14 @@ class DelaunayFromSurface3(ConanFile):
     name = "delaunay_from_surface_3"
     version = "0.1.0"
     description = "The 3D Delaunay triangulation of a surface mesh's vertices, in CGAL's own type"
-    license = "GPL-3.0-or-later"
+    license = "GPL-3.0-or-later AND LGPL-3.0-or-later"
     topics = ("geometry", "delaunay", "cgal", "header-only")
     package_type = "header-library"
     settings = "os", "arch", "compiler", "build_type"
 
     def export_sources(self):
         root = os.path.join(self.recipe_folder, "..", "..")
-        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "doc/*", "include/*", "src/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "LICENSE.LGPL", "cmake/*", "doc/*", "include/*", "src/*"):
             copy(self, pattern, root, self.export_sources_folder)
 
     def layout(self):
@@ -52,7 +52,7 @@ class DelaunayFromSurface3(ConanFile):
 
     def package(self):
         CMake(self).install()
-        copy(self, "LICENSE", self.source_folder, os.path.join(self.package_folder, "licenses"))
+        copy(self, "LICENSE*", self.source_folder, os.path.join(self.package_folder, "licenses"))
         rmdir(self, os.path.join(self.package_folder, "share"))
 
     def package_info(self):

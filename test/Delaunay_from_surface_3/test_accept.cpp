@@ -10,12 +10,12 @@
 #include "core_traits.h"
 #include "input.h"
 
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/vertex_info.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/History_tracing_traits_3.h>

@@ -13,11 +13,11 @@
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 #include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
 
-#include <CGAL/Delaunay_from_surface_3/Spanning_subgraph_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Embedding_reader.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Opened_surface.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Peel_discs.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Opened_surface.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 

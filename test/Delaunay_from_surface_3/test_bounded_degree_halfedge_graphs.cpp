@@ -13,11 +13,11 @@
 #include "include/halfedge_mesh.h"
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
@@ -26,7 +26,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/OFF.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/system_of_loops.h>
+#include <CGAL/Delaunay_from_surface_3/surface/system_of_loops.h>
 
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/filtered_graph.hpp>

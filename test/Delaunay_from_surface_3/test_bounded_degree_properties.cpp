@@ -12,8 +12,8 @@
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 
-#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 

@@ -13,10 +13,10 @@
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Near_minimum_degree_tree.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Near_minimum_degree_tree.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/certify_spanning_subgraph.h>
 

@@ -17,15 +17,15 @@
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Neighbor_started_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_started_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 #include <boost/graph/adjacency_list.hpp>

@@ -9,20 +9,20 @@
 
 #include "archetypes.h"
 
-#include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/insert_surface_points_3.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/Tracing_traits_3.h>
@@ -143,11 +143,11 @@ BOOST_AUTO_TEST_CASE(forward_ranges)
 
 BOOST_AUTO_TEST_CASE(metering_visitor_adds_up_what_the_traits_count)
 {
-  using Counting = DFS::Predicate_counting_traits_3<Kernel>;
+  using Counting = meters::Predicate_counting_traits_3<Kernel>;
   using Phase = CGAL::Surface_insertion_phase;
   CGAL::Delaunay_triangulation_3<Counting> tr;
   const auto meter = [&] { return tr.geom_traits().counts(); };
-  DFS::Metering_visitor_3<decltype(meter)> visitor(meter);
+  meters::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::insert_surface_points_3(tr, surface().points, surface().faces, CGAL::Tracing_traits_3(),
                                 parameters::visitor(std::ref(visitor)));
   const std::size_t n = surface().points.size();

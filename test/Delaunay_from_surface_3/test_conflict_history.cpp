@@ -13,11 +13,11 @@
 #include "history_cases.h"
 #include "named_surfaces.h"
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/History_tracing_traits_3.h>

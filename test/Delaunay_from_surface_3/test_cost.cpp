@@ -10,8 +10,8 @@
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
-#include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_surface_points_3.h>
@@ -25,7 +25,7 @@
 namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Counting = DFS::Predicate_counting_traits_3<Kernel>;
+using Counting = meters::Predicate_counting_traits_3<Kernel>;
 using Phase = CGAL::Surface_insertion_phase;
 
 namespace {
@@ -42,7 +42,7 @@ Cost cost(std::size_t n)
   const surfaces::Indexed_surface surface = surfaces::genus_surface(1, n, 0.05);
   CGAL::Delaunay_triangulation_3<Counting> tr;
   const auto meter = [counting = tr.geom_traits()] { return counting.counts(); };
-  DFS::Metering_visitor_3<decltype(meter)> visitor(meter);
+  meters::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::insert_surface_points_3(tr, surface.points, surface.faces, Traits(),
                                 CGAL::parameters::visitor(std::ref(visitor)));
   std::string rounds;

@@ -15,7 +15,7 @@
 
 #include "Closed_surface_check.h"
 
-#include <CGAL/Delaunay_from_surface_3/delaunay_share.h>
+#include <Delaunay_from_surface_3_meters/delaunay_share.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
@@ -156,8 +156,7 @@ surfaces::Delaunay_iso_surface check(const std::string& name, const Volume& volu
     others += !plain.is_facet(t);
   BOOST_TEST(others == made.failed_triangles, name);
   BOOST_TEST((made.failed_loops == 0) == (others == 0), name);
-  const auto share =
-      CGAL::Delaunay_from_surface_3::delaunay_share(plain.tr, plain.vertices, ordinary.faces);
+  const auto share = meters::delaunay_share(plain.tr, plain.vertices, ordinary.faces);
   BOOST_TEST_MESSAGE(name << ": " << made.surface.points.size() << " points, "
                           << double(share.delaunay_triangles) / double(share.triangles)
                           << " of the ordinary triangles Delaunay; of " << made.loops << " loops "

@@ -12,17 +12,17 @@
 #include "history_cases.h"
 #include "named_surfaces.h"
 
-#include <CGAL/Delaunay_from_surface_3/trace/History_dag_3.h>
+#include <Delaunay_from_surface_3_meters/History_dag_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <Delaunay_from_surface_3_meters/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -42,10 +42,10 @@ namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using namespace tests::history;
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Dag = DFS::History_dag_3<Triangulation>;
+using Dag = meters::History_dag_3<Triangulation>;
 using Traits =
     CGAL::Surface_insertion_policies_3<DFS::Bounded_degree_subgraph, DFS::Random_log_star_rounds,
-                                       DFS::History_hints_3>;
+                                       meters::History_hints_3>;
 
 namespace {
 
@@ -309,7 +309,7 @@ BOOST_AUTO_TEST_CASE(traces_and_this_history_give_plain_triangulations)
     for (unsigned int seed = 0; seed < 3; ++seed)
       stock_case.check<Traits>(seed);
     stock_case.check<CGAL::Surface_insertion_policies_3<DFS::Spanning_forest, DFS::Geometric_rounds,
-                                                        DFS::History_hints_3>>();
+                                                        meters::History_hints_3>>();
   }
 }
 
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(with_exact_constructions)
 BOOST_AUTO_TEST_CASE(records_contain_their_points)
 {
   using Graph = CGAL::Delaunay_from_surface_3::internal::Index_graph;
-  using Hints = DFS::History_hints_3<Target, Graph>;
+  using Hints = meters::History_hints_3<Target, Graph>;
   const std::vector<Point> points = random_points(500, 1000, 7);
   std::vector<std::pair<std::size_t, std::size_t>> path;
   for (std::size_t i = 1; i < points.size(); ++i)

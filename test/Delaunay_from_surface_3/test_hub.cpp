@@ -12,13 +12,13 @@
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
-#include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <Delaunay_from_surface_3_meters/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
@@ -37,7 +37,7 @@ namespace DFS = CGAL::Delaunay_from_surface_3;
 
 using Kernel = surfaces::Indexed_surface::Kernel;
 using Plain = CGAL::Delaunay_triangulation_3<Kernel>;
-using Counted = CGAL::Delaunay_triangulation_3<DFS::Predicate_counting_traits_3<Kernel>>;
+using Counted = CGAL::Delaunay_triangulation_3<meters::Predicate_counting_traits_3<Kernel>>;
 using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 
 namespace {
@@ -81,7 +81,7 @@ Calls calls(const Room& room)
 {
   Counted tr;
   const auto meter = [&tr] { return tr.geom_traits().counts(); };
-  DFS::Metering_visitor_3<decltype(meter)> visitor(meter);
+  meters::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::insert_points_along_graph_3(
       tr, room.points, room.tree,
       CGAL::Surface_insertion_policies_3<DFS::Full_graph, DFS::Random_log_star_rounds, Hints>(),
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(the_papers_location_is_flat_beside_a_hub)
     const Room room(n);
     by_conflict[n] = calls<DFS::Conflict_history_hints_3>(room);
     if (n < 65536)
-      by_containment[n] = calls<DFS::History_hints_3>(room);
+      by_containment[n] = calls<meters::History_hints_3>(room);
     const Calls by_walk = calls<DFS::Traced_hints_3>(room);
     const Calls without_hub = calls<DFS::Conflict_history_hints_3>(Room(n, false));
     BOOST_TEST_MESSAGE(room.points.size()

@@ -10,6 +10,7 @@
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/delaunay_3_arrays.h>

@@ -15,9 +15,9 @@
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/topology.h>
 
-#include <CGAL/Delaunay_from_surface_3/delaunay_share.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Minimum_spanning_forest.h>
+#include <Delaunay_from_surface_3_meters/delaunay_share.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/trees/Minimum_spanning_forest.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -329,7 +329,7 @@ BOOST_AUTO_TEST_CASE(shares_by_hand)
   std::vector<Vertex> vertices;
   for (const Point& p : kite.points)
     vertices.push_back(tr.insert(p));
-  const auto share = DFS::delaunay_share(tr, vertices, kite.faces);
+  const auto share = meters::delaunay_share(tr, vertices, kite.faces);
   BOOST_TEST(share.edges == 5u);
   BOOST_TEST(share.delaunay_edges == 4u);
   BOOST_TEST(share.triangles == 2u);
@@ -340,9 +340,9 @@ BOOST_AUTO_TEST_CASE(shares_by_hand)
               std::set<Vertex>{vertices[0], vertices[1]}));
 
   vertices[4] = Vertex();
-  BOOST_CHECK_THROW(DFS::delaunay_share(tr, vertices, kite.faces), CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(meters::delaunay_share(tr, vertices, kite.faces), CGAL::Surface_input_error);
   vertices.resize(3);
-  BOOST_CHECK_THROW(DFS::delaunay_share(tr, vertices, kite.faces), CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(meters::delaunay_share(tr, vertices, kite.faces), CGAL::Surface_input_error);
 }
 
 BOOST_AUTO_TEST_CASE(shares_of_surfaces)
@@ -356,7 +356,7 @@ BOOST_AUTO_TEST_CASE(shares_of_surfaces)
         std::vector<Vertex> vertices;
         for (const Point& p : named.surface.points)
           vertices.push_back(tr.insert(p));
-        const auto share = DFS::delaunay_share(tr, vertices, named.surface.faces);
+        const auto share = meters::delaunay_share(tr, vertices, named.surface.faces);
         // One by one, by sets of points.
         std::set<std::set<Vertex>> edges, triangles;
         for (const auto& face : named.surface.faces) {
@@ -387,7 +387,7 @@ BOOST_AUTO_TEST_CASE(shares_of_surfaces)
         const Mesh mesh = surfaces::to_mesh<Mesh>(named.surface);
         if (mesh.number_of_vertices() != vertices.size())
           continue;
-        const auto of_mesh = DFS::delaunay_share(
+        const auto of_mesh = meters::delaunay_share(
             tr, mesh,
             boost::make_function_property_map<Mesh::Vertex_index>(
                 [&](Mesh::Vertex_index v) { return vertices[std::size_t(v)]; }));
@@ -409,5 +409,5 @@ BOOST_AUTO_TEST_CASE(share_of_a_star)
       tr, star.points, star.faces,
       CGAL::parameters::vertex_to_vertex_output_iterator(boost::make_function_output_iterator(
           [&](const auto& pair) { vertices[pair.first] = pair.second; })));
-  BOOST_TEST(DFS::delaunay_share(tr, vertices, star.faces).edges == 2 * star.points.size() - 3);
+  BOOST_TEST(meters::delaunay_share(tr, vertices, star.faces).edges == 2 * star.points.size() - 3);
 }

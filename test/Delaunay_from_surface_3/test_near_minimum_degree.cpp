@@ -15,10 +15,10 @@
 #include <Delaunay_from_surface_3_triangle_lists/stacked_complete_graph.h>
 #include "include/halfedge_mesh.h"
 
-#include <CGAL/Delaunay_from_surface_3/Minimum_degree_witness.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Minimum_degree_witness.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 #include <CGAL/near_minimum_degree_spanning_tree.h>

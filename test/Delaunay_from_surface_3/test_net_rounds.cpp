@@ -15,17 +15,17 @@
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/is_order.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/rounded_coordinates.h>
-#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/is_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/lower_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/lower_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/paper/rounded_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>

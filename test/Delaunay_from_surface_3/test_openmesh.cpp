@@ -19,9 +19,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/cut_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
 #include <CGAL/insert_surface_vertices_3.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
 #include <cstddef>
 #include <iterator>

@@ -16,17 +16,17 @@
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Spatial_sort_order.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

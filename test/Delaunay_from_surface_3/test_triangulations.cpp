@@ -11,7 +11,7 @@
 #include "check_equal.h"
 #include "recording_kernel.h"
 
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -452,12 +452,12 @@ BOOST_AUTO_TEST_CASE(stock_order_is_stock_insertion_by_insertion)
       insert_surface_points_3(tracing, points, faces, CGAL::Tracing_traits_3());
       BOOST_TEST((points.size() < 500 || tracing.geom_traits().calls() != stock_calls));
 
-      using Counting = DFS::Predicate_counting_traits_3<Epick>;
+      using Counting = meters::Predicate_counting_traits_3<Epick>;
       CGAL::Delaunay_triangulation_3<Counting> counted_stock, counted;
       counted_stock.insert(points.begin(), points.end());
       insert_surface_points_3(counted, points, faces, CGAL::Plain_insertion_traits_3());
-      const DFS::Predicate_counts a = counted_stock.geom_traits().counts();
-      const DFS::Predicate_counts b = counted.geom_traits().counts();
+      const meters::Predicate_counts a = counted_stock.geom_traits().counts();
+      const meters::Predicate_counts b = counted.geom_traits().counts();
       BOOST_TEST(a.orientation == b.orientation);
       BOOST_TEST(a.negative_orientation == b.negative_orientation);
       BOOST_TEST(a.in_sphere == b.in_sphere);

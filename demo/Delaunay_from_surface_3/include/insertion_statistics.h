@@ -12,8 +12,8 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
-#include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 
 #include <chrono>
 #include <cstddef>
@@ -57,8 +57,7 @@ using Row = std::vector<std::string>;
 
 // One line of the table: `counts`, spread over `points`.
 inline void add_row(std::vector<Row>& rows, const std::string& round, const std::string& phase,
-                    std::size_t points,
-                    const CGAL::Delaunay_from_surface_3::Predicate_counts& counts, bool is_walk)
+                    std::size_t points, const meters::Predicate_counts& counts, bool is_walk)
 {
   if (points == 0)
     return;
@@ -75,10 +74,10 @@ template <class Traits>
 void report_predicates(const Surface& surface, const Traits& traits, unsigned int seed,
                        Report& report)
 {
-  using Counting_kernel = CGAL::Delaunay_from_surface_3::Predicate_counting_traits_3<Kernel>;
+  using Counting_kernel = meters::Predicate_counting_traits_3<Kernel>;
   const Counting_kernel kernel;
   const auto meter = [&] { return kernel.counts(); };
-  CGAL::Delaunay_from_surface_3::Metering_visitor_3<decltype(meter)> visitor(meter);
+  meters::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::Delaunay_triangulation_3<Counting_kernel> tr(kernel);
   insert_and_watch(tr, surface, traits, seed, visitor);
 
@@ -123,7 +122,7 @@ void report_seconds(const Surface& surface, const Traits& traits, unsigned int s
   const auto clock = [begin] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  CGAL::Delaunay_from_surface_3::Metering_visitor_3<decltype(clock)> visitor(clock);
+  meters::Metering_visitor_3<decltype(clock)> visitor(clock);
   Triangulation tr;
   insert_and_watch(tr, surface, traits, seed, visitor);
 

@@ -10,7 +10,7 @@
 #include "Report.h"
 #include "Surface.h"
 
-#include <CGAL/Delaunay_from_surface_3/delaunay_share.h>
+#include <Delaunay_from_surface_3_meters/delaunay_share.h>
 
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ inline void report_surface(const Surface& surface, const Triangulation& tr,
     report("Delaunay edges", "not counted in dimension " + std::to_string(tr.dimension()));
     return;
   }
-  const auto share = CGAL::Delaunay_from_surface_3::delaunay_share(tr, vertices, surface.faces);
+  const auto share = meters::delaunay_share(tr, vertices, surface.faces);
   report("Delaunay edges", fraction(share.delaunay_edges, share.edges));
   report("other edges", fraction(share.edges - share.delaunay_edges, share.edges));
   report("Delaunay triangles", fraction(share.delaunay_triangles, share.triangles));

@@ -14,11 +14,11 @@
 #include <Delaunay_from_surface_3_files/Output_file.h>
 #include <Delaunay_from_surface_3_files/same_file.h>
 
-#include <CGAL/Delaunay_from_surface_3/IO/write_gmsh.h>
-#include <CGAL/Delaunay_from_surface_3/IO/write_medit.h>
-#include <CGAL/Delaunay_from_surface_3/IO/write_tetgen.h>
-#include <CGAL/Delaunay_from_surface_3/IO/write_vtk.h>
-#include <CGAL/Delaunay_from_surface_3/IO/write_vtu.h>
+#include <Delaunay_from_surface_3_files/write_gmsh.h>
+#include <Delaunay_from_surface_3_files/write_medit.h>
+#include <Delaunay_from_surface_3_files/write_tetgen.h>
+#include <Delaunay_from_surface_3_files/write_vtk.h>
+#include <Delaunay_from_surface_3_files/write_vtu.h>
 
 #include <CGAL/IO/io.h>
 #include <CGAL/Side_of_triangle_mesh.h>
@@ -93,18 +93,18 @@ public:
     finish();
   }
 
-  void write(const DFS::Simplices_3& simplices)
+  void write(const files::Simplices_3& simplices)
   {
     if (m_format == "tetgen")
       write_tetgen(simplices);
     else if (m_format == "vtu")
-      DFS::write_vtu(stream(), simplices);
+      files::write_vtu(stream(), simplices);
     else if (m_format == "vtk")
-      DFS::write_vtk(stream(), simplices);
+      files::write_vtk(stream(), simplices);
     else if (m_format == "msh")
-      DFS::write_gmsh(stream(), simplices);
+      files::write_gmsh(stream(), simplices);
     else
-      DFS::write_medit(stream(), simplices);
+      files::write_medit(stream(), simplices);
     finish();
   }
 
@@ -114,12 +114,12 @@ public:
 private:
   std::ostream& stream() { return m_files.empty() ? std::cout : m_files.front().stream(); }
 
-  void write_tetgen(const DFS::Simplices_3& simplices)
+  void write_tetgen(const files::Simplices_3& simplices)
   {
     auto file = m_files.begin();
-    DFS::write_tetgen_node((file++)->stream(), simplices);
-    DFS::write_tetgen_ele((file++)->stream(), simplices);
-    DFS::write_tetgen_neigh(file->stream(), simplices);
+    files::write_tetgen_node((file++)->stream(), simplices);
+    files::write_tetgen_ele((file++)->stream(), simplices);
+    files::write_tetgen_neigh(file->stream(), simplices);
   }
 
   void finish()
@@ -150,7 +150,7 @@ inline void check_that_inside_is_meaningful(const Options& options, const Surfac
 }
 
 // For each tetrahedron, whether its centre is inside the surface.
-inline std::vector<double> insides(const DFS::Simplices_3& s, const Mesh& mesh)
+inline std::vector<double> insides(const files::Simplices_3& s, const Mesh& mesh)
 {
   const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side_of(mesh);
   std::vector<double> result;
@@ -166,24 +166,24 @@ inline std::vector<double> insides(const DFS::Simplices_3& s, const Mesh& mesh)
 }
 
 // What of the triangulation is to be written.
-inline DFS::Simplices_3 chosen_simplices(const Options& options, const Surface& surface,
-                                         const Triangulation& tr, const Vertices& vertices)
+inline files::Simplices_3 chosen_simplices(const Options& options, const Surface& surface,
+                                           const Triangulation& tr, const Vertices& vertices)
 {
   const auto arrays = arrays_of_triangulation<std::int32_t>(tr, vertices, options.to == "tetgen");
-  DFS::Simplices_3 simplices = DFS::simplices_of(surface.points, arrays);
+  files::Simplices_3 simplices = files::simplices_of(surface.points, arrays);
   if (options.to == "tetgen" && simplices.dimension < 3)
     throw std::runtime_error(options.output +
                              ": TetGen's files hold tetrahedra, but there are none");
   if (options.inside) {
     const std::vector<double> is_inside = insides(simplices, surface.mesh);
-    simplices =
-        DFS::simplices_of(surface.points, arrays, [&](std::size_t c) { return is_inside[c] != 0; });
+    simplices = files::simplices_of(surface.points, arrays,
+                                    [&](std::size_t c) { return is_inside[c] != 0; });
   }
   if (options.mark_inside)
     simplices.data.push_back({"inside", insides(simplices, surface.mesh)});
   const bool has_data = options.to == "vtu" || options.to == "vtk" || options.to == "msh";
   if (has_data && simplices.dimension == 3)
-    simplices.data.push_back(DFS::circumradii(simplices));
+    simplices.data.push_back(files::circumradii(simplices));
   return simplices;
 }
 
@@ -196,7 +196,7 @@ inline void write(const Options& options, const Surface& surface, const Triangul
     report("written", "the triangulation to " + options.output);
     return;
   }
-  const DFS::Simplices_3 simplices = chosen_simplices(options, surface, tr, vertices);
+  const files::Simplices_3 simplices = chosen_simplices(options, surface, tr, vertices);
   output.write(simplices);
   report("written", std::to_string(simplices.size()) + " " + names[simplices.dimension] + " to " +
                         options.output);

@@ -17,7 +17,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
@@ -120,7 +120,7 @@ inline View make_view(const Surface& surface, const Triangulation& tr, const Ver
                       const DFS::Insertion_order& order)
 {
   const auto arrays = arrays_of_triangulation<std::int32_t>(tr, vertices, false);
-  const DFS::Simplices_3 simplices = DFS::simplices_of(surface.points, arrays);
+  const files::Simplices_3 simplices = files::simplices_of(surface.points, arrays);
   std::vector<std::uint32_t> numbers(surface.points.size());
   for (std::size_t k = 0; k < simplices.input_indices.size(); ++k)
     numbers[std::size_t(simplices.input_indices[k])] = std::uint32_t(k);

@@ -26,7 +26,6 @@ With `Planned_hints_3` and `Previous_hint_3` the points can go through the core
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Traced_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Conflict_history_hints_3<Target\, Subgraph>}
-\cgalHasModels{CGAL::Delaunay_from_surface_3::History_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Neighbor_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Planned_hints_3<Target\, Subgraph>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Previous_hint_3<Target\, Subgraph>}

@@ -36,7 +36,6 @@ If the order is too costly, `order_is_replaced(reason)` comes after an insertion
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_surface_insertion_visitor_3}
-\cgalHasModels{CGAL::Delaunay_from_surface_3::Metering_visitor_3<Meter>}
 \cgalHasModelsEnd
 */
 class SurfaceInsertionVisitor_3

@@ -9,7 +9,6 @@ the target.
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Null_update_observer}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Conflict_history_3<Triangulation>}
-\cgalHasModels{CGAL::Delaunay_from_surface_3::History_dag_3<Triangulation>}
 \cgalHasModelsBare{all models of `InsertionHints_3`}
 \cgalHasModelsEnd
 */

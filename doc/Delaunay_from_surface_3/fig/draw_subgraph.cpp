@@ -9,8 +9,8 @@
 
 #include "Svg.h"
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Bounded_degree_marks.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Peel_discs.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_marks.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>
 
 #include <algorithm>
 #include <cmath>

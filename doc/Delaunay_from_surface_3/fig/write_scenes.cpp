@@ -14,9 +14,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -10,8 +10,8 @@
 
 #include "named_surfaces.h"
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/insert_surface_points_3.h>

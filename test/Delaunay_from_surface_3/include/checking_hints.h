@@ -7,11 +7,11 @@
 
 // Hint policies that check, while the package runs them, what the concepts promise.
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 
 #include <boost/test/unit_test.hpp>
 

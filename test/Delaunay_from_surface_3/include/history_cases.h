@@ -9,7 +9,7 @@
 
 #include "named_surfaces.h"
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -12,9 +12,9 @@
 #include <Delaunay_from_surface_3_comparison/phases.h>
 #include <Delaunay_from_surface_3_comparison/triangulations.h>
 
-#include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
+#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 
 #include <cstddef>
 #include <functional>
@@ -26,11 +26,11 @@ namespace comparison {
 
 struct Counted_calls
 {
-  const CGAL::Delaunay_from_surface_3::Predicate_counts* counts;
-  CGAL::Delaunay_from_surface_3::Predicate_counts operator()() const { return *counts; }
+  const meters::Predicate_counts* counts;
+  meters::Predicate_counts operator()() const { return *counts; }
 };
 
-using Counting_visitor = CGAL::Delaunay_from_surface_3::Metering_visitor_3<Counted_calls>;
+using Counting_visitor = meters::Metering_visitor_3<Counted_calls>;
 
 // What core and hints have counted is taken at the end of an insertion, inside which they live.
 struct Take_counts : CGAL::Default_surface_insertion_visitor_3
@@ -92,7 +92,7 @@ struct Zone_counting_traits : Traits
       Zone_counting_hints<typename Traits::template Insertion_hints_3<Target, Subgraph>>;
 };
 
-inline Json calls_per_point(const CGAL::Delaunay_from_surface_3::Predicate_counts& counts, double n)
+inline Json calls_per_point(const meters::Predicate_counts& counts, double n)
 {
   return {{"cells_entered", rounded(double(counts.cells_entered()) / n, 1e4)},
           {"orientation", rounded(double(counts.orientation) / n, 1e4)},

@@ -11,7 +11,7 @@
 #include <Delaunay_from_surface_3_comparison/measure.h>
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/Metering_visitor_3.h>
+#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
 
 #include <array>
 #include <cstddef>
@@ -21,7 +21,7 @@
 namespace comparison {
 
 using Phase = CGAL::Surface_insertion_phase;
-using Timing_visitor = CGAL::Delaunay_from_surface_3::Metering_visitor_3<Steady_seconds>;
+using Timing_visitor = meters::Metering_visitor_3<Steady_seconds>;
 
 inline const std::vector<std::pair<const char*, Phase>>& phases()
 {

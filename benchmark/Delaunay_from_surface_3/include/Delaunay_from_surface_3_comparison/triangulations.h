@@ -7,7 +7,7 @@
 
 // The types that are compared.
 
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,7 +19,7 @@
 namespace comparison {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Counting_kernel = CGAL::Delaunay_from_surface_3::Predicate_counting_traits_3<Kernel>;
+using Counting_kernel = meters::Predicate_counting_traits_3<Kernel>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
 using Fast_triangulation = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Fast_location>;

@@ -13,15 +13,15 @@
 #include <Delaunay_from_surface_3_theory/crossings.h>
 #include <Delaunay_from_surface_3_theory/trees.h>
 
-#include <CGAL/Delaunay_from_surface_3/insertion/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
-#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Conflict_history_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_dag_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <Delaunay_from_surface_3_meters/History_dag_3.h>
+#include <Delaunay_from_surface_3_meters/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 
 #include <array>
 #include <cstddef>
@@ -112,7 +112,7 @@ public:
   }
 
   const Counted_triangulation& triangulation() const { return m_tr; }
-  const CGAL::Delaunay_from_surface_3::History_dag_3<Counted_triangulation>& history() const
+  const meters::History_dag_3<Counted_triangulation>& history() const
   {
     return m_history.history();
   }
@@ -152,7 +152,7 @@ private:
       if (by_conflict != nullptr)
         by_conflict->after_update(i, v);
     }
-    CGAL::Delaunay_from_surface_3::History_hints_3<Target, Index_graph>& by_containment;
+    meters::History_hints_3<Target, Index_graph>& by_containment;
     Conflicts* by_conflict;
   };
 
@@ -163,10 +163,7 @@ private:
     return {cell, m_conflicts->nodes_visited() - before};
   }
 
-  const CGAL::Delaunay_from_surface_3::Predicate_counts& counts() const
-  {
-    return m_tr.geom_traits().counts();
-  }
+  const meters::Predicate_counts& counts() const { return m_tr.geom_traits().counts(); }
 
   void locate_and_insert(std::size_t i, Round_cost& round)
   {
@@ -201,9 +198,9 @@ private:
   template <class MakeStart>
   Target::Location count(std::size_t i, Location_cost& cost, const MakeStart& make_start)
   {
-    const CGAL::Delaunay_from_surface_3::Predicate_counts before = counts();
+    const meters::Predicate_counts before = counts();
     const Start start = make_start();
-    const CGAL::Delaunay_from_surface_3::Predicate_counts at_start = counts();
+    const meters::Predicate_counts at_start = counts();
     const Target::Location location = m_target.locate(i, start.cell);
     ++cost.points;
     cost.cells_entered += start.nodes_entered + (counts() - at_start).cells_entered();
@@ -213,12 +210,12 @@ private:
 
   void trace(Round_cost& round)
   {
-    const CGAL::Delaunay_from_surface_3::Predicate_counts before = counts();
+    const meters::Predicate_counts before = counts();
     round.trace.points = m_history.trace();
     round.trace.cells_entered = (counts() - before).cells_entered();
     round.trace.calls = (counts() - before).all();
     if (m_conflicts) {
-      const CGAL::Delaunay_from_surface_3::Predicate_counts then = counts();
+      const meters::Predicate_counts then = counts();
       round.conflict_trace.points = m_conflicts->trace();
       round.conflict_trace.cells_entered = round.trace.cells_entered;
       round.conflict_trace.calls = (counts() - then).all();
@@ -249,7 +246,7 @@ private:
   Index_graph m_surface, m_subgraph;
   Counted_triangulation m_tr;
   Target m_target;
-  CGAL::Delaunay_from_surface_3::History_hints_3<Target, Index_graph> m_history;
+  meters::History_hints_3<Target, Index_graph> m_history;
   std::optional<Conflicts> m_conflicts;
   CGAL::Delaunay_from_surface_3::Neighbor_hints_3<Target, Index_graph> m_neighbors;
   surfaces::Random m_random;

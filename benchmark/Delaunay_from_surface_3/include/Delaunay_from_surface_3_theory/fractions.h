@@ -9,7 +9,7 @@
 
 #include <Delaunay_from_surface_3_theory/trees.h>
 
-#include <CGAL/Delaunay_from_surface_3/delaunay_share.h>
+#include <Delaunay_from_surface_3_meters/delaunay_share.h>
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/squared_distance_3.h>
 
@@ -55,7 +55,7 @@ double delaunay_triangles(const Triangulation& tr,
                           const std::vector<typename Triangulation::Vertex_handle>& vertices,
                           const std::vector<Indexed_surface::Face>& faces)
 {
-  const auto share = CGAL::Delaunay_from_surface_3::delaunay_share(tr, vertices, faces);
+  const auto share = meters::delaunay_share(tr, vertices, faces);
   return share.triangles == 0 ? 1. : double(share.delaunay_triangles) / double(share.triangles);
 }
 

@@ -11,10 +11,10 @@
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
-#include <CGAL/Delaunay_from_surface_3/internal/driver/Index_graph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Minimum_spanning_forest.h>
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Index_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/trees/Minimum_spanning_forest.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/iterator/function_output_iterator.hpp>

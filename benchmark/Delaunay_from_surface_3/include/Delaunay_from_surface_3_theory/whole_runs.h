@@ -14,14 +14,14 @@
 #include <Delaunay_from_surface_3_comparison/triangulations.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
-#include <CGAL/Delaunay_from_surface_3/plan/Random_log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/trace/History_hints_3.h>
+#include <Delaunay_from_surface_3_meters/History_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
 #include <CGAL/insert_surface_vertices_3.h>
-#include <CGAL/Delaunay_from_surface_3/Predicate_counting_traits_3.h>
-#include <CGAL/Delaunay_from_surface_3/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/subgraph/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/trace/Neighbor_hints_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/History_tracing_traits_3.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
@@ -41,10 +41,10 @@ using comparison::rounded;
 
 // From the root of the history, always: Q without traces.
 template <class Target, class Subgraph>
-struct Root_hints_3 : CGAL::Delaunay_from_surface_3::History_hints_3<Target, Subgraph>
+struct Root_hints_3 : meters::History_hints_3<Target, Subgraph>
 {
   static constexpr bool uses_subgraph = false;
-  using CGAL::Delaunay_from_surface_3::History_hints_3<Target, Subgraph>::History_hints_3;
+  using meters::History_hints_3<Target, Subgraph>::History_hints_3;
   std::size_t trace() { return 0; }
 };
 
@@ -103,8 +103,8 @@ Json counts_of_run(const Mesh& mesh, unsigned int seed)
   comparison::Counting_visitor visitor(comparison::Counted_calls{&tr.geom_traits().counts()});
   insert<Traits>(tr, mesh, seed, visitor);
   const double n = double(mesh.number_of_vertices());
-  const CGAL::Delaunay_from_surface_3::Predicate_counts location = visitor.total(Phase::LOCATION),
-                                                        trace = visitor.total(Phase::TRACE);
+  const meters::Predicate_counts location = visitor.total(Phase::LOCATION),
+                                 trace = visitor.total(Phase::TRACE);
   Json result = {{"cells_entered", rounded(double(location.cells_entered()) / n, 1e4)},
                  {"calls", rounded(double(location.all()) / n, 1e4)}};
   if (trace.all() > 0) {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_EXCHANGE_TREE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_EXCHANGE_TREE_H
@@ -12,9 +12,9 @@
 // Cost: O(n) to build, times the largest degree; an exchange O(log n) amortized, and the degrees in
 // the surface of the four ends.
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Link_cut_forest.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <algorithm>
 #include <utility>

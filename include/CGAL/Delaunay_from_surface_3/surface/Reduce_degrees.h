@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_REDUCE_DEGREES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_REDUCE_DEGREES_H
@@ -23,10 +23,10 @@
 // Cost: O(n) if there is anything to do, O(d log n) for a look at a vertex with d edges, and
 // O(n α(n)) for each phase.
 
-#include <CGAL/Delaunay_from_surface_3/Minimum_degree_witness.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Degree_phase.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Exchange_tree.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Minimum_degree_witness.h>
 
 #include <algorithm>
 #include <vector>

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_NEAR_MINIMUM_DEGREE_TREE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_NEAR_MINIMUM_DEGREE_TREE_H
 
 // What both public forms come down to: read, mark the tree of bounded degree, exchange edges, write.
 
-#include <CGAL/Delaunay_from_surface_3/internal/subgraph/write_bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
 
 #include <algorithm>
 #include <type_traits>

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DELAUNAY_FROM_SURFACE_3_METERS_PREDICATE_COUNTING_TRAITS_3_H
+#define DELAUNAY_FROM_SURFACE_3_METERS_PREDICATE_COUNTING_TRAITS_3_H
+
+#include <CGAL/enum.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace meters {
+
+// holds how often a triangulation called its predicates.
+struct Predicate_counts
+{
+  std::size_t orientation = 0;          // calls of `Orientation_3`.
+  std::size_t negative_orientation = 0; // those that returned `CGAL::NEGATIVE`.
+  std::size_t in_sphere = 0;            // calls of `Side_of_oriented_sphere_3`.
+  std::size_t other = 0; // calls of the planar predicates and of comparisons of points.
+
+  // returns all calls.
+  std::size_t all() const { return orientation + in_sphere + other; }
+
+  //   returns how many cells the walks that these counts belong to have entered, the starting cells not
+  //   counted. In dimension 3 a walk goes through a facet exactly when the orientation test with that
+  //   facet is negative, and into an infinite cell in the same way.
+  //
+  //   \pre The counts are of walks in dimension 3 only: of the phases `LOCATION` and `TRACE`. Conflict
+  //   searches test orientations too, for other ends.
+  //
+  std::size_t cells_entered() const { return negative_orientation; }
+
+  // adds.
+  Predicate_counts& operator+=(const Predicate_counts& other_counts)
+  {
+    orientation += other_counts.orientation;
+    negative_orientation += other_counts.negative_orientation;
+    in_sphere += other_counts.in_sphere;
+    other += other_counts.other;
+    return *this;
+  }
+
+  // subtracts.
+  friend Predicate_counts operator-(Predicate_counts a, const Predicate_counts& b)
+  {
+    a.orientation -= b.orientation;
+    a.negative_orientation -= b.negative_orientation;
+    a.in_sphere -= b.in_sphere;
+    a.other -= b.other;
+    return a;
+  }
+};
+
+// is a geometric traits class for `Delaunay_triangulation_3` that counts the calls of its predicates.
+// It is a type of its own, for which CGAL does not take its inexact walk, whose steps cannot be
+// observed, and the core leaves it to CGAL's insertion, since it would filter calls away:
+// all steps are counted, and times taken with it mean nothing. All copies share one
+// `Predicate_counts`; they are not to be used by several threads.
+//
+// A triangulation copies its traits. The counts of `tr` are `tr.geom_traits().counts()`, and a copy of
+// `tr` adds to the same.
+//
+// Kernel: a kernel that models `DelaunayTriangulationTraits_3`, such as
+// `Exact_predicates_inexact_constructions_kernel`
+template <class Kernel>
+class Predicate_counting_traits_3 : public Kernel
+{
+  // Calls Predicate and then hands its result to Count.
+  template <class Predicate, class Count>
+  class Counting
+  {
+  public:
+    Counting(Predicate predicate, Predicate_counts* counts)
+      : m_predicate(std::move(predicate))
+      , m_counts(counts)
+    {
+    }
+
+    template <class... Arguments>
+    auto operator()(const Arguments&... arguments) const
+    {
+      const auto result = m_predicate(arguments...);
+      Count()(*m_counts, result);
+      return result;
+    }
+
+  private:
+    Predicate m_predicate;
+    Predicate_counts* m_counts;
+  };
+
+  struct Count_orientation
+  {
+    void operator()(Predicate_counts& counts, CGAL::Orientation o) const
+    {
+      ++counts.orientation;
+      counts.negative_orientation += o == CGAL::NEGATIVE;
+    }
+  };
+
+  struct Count_in_sphere
+  {
+    void operator()(Predicate_counts& counts, CGAL::Oriented_side) const { ++counts.in_sphere; }
+  };
+
+  struct Count_other
+  {
+    template <class Result>
+    void operator()(Predicate_counts& counts, Result) const
+    {
+      ++counts.other;
+    }
+  };
+
+public:
+  // \name Predicates that are counted
+  // @{
+
+  // counts in `Predicate_counts::orientation` and `Predicate_counts::negative_orientation`.
+  using Orientation_3 = Counting<typename Kernel::Orientation_3, Count_orientation>;
+  // counts in `Predicate_counts::in_sphere`.
+  using Side_of_oriented_sphere_3 =
+      Counting<typename Kernel::Side_of_oriented_sphere_3, Count_in_sphere>;
+  // counts in `Predicate_counts::other`.
+  using Coplanar_orientation_3 = Counting<typename Kernel::Coplanar_orientation_3, Count_other>;
+  // counts in `Predicate_counts::other`.
+  using Coplanar_side_of_bounded_circle_3 =
+      Counting<typename Kernel::Coplanar_side_of_bounded_circle_3, Count_other>;
+  // counts in `Predicate_counts::other`.
+  using Compare_xyz_3 = Counting<typename Kernel::Compare_xyz_3, Count_other>;
+  // counts in `Predicate_counts::other`.
+  using Compare_distance_3 = Counting<typename Kernel::Compare_distance_3, Count_other>;
+
+  // @}
+
+  // starts at zero, with the predicates of `kernel`.
+  explicit Predicate_counting_traits_3(const Kernel& kernel = Kernel())
+    : Kernel(kernel)
+    , m_counts(std::make_shared<Predicate_counts>())
+  {
+  }
+
+  // returns the counts of this object and all its copies.
+  const Predicate_counts& counts() const { return *m_counts; }
+
+  // \name Function objects
+  // They count as long as this object or a copy of it lives.
+  // @{
+
+  // returns the counting predicate.
+  Orientation_3 orientation_3_object() const
+  {
+    return {Kernel::orientation_3_object(), m_counts.get()};
+  }
+  // returns the counting predicate.
+  Side_of_oriented_sphere_3 side_of_oriented_sphere_3_object() const
+  {
+    return {Kernel::side_of_oriented_sphere_3_object(), m_counts.get()};
+  }
+  // returns the counting predicate.
+  Coplanar_orientation_3 coplanar_orientation_3_object() const
+  {
+    return {Kernel::coplanar_orientation_3_object(), m_counts.get()};
+  }
+  // returns the counting predicate.
+  Coplanar_side_of_bounded_circle_3 coplanar_side_of_bounded_circle_3_object() const
+  {
+    return {Kernel::coplanar_side_of_bounded_circle_3_object(), m_counts.get()};
+  }
+  // returns the counting predicate.
+  Compare_xyz_3 compare_xyz_3_object() const
+  {
+    return {Kernel::compare_xyz_3_object(), m_counts.get()};
+  }
+  // returns the counting predicate.
+  Compare_distance_3 compare_distance_3_object() const
+  {
+    return {Kernel::compare_distance_3_object(), m_counts.get()};
+  }
+
+  // @}
+
+private:
+  std::shared_ptr<Predicate_counts> m_counts;
+};
+
+} // namespace meters
+
+#endif // DELAUNAY_FROM_SURFACE_3_METERS_PREDICATE_COUNTING_TRAITS_3_H

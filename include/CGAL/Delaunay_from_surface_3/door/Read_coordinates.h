@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_READ_COORDINATES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_READ_COORDINATES_H
+
+#include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// A point of doubles, from anything with coordinates [0], [1] and [2] that are numbers of C++, or a
+// point of any kernel.
+template <class Item>
+struct Coordinates_map
+{
+  using value_type = Exact_predicates_inexact_constructions_kernel::Point_3;
+  using key_type = Item;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  friend value_type get(const Coordinates_map&, const Item& item)
+  {
+    if constexpr (std::is_convertible<const Item&, value_type>::value)
+      return item;
+    else if constexpr (std::is_arithmetic<std::decay_t<decltype(item[0])>>::value)
+      return value_type(double(item[0]), double(item[1]), double(item[2]));
+    else
+      return converted_point<value_type>(item);
+  }
+};
+
+// The coordinates of a range of points, checked, as doubles; those of a
+// std::vector<std::array<double, 3>> stay where they are.
+template <class PointRange, class NamedParameters>
+class Read_coordinates final : public Point_source
+{
+  using Item = typename std::iterator_traits<decltype(std::begin(
+      std::declval<const PointRange&>()))>::value_type;
+  using Point = typename Coordinates_map<Item>::value_type;
+  static constexpr bool stays =
+      std::is_same<PointRange, std::vector<std::array<double, 3>>>::value &&
+      !is_given<NamedParameters, internal_np::point_t>;
+
+public:
+  // Keeps references.
+  Read_coordinates(const PointRange& points, const NamedParameters& np)
+    : m_points(points)
+    , m_np(np)
+    , m_size(std::size_t(std::distance(std::begin(points), std::end(points))))
+  {
+    read();
+  }
+
+  std::size_t size() const { return m_size; }
+
+  Point_array points() override
+  {
+    if constexpr (stays) {
+      return Point_array(m_size == 0 ? nullptr : m_points.front().data(), m_size);
+    } else {
+      if (m_copy.empty())
+        read();
+      return Point_array(m_copy.data(), m_size);
+    }
+  }
+  void give_up() override { Large_vector<double>().swap(m_copy); }
+
+private:
+  void read()
+  {
+    const Rounding_to_nearest rounding; // whenever it is done the numbers are the same
+    const auto point_map = parameters::choose_parameter(
+        parameters::get_parameter(m_np, internal_np::point_map), Coordinates_map<Item>());
+    m_copy.reserve(stays ? 0 : 3 * m_size);
+    std::size_t i = 0;
+    for (const auto& item : m_points) {
+      const Point p = converted_point<Point>(get(point_map, item));
+      check_point(p, i++);
+      if constexpr (!stays)
+        m_copy.insert(m_copy.end(), {p.x(), p.y(), p.z()});
+    }
+  }
+
+  const PointRange& m_points;
+  const NamedParameters& m_np;
+  const std::size_t m_size;
+  Large_vector<double> m_copy;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_READ_COORDINATES_H

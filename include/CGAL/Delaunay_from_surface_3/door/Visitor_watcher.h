@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_VISITOR_WATCHER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_VISITOR_WATCHER_H
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
+#include <CGAL/Delaunay_from_surface_3/door/accepts_points.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Is there a phase_begins() that is not that of the default visitor? Whoever has one is told of every
+// point.
+template <class Visitor, class = void>
+struct Follows_points : std::true_type
+{
+};
+template <class Visitor>
+struct Follows_points<Visitor, std::void_t<decltype(&Visitor::phase_begins)>>
+  : std::bool_constant<
+        !std::is_same<decltype(&Visitor::phase_begins),
+                      decltype(&Default_surface_insertion_visitor_3::phase_begins)>::value>
+{
+};
+
+// Does it want to know how many points are inserted?
+template <class Visitor, class = void>
+struct Counts_points : std::false_type
+{
+};
+template <class Visitor>
+struct Counts_points<Visitor,
+                     std::void_t<decltype(std::declval<Visitor&>().go_further(std::size_t()))>>
+  : std::true_type
+{
+};
+
+// What a visitor gets in place of target and hints where the core inserts.
+struct Core_target
+{
+  const Insertion_counts& m_counts;
+  Insertion_counts counts() const { return m_counts; }
+};
+struct Core_hints
+{
+};
+
+// Tells a caller's visitor what the core, or the loop of the paper, is doing, in the floating-point
+// mode of whoever called the package.
+template <class Visitor, class Point>
+class Visitor_watcher final : public Watcher
+{
+  using Phase = Surface_insertion_phase;
+
+public:
+  static constexpr bool is_asked = accepts_points<Visitor, Point>();
+
+  // Keeps references.
+  Visitor_watcher(Visitor& visitor, const Rounding_to_nearest& rounding,
+                  const std::vector<Point>& points)
+    : m_visitor(visitor)
+    , m_rounding(rounding)
+    , m_points(points)
+  {
+  }
+
+  void phase_begins(Phase phase) override
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.phase_begins(phase); });
+  }
+  void order_is_replaced(const char* reason) override
+  {
+    m_answers.clear();
+    m_rounding.in_mode_of_caller([&] { m_visitor.order_is_replaced(std::string(reason)); });
+  }
+  void insertion_begins(std::size_t number_of_threads) override
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.insertion_begins(number_of_threads); });
+  }
+  void round_begins(std::size_t round, std::size_t number_of_points) override
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.round_begins(round, number_of_points); });
+  }
+  void insertion_ends(const Insertion_counts& counts) override
+  {
+    insertion_ends(Core_target{counts}, Core_hints());
+  }
+  bool go_further(std::size_t inserted) override
+  {
+    if constexpr (Counts_points<Visitor>::value)
+      return m_rounding.in_mode_of_caller([&] { return m_visitor.go_further(inserted); });
+    else
+      return go_further();
+  }
+  bool follows_points() const override { return Follows_points<Visitor>::value; }
+  bool leaves_points_out() const override { return is_asked; }
+  bool looks_at_corners() const override { return Has_accept_with_corners<Visitor, Point>::value; }
+  bool accepts(std::size_t i, std::size_t nearest, const Corners& corners) override
+  {
+    return accepts(i, nearest, m_points[nearest], corners);
+  }
+
+  // What only the paper's way, or CGAL's insertion in place of the core's, has to tell.
+
+  void surface_is_irregular(const std::string& reason)
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.surface_is_irregular(reason); });
+  }
+  void subgraph_is_replaced(const std::string& reason)
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.subgraph_is_replaced(reason); });
+  }
+  void target_is_replaced(const std::string& reason)
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.target_is_replaced(reason); });
+  }
+  void trace_ends(std::size_t number_of_located_points)
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.trace_ends(number_of_located_points); });
+  }
+  template <class Target, class Hints>
+  void insertion_ends(const Target& target, const Hints& hints)
+  {
+    m_rounding.in_mode_of_caller([&] { m_visitor.insertion_ends(target, hints); });
+  }
+  bool go_further()
+  {
+    return m_rounding.in_mode_of_caller([&] { return m_visitor.go_further(); });
+  }
+
+  // In each order a visitor is asked about a point once, whoever inserts it.
+  bool accepts(std::size_t i, std::size_t nearest, const Point& point, const Corners& corners)
+  {
+    if constexpr (is_asked) {
+      m_answers.resize(m_points.size(), NOT_ASKED);
+      if (m_answers[i] == NOT_ASKED)
+        m_answers[i] = m_rounding.in_mode_of_caller(
+            [&] { return static_cast<bool>(answer(i, nearest, point, corners)); });
+      return m_answers[i] != 0;
+    } else {
+      return true;
+    }
+  }
+
+private:
+  static constexpr char NOT_ASKED = 2;
+
+  auto answer(std::size_t i, std::size_t nearest, const Point& point, const Corners& corners)
+  {
+    if constexpr (Has_accept_with_corners<Visitor, Point>::value)
+      return m_visitor.accept(i, nearest, point, corners);
+    else
+      return m_visitor.accept(i, nearest, point);
+  }
+
+  Visitor& m_visitor;
+  const Rounding_to_nearest& m_rounding;
+  const std::vector<Point>& m_points;
+  std::vector<char> m_answers; // by point
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_VISITOR_WATCHER_H

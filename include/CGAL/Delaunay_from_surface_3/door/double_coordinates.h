@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_DOUBLE_COORDINATES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_DOUBLE_COORDINATES_H
+
+// Coordinates of any number type, as doubles where they are doubles.
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+using Coordinate_intervals = std::array<std::pair<double, double>, 3>;
+
+// Does a point hold intervals around its coordinates? Points of lazy kernels do; to ask these for a
+// coordinate would make a number of it first.
+template <class Point, class = void>
+struct Has_intervals : std::false_type
+{
+};
+template <class Point>
+struct Has_intervals<Point, std::void_t<decltype(std::declval<const Point&>().approx().x().pair())>>
+  : std::true_type
+{
+};
+
+// Is every number of the type a double?
+template <class FT>
+constexpr bool is_at_most_double = std::is_floating_point<FT>::value &&
+                                   sizeof(FT) <= sizeof(double);
+
+// Intervals that contain the coordinates.
+template <class Point>
+Coordinate_intervals coordinate_intervals(const Point& p)
+{
+  if constexpr (Has_intervals<Point>::value) {
+    const auto q = p.approx();
+    return {q.x().pair(), q.y().pair(), q.z().pair()};
+  } else {
+    return {CGAL::to_interval(p.x()), CGAL::to_interval(p.y()), CGAL::to_interval(p.z())};
+  }
+}
+
+// The double that is equal to x, if there is one. A lazy number is computed exactly by the
+// comparison, and its interval is the narrowest after it.
+template <class FT>
+std::optional<double> equal_double(const FT& x)
+{
+  if (const double d = CGAL::to_double(x); std::isfinite(d) && FT(d) == x)
+    return d;
+  const std::pair<double, double> interval = CGAL::to_interval(x);
+  if (interval.first == interval.second)
+    return interval.first;
+  return std::nullopt;
+}
+
+// The coordinates of p if they are all doubles.
+template <class Point>
+std::optional<std::array<double, 3>> double_coordinates(const Point& p)
+{
+  using FT = std::decay_t<decltype(p.x())>;
+  if constexpr (is_at_most_double<FT>) {
+    return {{double(p.x()), double(p.y()), double(p.z())}};
+  } else {
+    const Coordinate_intervals intervals = coordinate_intervals(p);
+    std::array<double, 3> coordinates;
+    for (std::size_t c = 0; c < 3; ++c) {
+      coordinates[c] = intervals[c].first;
+      if (intervals[c].first == intervals[c].second)
+        continue;
+      const std::optional<double> d = equal_double(c == 0 ? p.x() : c == 1 ? p.y() : p.z());
+      if (!d)
+        return std::nullopt;
+      coordinates[c] = *d;
+    }
+    return coordinates;
+  }
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_DOUBLE_COORDINATES_H

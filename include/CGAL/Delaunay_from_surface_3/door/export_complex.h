@@ -1,0 +1,272 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_EXPORT_COMPLEX_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_EXPORT_COMPLEX_H
+
+// Writes the cells into an empty triangulation through the public interface of its data structure.
+//
+// Cells are made in ascending order, each linked with those made before it, so that a compact cell
+// is read once and its memory can go back to the system while CGAL's grows. Linear.
+
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
+
+#include <CGAL/Triangulation_hierarchy_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+template <class Tr>
+std::true_type has_upper_levels(const Triangulation_hierarchy_3<Tr>*);
+std::false_type has_upper_levels(const void*);
+
+// Elements of CGAL's containers that bear a time stamp are made one after the other.
+template <class Element, class = void>
+struct Has_time_stamp : std::false_type
+{
+};
+template <class Element>
+struct Has_time_stamp<Element, std::void_t<typename Element::Has_timestamp>>
+  : std::bool_constant<Element::Has_timestamp::value>
+{
+};
+
+template <class Range>
+std::size_t blocks_of_export(const Executor& executor, std::size_t n)
+{
+  constexpr std::size_t least = 4096;
+  return Has_time_stamp<typename Range::value_type>::value ? 1
+                                                           : number_of_blocks(executor, n, least);
+}
+
+// Calls body(begin, end) for portions of first, …, last - 1, in ascending order.
+template <class Body>
+void for_each_portion(std::size_t first, std::size_t last, const Body& body)
+{
+  constexpr std::size_t portion = std::size_t(1) << 16;
+  for (std::size_t begin = first, end; begin < last; begin = end) {
+    end = (std::min)(last, begin / portion * portion + portion);
+    body(begin, end);
+  }
+}
+
+// The cells of one block: made in ascending order, each linked with those made before it.
+template <class Tds, class Id>
+class Export_block
+{
+  using Cell_handle = typename Tds::Cell_handle;
+  using Numbers = Compact_numbers<Id>;
+
+public:
+  // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
+  // ones they are cannot be predicted. One to a later block is kept, for both its ends.
+  template <class Vertex>
+  void make(typename Tds::Cell_range& range, Built<Id>& built, const std::vector<Vertex>& vertices,
+            Large_vector<Cell_handle>& cells, Cell_handle scratch, std::size_t first,
+            std::size_t last)
+  {
+    for_each_portion(first, last, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) {
+        fetch_ahead(built, cells, c, first, last);
+        const Compact_cell<Id>& cell = built.cells[c];
+        if (Numbers::is_dead(cell))
+          continue;
+        const Cell_handle made = range.emplace(vertices[cell.v[0]], vertices[cell.v[1]],
+                                               vertices[cell.v[2]], vertices[cell.v[3]]);
+        cells[c] = made;
+        for (int i = 0; i < 4; ++i) {
+          const Id link = cell.links[i];
+          const bool is_here = std::size_t(link >> 2) - first < last - first;
+          const Cell_handle neighbor = is_here ? cells[link >> 2] : scratch;
+          made->set_neighbor(i, neighbor);
+          neighbor->set_neighbor(int(link & 3), made);
+          if (std::size_t(link >> 2) >= last)
+            m_links_out.push_back({Numbers::link(Id(c), unsigned(i)), link});
+        }
+      }
+      built.release_cells(begin, end);
+    });
+  }
+
+  // When all blocks have made their cells: the part-th of so many parts.
+  void set_links_out(const Large_vector<Cell_handle>& cells, std::size_t part,
+                     std::size_t parts) const
+  {
+    const std::size_t n = m_links_out.size(), last = n * (part + 1) / parts;
+    for (std::size_t k = n * part / parts; k < last; ++k) {
+      const Link_out& ahead = m_links_out[(std::min)(k + prefetch_distance, last - 1)];
+      prefetch(&cells[ahead.there >> 2]);
+      const Link_out& near = m_links_out[(std::min)(k + near_prefetch_distance, last - 1)];
+      prefetch(&*cells[near.there >> 2]);
+      const Link_out& out = m_links_out[k];
+      const Cell_handle here = cells[out.here >> 2], there = cells[out.there >> 2];
+      here->set_neighbor(int(out.here & 3), there);
+      there->set_neighbor(int(out.there & 3), here);
+    }
+  }
+
+private:
+  struct Link_out
+  {
+    Id here, there;
+  };
+
+  // So many cells ahead handles, and then what they lead to, are fetched. The distances were chosen
+  // by trial; no measurement of them is kept.
+  static void fetch_ahead(const Built<Id>& built, const Large_vector<Cell_handle>& cells,
+                          std::size_t c, std::size_t first, std::size_t last)
+  {
+    constexpr std::size_t handles_ahead = 24, cells_ahead = 8;
+    for (const Id link : built.cells[(std::min)(c + handles_ahead, last - 1)].links)
+      prefetch(&cells[link >> 2]);
+    for (const Id link : built.cells[(std::min)(c + cells_ahead, last - 1)].links)
+      if (std::size_t(link >> 2) - first < last - first) // others write theirs
+        prefetch(&*cells[link >> 2]);
+  }
+
+  std::vector<Link_out> m_links_out;
+};
+
+// The cells alone. Returns their handles by cell.
+template <class Tds, class Id, class Vertex>
+Large_vector<typename Tds::Cell_handle>
+export_cells(Tds& tds, Built<Id>& built, const std::vector<Vertex>& vertices,
+             typename Tds::Cell_handle scratch, const Executor& executor)
+{
+  using Range = typename Tds::Cell_range;
+  Large_vector<typename Tds::Cell_handle> cells(built.cells_end, scratch);
+  const std::size_t number = blocks_of_export<Range>(executor, cells.size());
+  std::vector<Range> ranges(number);
+  std::vector<Export_block<Tds, Id>> blocks(number);
+  ranges[0].swap(tds.cells());
+  for_each_block(
+      executor, cells.size(), number, [&](std::size_t first, std::size_t last, std::size_t b) {
+        const auto own = b == 0 ? scratch : ranges[b].emplace();
+        std::fill(cells.begin() + std::ptrdiff_t(first), cells.begin() + std::ptrdiff_t(last), own);
+        blocks[b].make(ranges[b], built, vertices, cells, own, first, last);
+        ranges[b].erase(own);
+      });
+  built.give_up_cells();
+  for_each_block(executor, number, number, [&](std::size_t, std::size_t, std::size_t part) {
+    for (const auto& block : blocks)
+      block.set_links_out(cells, part, number);
+  });
+  for (Range& range : ranges)
+    tds.cells().merge(range);
+  return cells;
+}
+
+// The k-th vertex to be created, k > 0: in the order of the numbers, or in that in which `order`,
+// if it is there, first names points.
+template <class Vertex>
+struct Creation_order
+{
+  const std::vector<std::size_t>* order;
+  const Vertex* vertices; // by point
+  bool is_own() const { return order == nullptr; }
+  std::size_t operator()(std::size_t k) const
+  {
+    return is_own() ? k : std::size_t(vertices[(*order)[k - 1]]);
+  }
+};
+
+// The vertices alone, but for the infinite one. Returns their handles by vertex, none where there
+// is no vertex. point(v) and in_order(k): as in export_complex().
+template <class Triangulation, class PointOf, class InOrder>
+std::vector<typename Triangulation::Vertex_handle>
+export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const InOrder& in_order,
+                const Executor& executor)
+{
+  using Range = typename Triangulation::Triangulation_data_structure::Vertex_range;
+  std::vector<typename Triangulation::Vertex_handle> vertices(end);
+  vertices[0] = tr.infinite_vertex();
+  const std::size_t number = in_order.is_own() ? blocks_of_export<Range>(executor, end) : 1;
+  std::vector<Range> ranges(number);
+  ranges[0].swap(tr.tds().vertices());
+  for_each_block(executor, end, number, [&](std::size_t first, std::size_t last, std::size_t b) {
+    for (std::size_t k = (std::max)(first, std::size_t(1)); k < last; ++k) {
+      const std::size_t v = in_order(k);
+      const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
+      if (const auto* const p = is_new ? point(v) : nullptr) {
+        vertices[v] = ranges[b].emplace();
+        vertices[v]->set_point(*p);
+      }
+    }
+  });
+  for (Range& range : ranges)
+    tr.tds().vertices().merge(range);
+  return vertices;
+}
+
+// Fills `tr`, empty, and gives up the memory of `built`. point(v) leads to the point of vertex v,
+// or to none if that vertex is in no cell. The vertices are made in the order in which in_order(1),
+// … first names them; in_order.is_own() says that it is that of the numbers. Returns the handles by
+// vertex, that of the infinite vertex first, and none where there is no vertex. With several
+// workers each fills containers of its own, which are then merged: their order is that of the
+// numbers all the same.
+template <class Triangulation, class Id, class PointOf, class InOrder>
+std::vector<typename Triangulation::Vertex_handle>
+export_complex(Triangulation& tr, Built<Id>& built, const PointOf& point, const InOrder& in_order,
+               const Executor& executor)
+{
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  auto& tds = tr.tds();
+  const auto vertices = export_vertices(tr, built.vertices_end, point, in_order, executor);
+  Large_vector<Id> cell_of(vertices.size());
+  const std::size_t number = number_of_blocks(executor, vertices.size(), 4096);
+  for_each_block(executor, vertices.size(), number,
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t v = first; v < last; ++v)
+                     cell_of[v] = built.vertices[v].cell;
+                 });
+  built.give_up_vertices();
+  tds.set_dimension(3);
+  const auto cells = export_cells(tds, built, vertices, tr.infinite_vertex()->cell(), executor);
+  for_each_block(executor, vertices.size(), number,
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t v = first; v < last; ++v)
+                     if (vertices[v] != Vertex_handle())
+                       vertices[v]->set_cell(cells[cell_of[v]]);
+                 });
+  return vertices;
+}
+
+// Fills the upper levels of a triangulation with `Fast_location`: vertices that are inserted again
+// where they are pass the draw of their level.
+template <class Triangulation>
+void fill_upper_levels(Triangulation& tr,
+                       const std::vector<typename Triangulation::Vertex_handle>& vertices)
+{
+  using Has_upper_levels = decltype(has_upper_levels(static_cast<Triangulation*>(nullptr)));
+  if constexpr (Has_upper_levels::value) {
+    for (std::size_t v = 1; v < vertices.size(); ++v) {
+      if (vertices[v] == typename Triangulation::Vertex_handle())
+        continue;
+      const auto c = vertices[v]->cell();
+      const auto p = vertices[v]->point(); // a copy: the insertion assigns it
+      tr.insert(p, Triangulation::VERTEX, c, c->index(vertices[v]), 0);
+    }
+  } else {
+    (void)tr, (void)vertices;
+  }
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_EXPORT_COMPLEX_H

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_SURFACE_INPUT_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_SURFACE_INPUT_H
+
+// Everything that is asked of the input before the triangulation is touched.
+
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/door/double_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Iterator_range.h>
+#include <CGAL/Kernel_traits.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The rule where the kernels differ: a point of the same or a convertible type is taken as it is;
+// any other goes through Cartesian_converter, exactly if the target's numbers can hold it, else by
+// to_double().
+template <class Point, class SourcePoint>
+Point converted_point(const SourcePoint& p)
+{
+  if constexpr (std::is_convertible<const SourcePoint&, Point>::value)
+    return p;
+  else
+    return Cartesian_converter<typename Kernel_traits<SourcePoint>::Kernel,
+                               typename Kernel_traits<Point>::Kernel>()(p);
+}
+
+// Works for exact numbers too: an interval around a finite number has a finite end, and no NaN.
+inline bool holds_finite_number(const std::pair<double, double>& interval)
+{
+  return interval.first <= (std::numeric_limits<double>::max)() &&
+         interval.second >= std::numeric_limits<double>::lowest();
+}
+
+template <class Point>
+void check_point(const Point& p, std::size_t i)
+{
+  const Coordinate_intervals intervals = coordinate_intervals(p);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (!holds_finite_number(intervals[c]))
+      throw Surface_input_error("vertex " + std::to_string(i) + ": its " + "xyz"[c] +
+                                " coordinate is not a finite number");
+}
+
+// Appends p, converted and checked.
+template <class Point, class SourcePoint>
+void append_checked(const SourcePoint& p, std::vector<Point>& points)
+{
+  points.push_back(converted_point<Point>(p));
+  check_point(points.back(), points.size() - 1);
+}
+
+// The points of `items`, converted and checked.
+template <class Point, class Range, class PointMap>
+std::vector<Point> read_points(const Range& items, PointMap point_map)
+{
+  std::vector<Point> points;
+  points.reserve(std::size_t(std::distance(std::begin(items), std::end(items))));
+  for (const auto& item : items)
+    append_checked(get(point_map, item), points);
+  return points;
+}
+
+// The vertices of a graph, numbered 0, …, n-1. The user's index map must tell them apart; it need
+// not be dense, since that of a mesh with removed vertices is not. A map from vertices to these
+// numbers:
+template <class VertexIndexMap>
+class Dense_index_map
+{
+public:
+  using key_type = typename boost::property_traits<VertexIndexMap>::key_type;
+  using value_type = std::size_t;
+  using reference = std::size_t;
+  using category = boost::readable_property_map_tag;
+
+  Dense_index_map(VertexIndexMap sparse, const std::vector<std::size_t>& dense)
+    : m_sparse(sparse)
+    , m_dense(&dense)
+  {
+  }
+
+  friend std::size_t get(const Dense_index_map& map, const key_type& v)
+  {
+    return (*map.m_dense)[std::size_t(get(map.m_sparse, v))];
+  }
+
+private:
+  VertexIndexMap m_sparse;
+  const std::vector<std::size_t>* m_dense;
+};
+
+constexpr std::size_t no_index = std::size_t(-1);
+
+// dense[index of v] = position of v in `vertices`. All indices must be less than `bound`.
+template <class VertexRange, class VertexIndexMap>
+std::vector<std::size_t> dense_indices(const VertexRange& vertices, VertexIndexMap index_map,
+                                       std::size_t bound)
+{
+  std::vector<std::size_t> dense(
+      std::size_t(std::distance(std::begin(vertices), std::end(vertices))), no_index);
+  std::size_t position = 0;
+  for (const auto& v : vertices) {
+    const auto index = get(index_map, v);
+    if (index < decltype(index)(0))
+      throw Surface_input_error("vertex " + std::to_string(position) + ": its index is negative");
+    if (std::size_t(index) >= bound)
+      throw Surface_input_error("vertex " + std::to_string(position) + ": its index " +
+                                std::to_string(index) + " is too large");
+    if (std::size_t(index) >= dense.size())
+      dense.resize((std::max)(std::size_t(index) + 1, 2 * dense.size()), no_index);
+    std::size_t& number = dense[std::size_t(index)];
+    if (number != no_index)
+      throw Surface_input_error("vertices " + std::to_string(number) + " and " +
+                                std::to_string(position) + " have the same index " +
+                                std::to_string(index));
+    number = position++;
+  }
+  return dense;
+}
+
+// Throws unless the vertices of `graph` have the indices 0, …, n-1.
+template <class Graph, class VertexIndexMap>
+void check_indices(const Graph& graph, VertexIndexMap index_map, std::size_t n)
+{
+  const auto range = vertices(graph);
+  const auto count = std::size_t(std::distance(range.first, range.second));
+  if (count != n)
+    throw Surface_input_error("the graph has " + std::to_string(count) +
+                              " vertices, but there are " + std::to_string(n) + " points");
+  // n different indices less than n are all of them.
+  dense_indices(make_range(range.first, range.second), index_map, n);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_SURFACE_INPUT_H

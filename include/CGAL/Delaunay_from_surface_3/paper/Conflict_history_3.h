@@ -1,0 +1,300 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_CONFLICT_HISTORY_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_CONFLICT_HISTORY_3_H
+
+// Choi 2002, §2: the location structure Q. "We start at the root and traverse all the intermediate
+// Delaunay tetrahedra whose circumspheres contain s_i" (Boissonnat and Teillaud's Delaunay tree;
+// Clarkson, Mehlhorn and Seidel's history).
+//
+// Invariant: a new cell on the facet f is in conflict with no point that is in conflict neither
+// with its father, the destroyed cell behind f, nor with its stepfather, the cell across f that
+// survived. For its sphere goes through the circle of f, between the spheres of these two. So
+// whoever knows all cells of one triangulation in conflict with a point finds all later ones by
+// sons and stepsons. The stepsons of a facet stood on it one after the other, each the son of the
+// one before, and their spheres turn about its circle towards the stepfather. Of those in conflict
+// with a point there the youngest are, if it is on the stepfather's side of the facet; else they
+// are sons of cells in conflict. So they are tested from the youngest on until one is not in
+// conflict.
+
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_test.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Zone_boundary.h>
+
+#include <CGAL/Unique_hash_map.h>
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+is the paper's location structure (\cgalCite{choi-dtsm-02}): the history of a Delaunay triangulation
+in dimension 3 while points are inserted, as a graph of conflicts (\cgalCite{bt-rcdt-93},
+\cgalCite{cms-frric-93}). Every cell that ever was, infinite ones too, is a node. A new cell is
+linked to two older ones, its father and its stepfather: the destroyed and the surviving cell at the
+facet on which it stands. A point in conflict with a cell is in conflict with one of these two.
+
+`find_conflicts()` visits the nodes that are in conflict with a point, each once, and gives those
+that are cells of today. It starts from the root, all cells that there were when the triangulation
+was handed over or became 3-dimensional, or from all cells that were in conflict with the point at
+some time before: the point's *conflict set* then. One of these would not do: cells of today may
+descend from the others only.
+
+Let points be inserted in random order, and let \f$c_j\f$ be the expected number of cells in
+conflict with a point p in the triangulation of j points. Each of them was made by the j-th
+insertion with probability \f$4/j\f$, or \f$3/j\f$ if it is infinite. So from the triangulation of k
+points to that of i at most \f$\sum_{k < j \le i} 4 c_j / j\f$ nodes are visited in expectation,
+which is \f$O(\log(i/k))\f$ if \f$c_j\f$ is \f$O(1)\f$ (\cgalCite{choi-dtsm-02}, Lemma 4). At each
+node at most eight tests are made in vain, four of sons and one for each facet, whatever the degrees
+of the vertices are: work is proportional to nodes.
+
+Memory: 104 bytes per cell that ever was, where handles have 8 bytes, and 24 per cell of today.
+Points may only be inserted, all conflict zones must be reported, and predicates must be exact.
+
+\tparam Triangulation a `CGAL::Delaunay_triangulation_3`, not with `Fast_location`
+
+\cgalModels{UpdateObserver_3}
+*/
+template <class Triangulation>
+class Conflict_history_3
+{
+  using Vertex = typename Triangulation::Vertex_handle;
+  using Cell = typename Triangulation::Cell_handle;
+  using Point = typename Triangulation::Point;
+  using Conflict = internal::Conflict;
+
+public:
+  /// the number of a node; nodes are numbered in the order of their creation.
+  using Node = std::size_t;
+
+  /// stands for no node.
+  static constexpr Node none = (std::numeric_limits<Node>::max)();
+
+  /// what a search did.
+  struct Search
+  {
+    Vertex vertex;             ///< the vertex at the point; none if there is none.
+    std::size_t nodes_visited; ///< those in conflict with the point, but for those given at first.
+    std::size_t nodes_tested;  ///< nodes that were tested.
+  };
+
+  /// `true`: the conflict zone is what becomes history.
+  static constexpr bool observes_conflict_zone = true;
+
+  /// begins the history of `tr` with what it is now; keeps a reference to it.
+  explicit Conflict_history_3(const Triangulation& tr)
+    : m_tr(tr)
+    , m_test(tr)
+  {
+    if (tr.dimension() == 3)
+      make_root();
+  }
+
+  /// \name Observing
+  /// @{
+
+  /// notes that the cells in `[first, last)` are destroyed by the next insertion.
+  template <class CellIterator>
+  void before_update(std::size_t, CellIterator first, CellIterator last)
+  {
+    m_zone.assign(first, last);
+    for (const Cell c : m_zone)
+      m_records[node(c)].cell = Cell();
+    m_boundary.clear();
+    for (const Cell c : m_zone)
+      for (int i = 0; i < 4; ++i) {
+        const Cell across = c->neighbor(i);
+        if (is_leaf(node(across)))
+          m_boundary.add(node(across), across->index(c), node(c));
+      }
+    m_boundary.sort();
+  }
+
+  /// adds the star of `v`, or the root if the triangulation has just become 3-dimensional. A point
+  /// that was there already changes nothing.
+  void after_update(std::size_t, Vertex v)
+  {
+    if (!m_zone.empty()) {
+      m_zone.clear();
+      m_tr.incident_cells(v, std::back_inserter(m_zone));
+      for (const Cell c : m_zone)
+        add_node(c);
+      for (const Cell c : m_zone) {
+        const Cell across = c->neighbor(c->index(v));
+        link(node(c), node(across), across->index(c));
+      }
+      m_zone.clear();
+    } else if (is_empty() && m_tr.dimension() == 3)
+      make_root();
+  }
+
+  /// @}
+
+  /// \name Location
+  /// @{
+
+  /// writes the cells of today that are in conflict with `p`, as nodes; searches from the root. If
+  /// `p` is a vertex the search ends with it, and what has been written means nothing.
+  /// \pre `!is_empty()`
+  template <class NodeOutputIterator>
+  Search find_conflicts(const Point& p, NodeOutputIterator out)
+  {
+    CGAL_precondition(!is_empty());
+    Search search = begin_search();
+    for (Node n = 0; n < m_root_end && search.vertex == Vertex(); ++n)
+      is_visited(n, p, search);
+    return finish_search(p, 0, out, search);
+  }
+
+  /// does the same from the nodes in `[first, last)`: the conflict set of `p` at the time when
+  /// there were `number_of_nodes_then` nodes.
+  /// \pre `p` was no vertex then.
+  template <class NodeIterator, class NodeOutputIterator>
+  Search find_conflicts(const Point& p, NodeIterator first, NodeIterator last,
+                        std::size_t number_of_nodes_then, NodeOutputIterator out)
+  {
+    const Search search = begin_search();
+    for (; first != last; ++first) {
+      m_marks[*first] = 2 * m_search + 1;
+      m_stack.push_back(*first);
+    }
+    return finish_search(p, number_of_nodes_then, out, search);
+  }
+
+  /// returns whether `p` is in conflict with node `n`: inside its circumscribing sphere, or beyond
+  /// the finite facet of an infinite cell; %CGAL's perturbation decides where it is on either.
+  bool is_in_conflict(Node n, const Point& p) const
+  {
+    return m_test(m_records[n].vertices, p) == Conflict::YES;
+  }
+
+  /// @}
+
+  /// \name Access
+  /// @{
+
+  /// returns whether there is no node: the triangulation has not become 3-dimensional yet.
+  bool is_empty() const { return m_records.empty(); }
+
+  /// returns the number of nodes: of all cells that ever were.
+  std::size_t number_of_nodes() const { return m_records.size(); }
+
+  /// returns whether `n` is a cell of today.
+  bool is_leaf(Node n) const { return m_records[n].cell != Cell(); }
+
+  /// returns the vertices of `n`.
+  const std::array<Vertex, 4>& vertices(Node n) const { return m_records[n].vertices; }
+
+  /// returns the cell of today that leaf `n` is.
+  Cell cell(Node n) const { return m_records[n].cell; }
+
+  /// returns the node of `c`, a cell of today.
+  Node node(Cell c) const { return m_node_of_cell[c]; }
+
+  /// @}
+
+private:
+  struct Record
+  {
+    std::array<Vertex, 4> vertices;
+    Cell cell; // none once it is destroyed
+    Node first_son = none;
+    Node next_son = none; // of its father's sons
+    std::array<Node, 4> youngest_stepson = {none, none, none, none};
+    Node next_older_stepson = none; // of its stepfather's, on the same facet
+  };
+
+  void make_root()
+  {
+    for (auto c = m_tr.all_cells_begin(); c != m_tr.all_cells_end(); ++c)
+      add_node(c);
+    m_root_end = m_records.size();
+  }
+
+  // The memory of a destroyed cell may hold a new one: that is then what its address stands for.
+  void add_node(Cell c)
+  {
+    m_node_of_cell[c] = m_records.size();
+    Record record;
+    record.vertices = {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)};
+    record.cell = c;
+    m_records.push_back(record);
+    m_marks.push_back(0);
+  }
+
+  // Node n stands on facet `index` of its stepfather.
+  void link(Node n, Node stepfather, int index)
+  {
+    Node& first_son = m_records[m_boundary.behind(stepfather, index)].first_son;
+    Node& youngest = m_records[stepfather].youngest_stepson[std::size_t(index)];
+    m_records[n].next_son = first_son;
+    m_records[n].next_older_stepson = youngest;
+    first_son = youngest = n;
+  }
+
+  Search begin_search()
+  {
+    ++m_search;
+    m_stack.clear();
+    return {Vertex(), 0, 0};
+  }
+
+  // Whether n is in conflict with p. If it is, it waits to be looked at; it does so once.
+  bool is_visited(Node n, const Point& p, Search& search)
+  {
+    if (m_marks[n] / 2 == m_search)
+      return m_marks[n] % 2 == 1;
+    ++search.nodes_tested;
+    const Conflict conflict = m_test(m_records[n].vertices, p);
+    if (conflict == Conflict::AT_VERTEX)
+      search.vertex = m_test.vertex_at(m_records[n].vertices, p);
+    m_marks[n] = 2 * m_search + std::size_t(conflict == Conflict::YES);
+    if (conflict != Conflict::YES)
+      return false;
+    ++search.nodes_visited;
+    m_stack.push_back(n);
+    return true;
+  }
+
+  template <class NodeOutputIterator>
+  Search finish_search(const Point& p, Node first_of_later, NodeOutputIterator out, Search search)
+  {
+    while (!m_stack.empty() && search.vertex == Vertex()) {
+      const Node n = m_stack.back();
+      m_stack.pop_back();
+      if (is_leaf(n))
+        *out++ = n;
+      for (Node son = m_records[n].first_son; son != none; son = m_records[son].next_son)
+        is_visited(son, p, search);
+      for (Node stepson : m_records[n].youngest_stepson)
+        while (stepson != none && stepson >= first_of_later && is_visited(stepson, p, search))
+          stepson = m_records[stepson].next_older_stepson;
+    }
+    return search;
+  }
+
+  const Triangulation& m_tr;
+  internal::Conflict_test<Triangulation> m_test;
+  std::vector<Record> m_records;
+  Unique_hash_map<Cell, Node> m_node_of_cell;
+  Node m_root_end = 0;
+  std::vector<Cell> m_zone;                 // not empty while an update is under way
+  internal::Zone_boundary<Node> m_boundary; // of the zone
+  std::vector<std::size_t> m_marks; // twice the search that has tested it last, plus its answer
+  std::size_t m_search = 0;
+  std::vector<Node> m_stack;
+};
+
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_CONFLICT_HISTORY_3_H

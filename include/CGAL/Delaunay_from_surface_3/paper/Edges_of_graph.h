@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_EDGES_OF_GRAPH_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_EDGES_OF_GRAPH_H
+
+#include <CGAL/Delaunay_from_surface_3/core/interface/Edge_source.h>
+#include <CGAL/Delaunay_from_surface_3/paper/lower_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The edges of the graph of a caller.
+template <class Graph, class VertexIndexMap>
+class Edges_of_graph final : public Edge_source
+{
+public:
+  // On n vertices. Keeps a reference.
+  Edges_of_graph(const Graph& graph, VertexIndexMap index_map, std::size_t n)
+    : m_graph(graph)
+    , m_index_map(index_map)
+    , m_number_of_vertices(n)
+  {
+  }
+
+  Lists_view<std::uint32_t> edges() override
+  {
+    constexpr std::size_t too_many = (std::numeric_limits<std::uint32_t>::max)();
+    const std::size_t m = std::size_t(num_edges(m_graph));
+    if (m_lower.first.empty() && m > 0 && (std::max)(m_number_of_vertices, m) < too_many)
+      m_lower = lower_neighbors(m_graph, m_index_map, m_number_of_vertices);
+    return m_lower;
+  }
+  void give_up() override { m_lower = Lists<std::uint32_t>(); }
+
+private:
+  const Graph& m_graph;
+  VertexIndexMap m_index_map;
+  std::size_t m_number_of_vertices;
+  Lists<std::uint32_t> m_lower; // none if there are no edges
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_EDGES_OF_GRAPH_H

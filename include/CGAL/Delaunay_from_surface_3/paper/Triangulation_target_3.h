@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_TRIANGULATION_TARGET_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_TRIANGULATION_TARGET_3_H
+
+// Choi 2002, Fig. 1, line 2c: "Insert s_i and update D(S_i)", through CGAL's own insertion; and the
+// walk that stands for Q in lines 2a and 2b.
+
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+
+#include <CGAL/Triangulation_hierarchy_3.h>
+#include <CGAL/assertions.h>
+
+#include <boost/unordered_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Insertion
+
+inserts points into a `CGAL::Delaunay_triangulation_3` by its own member functions: `locate()` with
+a starting cell, then `insert()` at the location found. The triangulation may be of any dimension,
+may hold points already, and may have any vertex and cell base.
+
+If the observer wants to see conflict zones, an insertion in dimension 3 goes through
+`find_conflicts()` and `insert_in_hole()` instead. It does not for `Fast_location`, whose `insert()`
+must also fill the upper levels: no conflict zone is reported there, nor where the dimension is
+below 3.
+
+Memory: a vertex handle per point.
+
+\tparam Triangulation a `CGAL::Delaunay_triangulation_3`
+*/
+template <class Triangulation>
+class Triangulation_target_3
+{
+  template <class Tr>
+  static std::true_type has_hierarchy(const Triangulation_hierarchy_3<Tr>*);
+  static std::false_type has_hierarchy(...);
+
+public:
+  using Point = typename Triangulation::Point;          ///< the points inserted.
+  using Vertex = typename Triangulation::Vertex_handle; ///< `Vertex()` stands for none.
+  using Cell = typename Triangulation::Cell_handle;     ///< where a walk starts.
+
+  /// the location of a point in the triangulation, as `Triangulation_3::locate()` gives it.
+  struct Location
+  {
+    Cell cell; ///< the cell that contains the point, or an infinite cell that sees it.
+    typename Triangulation::Locate_type type; ///< on what of the cell the point lies.
+    int li;                                   ///< which vertex, edge or facet of the cell that is.
+    int lj;                                   ///< the second vertex of an edge.
+  };
+
+  /// whether observers are told of every conflict zone in dimension 3: not with `Fast_location`.
+  static constexpr bool reports_conflict_zones =
+      !decltype(has_hierarchy(static_cast<Triangulation*>(nullptr)))::value;
+
+  /// is to insert `points` into `tr`; keeps references to both.
+  Triangulation_target_3(Triangulation& tr, const std::vector<Point>& points)
+    : m_tr(tr)
+    , m_points(points)
+    , m_vertices(points.size())
+  {
+  }
+
+  /// returns the number of points.
+  std::size_t size() const { return m_points.size(); }
+
+  /// returns the triangulation.
+  const Triangulation& triangulation() const { return m_tr; }
+
+  /// returns point `i`.
+  const Point& point(std::size_t i) const { return m_points[i]; }
+
+  /// returns the vertex at point `i`; none if the point is not inserted yet.
+  Vertex vertex(std::size_t i) const { return m_vertices[i]; }
+
+  /// returns a cell of `v`, or any cell if `v` is none.
+  Cell cell(Vertex v) const { return v == Vertex() ? m_tr.infinite_cell() : v->cell(); }
+
+  /// locates point `i` by a walk from `start`. Outside the affine hull nothing is walked.
+  Location locate(std::size_t i, Cell start) const
+  {
+    Location location = {start, Triangulation::OUTSIDE_AFFINE_HULL, 0, 0};
+    const Cell found = m_tr.locate(m_points[i], location.type, location.li, location.lj, start);
+    if (found != Cell()) // none outside the affine hull: the next walk may start where this one did
+      location.cell = found;
+    return location;
+  }
+
+  /// returns the vertex of the located cell that is nearest to point `i`; finite.
+  /// \pre The triangulation has a finite vertex, and `location` is that of point `i` in it.
+  Vertex nearest_vertex(std::size_t i, const Location& location) const
+  {
+    // In dimension 0 a cell is a single vertex, perhaps the infinite one.
+    return m_tr.dimension() < 1 ? Vertex(m_tr.finite_vertices_begin())
+                                : m_tr.nearest_vertex_in_cell(m_points[i], location.cell);
+  }
+
+  /// returns whether `v` is closer to point `i` than `w`.
+  bool is_closer(std::size_t i, Vertex v, Vertex w) const
+  {
+    return m_tr.geom_traits().compare_distance_3_object()(m_points[i], v->point(), w->point()) ==
+           SMALLER;
+  }
+
+  /// inserts point `i` where it was just located, and tells `observer` (a model of
+  /// `UpdateObserver_3`). A point that is there already gets the vertex that is there. Linear in
+  /// the number of cells destroyed and created; with `Fast_location` the upper levels come on top.
+  /// After an exception of CGAL's insertion the triangulation may only be cleared or destroyed.
+  template <class Observer>
+  void insert(std::size_t i, const Location& location, Observer& observer)
+  {
+    m_vertices[i] = insert_at(i, location, observer);
+    observer.after_update(i, m_vertices[i]);
+  }
+
+  /// does the same if `accepts(j, q, c)` says so, where q is the point of the vertex nearest to point
+  /// `i`, j the first of the points at it, or `std::size_t(-1)` if none of them is, and c[0], …, c[3]
+  /// the same for the vertices of the located cell, in dimension 3; else tells
+  /// `observer` of that vertex. Nothing is asked if a vertex stands at the point, or there is none.
+  /// Linear in the stars passed on the way to the nearest vertex.
+  template <class Observer, class Accepts>
+  void insert_if(std::size_t i, const Location& location, Observer& observer,
+                 const Accepts& accepts)
+  {
+    if (m_tr.number_of_vertices() > 0 && location.type != Triangulation::VERTEX) {
+      const Vertex v = nearest_vertex_of_all(i, location);
+      if (!accepts(first_point_at(v, i), v->point(), corners(i, location))) {
+        observer.after_update(i, v);
+        return;
+      }
+    }
+    insert(i, location, observer);
+  }
+
+  /// returns nothing but zeros: CGAL's insertion does not count.
+  Delaunay_from_surface_3::Insertion_counts counts() const { return {}; }
+
+  /// gives the vertices of the points away, none for points not inserted; to be called last.
+  std::vector<Vertex> take_vertices() { return std::move(m_vertices); }
+
+private:
+  // Of several at the same distance, that with the lexicographically smallest point. A vertex that is
+  // not the nearest in this order has a neighbour that is nearer, in every dimension.
+  Vertex nearest_vertex_of_all(std::size_t i, const Location& location)
+  {
+    Vertex nearest = nearest_vertex(i, location);
+    for (Vertex last; last != nearest;) {
+      last = nearest;
+      m_adjacent.clear();
+      m_tr.finite_adjacent_vertices(last, std::back_inserter(m_adjacent));
+      for (const Vertex v : m_adjacent)
+        if (is_nearer(i, v, nearest))
+          nearest = v;
+    }
+    return nearest;
+  }
+
+  bool is_nearer(std::size_t i, Vertex v, Vertex w) const
+  {
+    const auto& gt = m_tr.geom_traits();
+    const Comparison_result c = gt.compare_distance_3_object()(m_points[i], v->point(), w->point());
+    return c != EQUAL ? c == SMALLER : gt.compare_xyz_3_object()(v->point(), w->point()) == SMALLER;
+  }
+
+  // Of the points before point `i`, the first at `v`.
+  std::size_t first_point_at(Vertex v, std::size_t i)
+  {
+    for (; m_number_of_known_points < i; ++m_number_of_known_points)
+      if (m_vertices[m_number_of_known_points] != Vertex())
+        m_first_points.emplace(m_vertices[m_number_of_known_points], m_number_of_known_points);
+    const auto found = m_first_points.find(v);
+    return found == m_first_points.end() ? std::size_t(-1) : found->second;
+  }
+
+  std::array<std::size_t, 4> corners(std::size_t i, const Location& location)
+  {
+    constexpr std::size_t none = std::size_t(-1);
+    std::array<std::size_t, 4> points = {none, none, none, none};
+    for (int k = 0; m_tr.dimension() == 3 && k < 4; ++k)
+      if (const Vertex v = location.cell->vertex(k); !m_tr.is_infinite(v))
+        points[std::size_t(k)] = first_point_at(v, i);
+    return points;
+  }
+
+  template <class Observer>
+  Vertex insert_at(std::size_t i, const Location& location, Observer& observer)
+  {
+    if constexpr (Observer::observes_conflict_zone && reports_conflict_zones) {
+      if (m_tr.dimension() == 3 && location.type != Triangulation::VERTEX)
+        return insert_in_conflict_zone(i, location, observer);
+    }
+    return m_tr.insert(m_points[i], location.type, location.cell, location.li, location.lj);
+  }
+
+  // The cell where a point is located is in conflict with it, outside the convex hull too.
+  template <class Observer>
+  Vertex insert_in_conflict_zone(std::size_t i, const Location& location, Observer& observer)
+  {
+    m_conflict_zone.clear();
+    m_boundary.clear();
+    m_tr.find_conflicts(m_points[i], location.cell, std::back_inserter(m_boundary),
+                        std::back_inserter(m_conflict_zone));
+    observer.before_update(i, m_conflict_zone.begin(), m_conflict_zone.end());
+    return m_tr.insert_in_hole(m_points[i], m_conflict_zone.begin(), m_conflict_zone.end(),
+                               m_boundary.front().first, m_boundary.front().second);
+  }
+
+  Triangulation& m_tr;
+  const std::vector<Point>& m_points;
+  std::vector<Vertex> m_vertices;
+  std::vector<Cell> m_conflict_zone;
+  std::vector<typename Triangulation::Facet> m_boundary;
+  std::vector<Vertex> m_adjacent;
+  boost::unordered_map<Vertex, std::size_t> m_first_points; // only if something is asked
+  std::size_t m_number_of_known_points = 0;
+};
+
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_TRIANGULATION_TARGET_3_H

@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BOUNDED_DEGREE_MARKS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BOUNDED_DEGREE_MARKS_H
+
+// The composition: from a rotation system to marks on the darts of a subgraph of bounded degree.
+//
+//     1. try the surface as one sphere or one disc, if its counts are such: peel from one opened
+//        face, or from the one boundary loop; what is reached hangs together, so reaching every
+//        vertex proves the counts to be one component's
+//     2. else: search the triangles, prune to the cut graph, open along it, open a face of every
+//        sphere, peel
+//     3. for a tree: drop the cycles
+//
+// Result: H spans every component, is connected there, and has degree at most 3 on spheres and
+// discs, elsewhere 4h (closed) or 4h + 2b + 1 where χ = 2 - h - b is the component's Euler
+// characteristic and b its number of boundary loops.
+// Cost: O(n), with no recursion; 28 bytes per vertex for the rotation system and at most 12 more at
+// any time, plus what the copies on the cut need.
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Drop_cycles.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Open_along_cut.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Prune_cut.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Refuse_input.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+enum class Subgraph_kind { SUBGRAPH, TREE };
+
+// The marks that are not boundary edges are the cut graph's edges, each at both its darts.
+template <class Index>
+Cut_candidate<Index> find_cut_graph(const Rotation_system<Index>& surface)
+{
+  Cut_candidate<Index> cut(surface);
+  Search_triangles<Index>(surface, cut)();
+  Prune_cut<Index>(surface, cut)();
+  return cut;
+}
+
+template <class Index>
+class Bounded_degree_marks
+{
+public:
+  Bounded_degree_marks(Rotation_system<Index>& surface, Subgraph_kind kind)
+    : m_surface(surface)
+    , m_opened(surface)
+    , m_kind(kind)
+  {
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+      if (m_surface.degree(v) > 0)
+        m_count.add(m_surface, v);
+  }
+
+  // Each edge of H, or of the tree, is marked at one of its darts.
+  Dart_marks operator()()
+  {
+    if (m_count.vertices > 0 && !peel_as_one_piece())
+      cut_and_peel(find_cut_graph(m_surface));
+    return finish();
+  }
+
+  // With a cut graph from elsewhere.
+  Dart_marks operator()(Cut_candidate<Index> cut)
+  {
+    cut_and_peel(std::move(cut));
+    return finish();
+  }
+
+  // Glues the surface together again: its lists name its own vertices, as they did at first.
+  void close()
+  {
+    for (Index& u : m_surface.neighbor)
+      u = m_opened.origin(u);
+  }
+
+private:
+  bool peel_as_one_piece()
+  {
+    if (!m_count.is_sphere() && !(m_count.is_disc() && boundary_is_one_loop()))
+      return false;
+    start();
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+      if (m_surface.on_boundary[v])
+        add_boundary_vertex(v);
+    if (m_count.is_sphere())
+      open_face(first_vertex_with_edges());
+    return peel() == 0;
+  }
+
+  bool boundary_is_one_loop() const
+  {
+    const std::vector<bool>& on_boundary = m_surface.on_boundary;
+    const Index first = static_cast<Index>(std::find(on_boundary.begin(), on_boundary.end(), true) -
+                                           on_boundary.begin());
+    std::size_t length = 0;
+    Index previous = first;
+    for (Index v = first; length == 0 || v != first; ++length) {
+      const Star<Index> star = m_surface.star(v);
+      const Index next = length > 0 && star[0] == previous ? star[star.size() - 1] : star[0];
+      previous = v;
+      v = next;
+    }
+    return length == m_count.boundary_vertices;
+  }
+
+  void cut_and_peel(Cut_candidate<Index> cut)
+  {
+    start();
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+      if (cut.degree[v] > 0)
+        add_cut_vertex(v, cut.marks);
+    Open_along_cut<Index>(cut, std::move(cut.xor_of_neighbors), m_opened)();
+    const std::vector<Index> spheres = std::move(cut.spheres);
+    cut = Cut_candidate<Index>(Rotation_system<Index>()); // gives its memory back
+    for (Index v : spheres)
+      open_face(v);
+    if (peel() != 0)
+      refuse("the lists of edges do not describe a surface");
+  }
+
+  void start()
+  {
+    m_opened.rim.clear();
+    m_rim_edges.clear();
+    m_subgraph.assign(m_surface.number_of_darts(), false);
+    m_vertices_on_rim = 0;
+  }
+
+  // Returns how many vertices were not reached.
+  std::size_t peel()
+  {
+    return Peel_discs<Index>(m_opened, m_subgraph)(m_count.vertices - m_vertices_on_rim);
+  }
+
+  Dart_marks finish()
+  {
+    if (m_kind == Subgraph_kind::TREE)
+      Drop_cycles<Index>(m_opened, m_subgraph)(m_rim_edges);
+    return std::move(m_subgraph);
+  }
+
+  void add_boundary_vertex(Index v)
+  {
+    m_opened.rim.push_back(v);
+    ++m_vertices_on_rim;
+    add_rim_edge_once(v, 0);
+    add_rim_edge_once(v, m_surface.degree(v) - 1);
+  }
+
+  void add_cut_vertex(Index v, const Dart_marks& cut_marks)
+  {
+    ++m_vertices_on_rim;
+    for (Index i = 0; i < m_surface.degree(v); ++i)
+      if (cut_marks[m_surface.first[v] + i])
+        add_rim_edge_once(v, i);
+  }
+
+  // Opens the triangle at the first corner of v.
+  void open_face(Index v)
+  {
+    const Index a = m_surface.star(v)[0], b = m_surface.star(v)[1];
+    const Star<Index> star = m_surface.star(a);
+    m_opened.rim.insert(m_opened.rim.end(), {v, a, b});
+    m_vertices_on_rim += 3;
+    add_rim_edge(v, 0);
+    add_rim_edge(v, 1);
+    add_rim_edge(a, static_cast<Index>(std::find(star.begin(), star.end(), b) - star.begin()));
+  }
+
+  void add_rim_edge_once(Index v, Index i)
+  {
+    if (v < m_surface.star(v)[i])
+      add_rim_edge(v, i);
+  }
+
+  void add_rim_edge(Index v, Index i)
+  {
+    const Index dart = m_surface.first[v] + i;
+    m_subgraph[dart] = true;
+    if (m_kind == Subgraph_kind::TREE)
+      m_rim_edges.push_back({v, m_surface.neighbor[dart], dart});
+  }
+
+  Index first_vertex_with_edges() const
+  {
+    Index v = 0;
+    while (m_surface.degree(v) == 0)
+      ++v;
+    return v;
+  }
+
+  Rotation_system<Index>& m_surface;
+  Opened_surface<Index> m_opened;
+  Subgraph_kind m_kind;
+  Euler_count m_count;
+  Dart_marks m_subgraph;
+  std::vector<Rim_edge<Index>> m_rim_edges; // for a tree only
+  std::size_t m_vertices_on_rim = 0;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BOUNDED_DEGREE_MARKS_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_OPEN_ALONG_CUT_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_OPEN_ALONG_CUT_H
+
+// Step 3 of the cut: open the surface along the cut graph, with copies of the vertices on it.
+//
+// The edges of the cut graph divide the list of a vertex into sectors; a vertex with two sectors or
+// more gets one copy per sector, whose list is the sector with the cut edge at either end. Then the
+// neighbours' lists are turned to the copies: u hears from every copy that lists it, and names that
+// copy where it named the origin. Along a cut edge u-v two copies of v list u; the third corner of
+// the triangle on this side tells which is meant.
+// Invariant: afterwards every component is a disc and every list names a vertex by the copy that
+// lies in the same disc corner.
+// Cost: O(length of the lists of vertices on the cut), plus one pass over the vertices.
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Buckets.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Opened_surface.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+template <class Index>
+class Open_along_cut
+{
+public:
+  Open_along_cut(const Cut_candidate<Index>& cut, std::vector<Index> scratch,
+                 Opened_surface<Index>& opened)
+    : m_cut(cut)
+    , m_opened(opened)
+    , m_surface(opened.surface)
+    , m_slot(std::move(scratch))
+  {
+  }
+
+  // The rim gets the copies and the boundary vertices that need none. Spheres are opened elsewhere.
+  void operator()()
+  {
+    m_slot.assign(m_surface.number_of_vertices(), Buckets<Index>::empty);
+    reserve();
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v) {
+      if (has_copies(v))
+        make_copies(v);
+      else if (m_surface.on_boundary[v])
+        m_opened.rim.push_back(v);
+    }
+    m_head_of_copied.assign(m_opened.number_of_copies(), Buckets<Index>::empty);
+    m_heard_of.assign(m_opened.number_of_copies(), Buckets<Index>::empty);
+    for (Index c = 0; c < m_opened.number_of_copies(); ++c)
+      tell_neighbors(c);
+    for (Index u = 0; u < m_surface.number_of_vertices(); ++u)
+      if (head(u) != Buckets<Index>::empty)
+        turn_list_to_copies(u);
+    for (Index c = 0; c < m_opened.number_of_copies(); ++c)
+      m_opened.rim.push_back(vertex_of_copy(c));
+  }
+
+private:
+  // m_slot[v] is v's first copy where v has copies, and the head of v's bucket elsewhere.
+  bool has_copies(Index v) const { return m_cut.degree[v] > (m_surface.on_boundary[v] ? 2u : 1u); }
+  Index& head(Index v) { return has_copies(v) ? m_head_of_copied[m_slot[v]] : m_slot[v]; }
+  Index vertex_of_copy(Index c) const { return m_surface.number_of_vertices() + c; }
+
+  // Lists that grow would take three times their memory while they move.
+  void reserve()
+  {
+    std::size_t entries = 0;
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+      if (has_copies(v))
+        entries += std::size_t(m_surface.degree(v)) + m_cut.degree[v];
+    m_opened.copy_neighbor.reserve(entries);
+    m_told.reserve(entries);
+  }
+
+  void make_copies(Index v)
+  {
+    const Star<Index> star = m_surface.star(v);
+    const Index degree = star.size();
+    const Index base = m_surface.first[v];
+    Index start = 0;
+    while (!m_cut.marks[base + start])
+      ++start;
+    m_slot[v] = m_opened.number_of_copies();
+    const Index sectors = m_cut.degree[v] - (m_surface.on_boundary[v] ? 1 : 0);
+    for (Index sector = 0; sector < sectors; ++sector) {
+      m_opened.copy_origin.push_back(v);
+      m_opened.copy_start.push_back(start);
+      Index i = start;
+      do {
+        m_opened.copy_neighbor.push_back(star[i]);
+        i = i + 1 < degree ? i + 1 : 0;
+      } while (!m_cut.marks[base + i]);
+      m_opened.copy_neighbor.push_back(star[i]);
+      m_opened.copy_first.push_back(static_cast<Index>(m_opened.copy_neighbor.size()));
+      start = i;
+    }
+  }
+
+  bool is_last_copy(Index c) const
+  {
+    return c + 1 == m_opened.number_of_copies() ||
+           m_opened.copy_origin[c + 1] != m_opened.copy_origin[c];
+  }
+
+  // Each edge at the origin once: the last edge of a sector is the first of the following one, if
+  // there is one.
+  void tell_neighbors(Index c)
+  {
+    const bool at_end = m_surface.on_boundary[m_opened.copy_origin[c]] && is_last_copy(c);
+    const Index end = m_opened.copy_first[c + 1] - (at_end ? 0 : 1);
+    for (Index i = m_opened.copy_first[c]; i < end; ++i)
+      m_told.add(head(m_opened.copy_neighbor[i]), c);
+  }
+
+  void turn_list_to_copies(Index u)
+  {
+    m_told.for_each(head(u), [&](Index c) { m_heard_of[m_slot[m_opened.copy_origin[c]]] = c; });
+    if (!has_copies(u)) {
+      for (Index dart = m_surface.first[u]; dart < m_surface.first[u + 1]; ++dart)
+        turn_to_copy(m_surface.neighbor[dart]);
+      return;
+    }
+    Index c = m_slot[u];
+    do {
+      const Index begin = m_opened.copy_first[c], last = m_opened.copy_first[c + 1] - 1;
+      const Index third_at_begin = origin_at(begin + 1), third_at_last = origin_at(last - 1);
+      turn_to_copy_across_cut(u, m_opened.copy_neighbor[begin], third_at_begin);
+      for (Index i = begin + 1; i < last; ++i)
+        turn_to_copy(m_opened.copy_neighbor[i]);
+      turn_to_copy_across_cut(u, m_opened.copy_neighbor[last], third_at_last);
+    } while (!is_last_copy(c++));
+  }
+
+  Index origin_at(Index i) const { return m_opened.origin(m_opened.copy_neighbor[i]); }
+
+  void turn_to_copy(Index& v)
+  {
+    if (has_copies(v))
+      v = vertex_of_copy(m_heard_of[m_slot[v]]);
+  }
+
+  // The copy of v in whose list u and the third corner stand side by side.
+  void turn_to_copy_across_cut(Index u, Index& v, Index third)
+  {
+    if (!has_copies(v))
+      return;
+    Index c = m_heard_of[m_slot[v]];
+    const Index begin = m_opened.copy_first[c], last = m_opened.copy_first[c + 1] - 1;
+    const bool is_here = (origin_at(begin) == u && origin_at(begin + 1) == third) ||
+                         (origin_at(last) == u && origin_at(last - 1) == third);
+    if (!is_here)
+      c = c == m_slot[v] ? last_copy(c) : c - 1;
+    v = vertex_of_copy(c);
+  }
+
+  Index last_copy(Index c) const
+  {
+    const Index v = m_opened.copy_origin[c];
+    return c + m_cut.degree[v] - (m_surface.on_boundary[v] ? 2 : 1);
+  }
+
+  const Cut_candidate<Index>& m_cut;
+  Opened_surface<Index>& m_opened;
+  Rotation_system<Index>& m_surface;
+  std::vector<Index> m_slot;
+  std::vector<Index> m_head_of_copied; // at the first copy of a vertex
+  std::vector<Index> m_heard_of;       // at the first copy of a vertex: the copy that told last
+  Buckets<Index> m_told;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_OPEN_ALONG_CUT_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SURFACE_COMPONENT_TOPOLOGY_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SURFACE_COMPONENT_TOPOLOGY_H
+
+// This header needs the standard library only.
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+tells what kind of surface a connected component is. A surface is determined, up to homeomorphism,
+by its number of boundary loops, its Euler characteristic and whether it is orientable.
+*/
+struct Surface_component_topology
+{
+  std::size_t number_of_vertices = 0;       ///< of this component
+  std::size_t number_of_edges = 0;          ///< boundary edges included
+  std::size_t number_of_triangles = 0;      ///< of this component
+  std::size_t number_of_boundary_loops = 0; ///< b
+  bool is_orientable = true;                ///< whether its triangles can be turned alike
+
+  /// returns χ: vertices − edges + triangles.
+  std::ptrdiff_t euler_characteristic() const
+  {
+    return std::ptrdiff_t(number_of_vertices) - std::ptrdiff_t(number_of_edges) +
+           std::ptrdiff_t(number_of_triangles);
+  }
+
+  /// returns h = 2 − χ − b: twice the genus of an orientable surface, the genus of another.
+  std::size_t euler_genus() const
+  {
+    return std::size_t(2 - euler_characteristic() - std::ptrdiff_t(number_of_boundary_loops));
+  }
+
+  /// returns the genus: the number of handles, or of cross-caps where the surface is not
+  /// orientable.
+  std::size_t genus() const { return is_orientable ? euler_genus() / 2 : euler_genus(); }
+
+  /// returns the bound on degrees in the subgraph of `bounded_degree_spanning_subgraph()`.
+  std::size_t subgraph_degree_bound() const
+  {
+    const std::size_t h = euler_genus(), b = number_of_boundary_loops;
+    if (h == 0 && b <= 1)
+      return 3;
+    return b == 0 ? 4 * h : 4 * h + 2 * b + 1;
+  }
+
+  /// returns the bound on degrees in the tree of `bounded_degree_spanning_tree()`.
+  std::size_t tree_degree_bound() const
+  {
+    const std::size_t h = euler_genus(), b = number_of_boundary_loops;
+    if (h == 1 && b == 0)
+      return 4; // the projective plane
+    return (std::max)(std::size_t(3), 3 * h + 2 * b);
+  }
+
+  /// returns the bound on degrees in the tree of `near_minimum_degree_spanning_tree()`: the largest
+  /// of 3 + ⌊(c(x) − 3) / x⌋ for all x, where c(x) bounds into how many components the surface falls
+  /// without x vertices: ⌊x (x − 1) / 3⌋, or ⌊x (x + 1) / 3⌋ if there is boundary, and 2x − 2χ.
+  std::size_t near_minimum_tree_degree_bound() const
+  {
+    if (euler_genus() == 0 && number_of_boundary_loops <= 1)
+      return 3;
+    const std::ptrdiff_t chi = euler_characteristic(), side = number_of_boundary_loops > 0 ? 1 : -1;
+    std::ptrdiff_t bound = 4, by_edges = 0;
+    // Where 2x − 2χ is the smaller one the quotient falls, or is less than 2.
+    for (std::ptrdiff_t x = 2; by_edges < 2 * (x - 1 - chi); ++x) {
+      by_edges = x * (x + side) / 3;
+      const std::ptrdiff_t c = (std::min)(by_edges, 2 * (x - chi));
+      bound = (std::max)(bound, c < 3 ? 0 : 3 + (c - 3) / x);
+    }
+    return std::size_t(bound);
+  }
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+is what `surface_topology()` finds.
+*/
+struct Surface_topology
+{
+  /// the components that have edges, in the order of their smallest vertex index.
+  std::vector<Surface_component_topology> components;
+
+  /// for every vertex index the position of its component in `components`, or `components.size()`
+  /// for an isolated vertex.
+  std::vector<std::size_t> component_of_vertex;
+
+  std::size_t number_of_isolated_vertices = 0; ///< vertices without edges, in no component
+
+  /// returns the sum over `components`.
+  std::ptrdiff_t euler_characteristic() const
+  {
+    std::ptrdiff_t sum = 0;
+    for (const Surface_component_topology& component : components)
+      sum += component.euler_characteristic();
+    return sum;
+  }
+
+  /// returns the sum over `components`.
+  std::size_t number_of_boundary_loops() const
+  {
+    std::size_t sum = 0;
+    for (const Surface_component_topology& component : components)
+      sum += component.number_of_boundary_loops;
+    return sum;
+  }
+
+  /// returns whether every component is.
+  bool is_orientable() const
+  {
+    return std::all_of(components.begin(), components.end(),
+                       [](const Surface_component_topology& c) { return c.is_orientable; });
+  }
+};
+
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SURFACE_COMPONENT_TOPOLOGY_H

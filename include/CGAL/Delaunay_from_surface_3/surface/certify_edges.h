@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_CERTIFY_EDGES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_CERTIFY_EDGES_H
+
+// Certifies a spanning subgraph by means that share nothing with its construction: union-find and
+// counting.
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Surface_component_topology.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Counts the components of n vertices under edges that are added one by one.
+class Component_count
+{
+public:
+  explicit Component_count(std::size_t n)
+    : m_sets(n)
+    , m_count(n)
+  {
+  }
+
+  void join(std::size_t v, std::size_t w) { m_count -= m_sets.unite(v, w); }
+
+  std::size_t operator()() const { return m_count; }
+
+private:
+  Disjoint_sets<std::size_t> m_sets;
+  std::size_t m_count;
+};
+
+inline void certify_degrees(const std::vector<std::size_t>& degree,
+                            const Surface_topology& topology, Spanning_subgraph_certificate& result)
+{
+  for (const Surface_component_topology& component : topology.components)
+    result.largest_degree_bound =
+        (std::max)(result.largest_degree_bound, component.subgraph_degree_bound());
+  for (std::size_t v = 0; v < degree.size(); ++v) {
+    if (degree[v] >= result.number_of_vertices_of_degree.size())
+      result.number_of_vertices_of_degree.resize(degree[v] + 1, 0);
+    ++result.number_of_vertices_of_degree[degree[v]];
+    if (degree[v] > result.maximum_degree) {
+      result.maximum_degree = degree[v];
+      result.vertex_of_maximum_degree = v;
+    }
+    const std::size_t c = topology.component_of_vertex[v];
+    if (c == topology.components.size())
+      continue;
+    if (degree[v] > topology.components[c].subgraph_degree_bound())
+      result.respects_degree_bounds = false;
+    if (degree[v] > topology.components[c].tree_degree_bound())
+      result.respects_tree_degree_bounds = false;
+    if (degree[v] > topology.components[c].near_minimum_tree_degree_bound())
+      result.respects_near_minimum_tree_degree_bounds = false;
+  }
+}
+
+template <class Graph, class EdgeRange, class VertexIndexMap>
+Spanning_subgraph_certificate certify_edges(const Graph& graph, const EdgeRange& subgraph_edges,
+                                            const Surface_topology& topology,
+                                            VertexIndexMap vertex_index_map)
+{
+  const std::size_t n = topology.component_of_vertex.size();
+  Spanning_subgraph_certificate result;
+  const auto end_points = [&](const auto& e) {
+    return std::pair<std::size_t, std::size_t>(
+        std::minmax({std::size_t(get(vertex_index_map, source(e, graph))),
+                     std::size_t(get(vertex_index_map, target(e, graph)))}));
+  };
+
+  Component_count of_graph(n), of_subgraph(n);
+  const auto all_edges = edges(graph);
+  for (auto e = all_edges.first; e != all_edges.second; ++e)
+    of_graph.join(end_points(*e).first, end_points(*e).second);
+
+  std::vector<std::size_t> degree(n, 0);
+  std::vector<std::pair<std::size_t, std::size_t>> sorted;
+  for (const auto& e : subgraph_edges) {
+    sorted.push_back(end_points(e));
+    of_subgraph.join(sorted.back().first, sorted.back().second);
+    ++degree[sorted.back().first];
+    ++degree[sorted.back().second];
+  }
+  std::sort(sorted.begin(), sorted.end());
+  result.number_of_edges = sorted.size();
+  result.number_of_repeated_edges =
+      std::size_t(std::distance(std::unique(sorted.begin(), sorted.end()), sorted.end()));
+  result.number_of_graph_components = of_graph();
+  result.number_of_subgraph_components = of_subgraph();
+  result.number_of_independent_cycles = result.number_of_edges + of_subgraph() - n;
+  certify_degrees(degree, topology, result);
+  return result;
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_CERTIFY_EDGES_H

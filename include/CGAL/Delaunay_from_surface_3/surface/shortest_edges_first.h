@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SHORTEST_EDGES_FIRST_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SHORTEST_EDGES_FIRST_H
+
+// Kruskal's algorithm on edges between points: Choi 2002, §3.1, "a minimum spanning tree
+// algorithm".
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// An edge between the points numbered ends[0] < ends[1], and its place in a list of the caller's.
+struct Measured_edge
+{
+  std::array<std::size_t, 2> ends;
+  std::size_t place;
+  double squared_length; // as computed
+};
+
+inline Measured_edge measured_edge(std::size_t s, std::size_t t, std::size_t place)
+{
+  return {{(std::min)(s, t), (std::max)(s, t)}, place, 0};
+}
+
+// Compares lengths exactly. `points[i]` points to point i.
+template <class Point, class GeomTraits>
+class Compare_lengths
+{
+public:
+  Compare_lengths(const std::vector<const Point*>& points, const GeomTraits& gt)
+    : m_points(points)
+    , m_compare_distance(gt.compare_distance_3_object())
+  {
+  }
+
+  // What is computed from doubles is off by six roundings at most, where nothing underflows; so is
+  // the difference decided by it where it is larger. The kernel decides the others.
+  Comparison_result operator()(const Measured_edge& a, const Measured_edge& b) const
+  {
+    const double x = a.squared_length, y = b.squared_length;
+    if (has_doubles && (std::min)(x, y) > 1e-280 && (std::max)(x, y) < 1e280 &&
+        std::abs(x - y) > 1e-14 * (std::max)(x, y))
+      return x < y ? SMALLER : LARGER;
+    return m_compare_distance(*m_points[a.ends[0]], *m_points[a.ends[1]], *m_points[b.ends[0]],
+                              *m_points[b.ends[1]]);
+  }
+
+  double squared_length(const Measured_edge& e) const
+  {
+    const Point &p = *m_points[e.ends[0]], &q = *m_points[e.ends[1]];
+    const double x = to_double(p.x()) - to_double(q.x()), y = to_double(p.y()) - to_double(q.y()),
+                 z = to_double(p.z()) - to_double(q.z());
+    return x * x + y * y + z * z;
+  }
+
+private:
+  using FT = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  static constexpr bool has_doubles = std::is_same<FT, double>::value;
+
+  const std::vector<const Point*>& m_points;
+  decltype(std::declval<const GeomTraits&>().compare_distance_3_object()) m_compare_distance;
+};
+
+// Leaves of `edges` those of the minimum spanning forest, from the shortest on; edges of the same
+// length are taken by the numbers of their ends. O(m log m) for m edges.
+template <class Point, class GeomTraits>
+void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges,
+                                  const std::vector<const Point*>& points, const GeomTraits& gt)
+{
+  const Compare_lengths<Point, GeomTraits> compare(points, gt);
+  for (Measured_edge& e : edges)
+    e.squared_length = compare.squared_length(e);
+  std::sort(edges.begin(), edges.end(), [&](const Measured_edge& a, const Measured_edge& b) {
+    const Comparison_result c = compare(a, b);
+    return c == SMALLER || (c == EQUAL && a.ends < b.ends);
+  });
+  Disjoint_sets<std::size_t> trees(points.size());
+  const auto is_superfluous = [&](const Measured_edge& e) {
+    return !trees.unite(e.ends[0], e.ends[1]);
+  };
+  edges.erase(std::remove_if(edges.begin(), edges.end(), is_superfluous), edges.end());
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SHORTEST_EDGES_FIRST_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TREES_MINIMUM_SPANNING_FOREST_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TREES_MINIMUM_SPANNING_FOREST_H
+
+// Choi 2002, §3.1: if F contains the Euclidean minimum spanning tree of S, that is the minimum
+// spanning tree of F.
+
+#include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
+
+#include <CGAL/Kernel_traits.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes the edges of a minimum spanning forest, one tree per connected component, whose edges are as
+short as can be altogether. Where the surface contains a Euclidean minimum spanning tree of its
+points (`contains_euclidean_minimum_spanning_tree()`) the forest is one: of degree at most 12 and
+Delaunay (\cgalCite{choi-dtsm-02}, §3.1). Elsewhere nothing bounds its degree.
+
+A graph knows no lengths, so the points must be given. A traits class of one's own hands them over:
+
+\code{.cpp}
+struct My_traits : CGAL::Tracing_traits_3
+{
+  using Surface_subgraph = CGAL::Delaunay_from_surface_3::Minimum_spanning_forest<Point>;
+  const std::vector<Point>& points; // by the vertices of the surface
+  Surface_subgraph surface_subgraph_object() const { return Surface_subgraph(points); }
+};
+\endcode
+
+\f$O(n + m \log m)\f$ for n vertices and m edges. Lengths are compared exactly, and edges of the
+same length taken in the order of their indices.
+
+\tparam Point a point of a %CGAL kernel with exact predicates
+
+\cgalModels{SurfaceSubgraph}
+*/
+template <class Point>
+class Minimum_spanning_forest
+{
+public:
+  /// keeps a reference to `points`: `points[i]` is the point of the vertex with index i.
+  explicit Minimum_spanning_forest(const std::vector<Point>& points)
+    : m_points(&points)
+  {
+  }
+
+  /*!
+  writes edges of `graph` that span it without a cycle, the shortest first.
+
+  \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`
+  \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
+  \tparam EdgeOutputIterator accepts edge descriptors of `Graph`
+
+  \return the output iterator past the last edge written
+  \pre there are n points
+  */
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
+  EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
+                                EdgeOutputIterator out) const
+  {
+    std::vector<const Point*> points;
+    points.reserve(m_points->size());
+    for (const Point& p : *m_points)
+      points.push_back(&p);
+    std::vector<typename boost::graph_traits<Graph>::edge_descriptor> all;
+    std::vector<internal::Measured_edge> forest;
+    for (auto [e, end] = edges(graph); e != end; ++e) {
+      forest.push_back(internal::measured_edge(std::size_t(get(index_map, source(*e, graph))),
+                                               std::size_t(get(index_map, target(*e, graph))),
+                                               all.size()));
+      all.push_back(*e);
+    }
+    internal::keep_minimum_spanning_forest(forest, points, typename Kernel_traits<Point>::Kernel());
+    for (const internal::Measured_edge& e : forest)
+      *out++ = all[e.place];
+    return out;
+  }
+
+private:
+  const std::vector<Point>* m_points;
+};
+
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TREES_MINIMUM_SPANNING_FOREST_H

@@ -1,0 +1,52 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Every header names its licence; one under the LGPL includes none under the GPL, of this package or of CGAL, however deep."""
+
+import os
+import re
+import subprocess
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+INCLUDE = ROOT / "include"
+LESSER, GENERAL = "LGPL-3.0-or-later", "GPL-3.0-or-later"
+LESSER_ROOMS = ("core", "arrays", "support", "surface")
+
+
+def licence(path):
+    found = re.search(r"SPDX-License-Identifier: *(.+)", Path(path).read_text(encoding="utf-8", errors="replace"))
+    return found.group(1).strip() if found else None
+
+
+class Licences(unittest.TestCase):
+    def setUp(self):
+        self.licences = {path: licence(path) for path in sorted([*INCLUDE.rglob("*.h"), *(ROOT / "src").glob("*")])}
+        self.assertGreater(len(self.licences), 100)
+
+    def test_every_header_has_one(self):
+        self.assertEqual(set(self.licences.values()), {LESSER, GENERAL})
+        for room in LESSER_ROOMS:
+            for path in (INCLUDE / "CGAL" / "Delaunay_from_surface_3" / room).rglob("*.h"):
+                self.assertEqual(self.licences[path], LESSER, path)
+
+    def test_texts_of_the_licences(self):
+        for name, first in (("LICENSE", "GNU GENERAL PUBLIC LICENSE"), ("LICENSE.LGPL", "GNU LESSER GENERAL PUBLIC LICENSE")):
+            self.assertTrue((ROOT / name).read_text(encoding="utf-8").lstrip().startswith(first), name)
+
+    def test_lesser_includes_no_general(self):
+        lines = [f"#include <{path.relative_to(INCLUDE)}>" for path, kind in self.licences.items()
+                 if kind == LESSER and path.suffix == ".h"]
+        done = subprocess.run([os.environ.get("CXX", "c++"), "-std=c++17", f"-I{INCLUDE}", "-M", "-x", "c++", "-"],
+                              input="\n".join(lines) + "\n", capture_output=True, text=True, check=True)
+        included = {Path(path) for path in done.stdout.split() if "/CGAL/" in path}
+        self.assertGreater(len(included), len(lines))
+        general = sorted(str(path) for path in included
+                         if re.search(r"(?<!L)GPL", self.licences.get(path) or licence(path) or ""))
+        self.assertEqual(general, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
