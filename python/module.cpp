@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The extension behind the Python module delaunay_from_surface, whose docstrings say what it does. It
 // names no other library than Python's: the core needs none.

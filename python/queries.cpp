@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 // What is asked of a triangulation after it is made: all is computed from NumPy's arrays of points and
 // simplices, whose numbers are checked when they are read.

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The authors of Delaunay_from_surface_3
 #
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: LGPL-3.0-or-later
 
 """Builds the extension with nothing but a C++ compiler: CXX, CXXFLAGS and LDFLAGS in the environment are obeyed.
 
@@ -48,7 +48,7 @@ class SourceDistribution(sdist):
         super().make_release_tree(base_dir, files)
         core = Path(base_dir) / "core"
         shutil.copytree(ROOT / "include/CGAL/Delaunay_from_surface_3", core / "include/CGAL/Delaunay_from_surface_3")
-        for name in ("src/core.cpp", "CMakeLists.txt", "LICENSE"):
+        for name in ("src/core.cpp", "CMakeLists.txt", "LICENSE", "LICENSE.LGPL"):
             (core / name).parent.mkdir(exist_ok=True)
             shutil.copy(ROOT / name, core / name)
 

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The authors of Delaunay_from_surface_3
 #
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: LGPL-3.0-or-later
 
 """Tests the installed module, against SciPy and against the program delaunay_from_surface."""
 
@@ -10,11 +10,14 @@ import os
 import pickle
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
+import types
 import typing
 import unittest
+import unittest.mock
 from fractions import Fraction
 from pathlib import Path
 
@@ -23,6 +26,7 @@ import scipy.spatial
 
 import delaunay_from_surface as dfs
 from delaunay_from_surface import _delaunay_from_surface as core
+from delaunay_from_surface import cpp
 
 TORUS = Path(__file__).resolve().parents[1] / "examples/Delaunay_from_surface_3/data/torus.off"
 
@@ -404,6 +408,65 @@ class AsScipy(unittest.TestCase):
                 self.assertTrue(np.array_equal(getattr(again, name), getattr(ours, name)))
             self.assertEqual(again.dimension, ours.dimension)
         self.assertTrue(again.check())
+
+
+class StandsForTetraNerf(unittest.TestCase):
+    """cpp.triangulate(); PyTorch itself is not there, so what it is asked for is."""
+
+    def test_arrays(self):
+        points = random_points(300).astype(np.float32)
+        cells = cpp.triangulate(points)
+        self.assertEqual((cells.dtype, cells.flags.c_contiguous), (np.int32, True))
+        self.assertEqual(cell_set(cells), cell_set(dfs.delaunay3(points).simplices))
+        self.assertEqual(cell_set(cpp.triangulate(points, threads=2)), cell_set(cells))
+        self.assertEqual(cpp.triangulate(points * np.float32([1, 1, 0])).shape, (0, 4))
+        self.assertEqual(cpp.triangulate(points[:0]).shape, (0, 4))
+        with self.assertRaises(ValueError):
+            cpp.triangulate(points[:, :2])
+        if hasattr(np, "from_dlpack"):
+            class Exporter:
+                def __dlpack__(self, **keywords):
+                    return points.__dlpack__(**keywords)
+
+                def __dlpack_device__(self):
+                    return points.__dlpack_device__()
+            self.assertTrue((cpp.triangulate(Exporter()) == cells).all())
+
+    def test_tensors(self):
+        class Tensor:
+            def __init__(self, array, device="cpu", is_detached=False):
+                self.array, self.device, self.is_detached = array, device, is_detached
+
+            def detach(self):
+                return Tensor(self.array, self.device, True)
+
+            def cpu(self):
+                return Tensor(self.array, "cpu", self.is_detached)
+
+            def to(self, device):
+                return Tensor(self.array, device)
+
+            def numpy(self):
+                if self.device != "cpu" or not self.is_detached:
+                    raise RuntimeError
+                return self.array
+        torch = types.SimpleNamespace(Tensor=Tensor, from_numpy=Tensor)
+        points = random_points(300).astype(np.float32)
+        with unittest.mock.patch.dict(sys.modules, torch=torch):
+            cells = cpp.triangulate(Tensor(points, "cuda:0"))
+            self.assertIsInstance(cpp.triangulate(points), np.ndarray)
+        self.assertIsInstance(cells, Tensor)
+        self.assertEqual(cells.device, "cuda:0")
+        self.assertTrue((cells.array == dfs.delaunay3(points).simplices).all() and cells.array.flags.writeable)
+
+
+class Examples(unittest.TestCase):
+    def test_run(self):
+        for name, line in (("interpolate", "mean error inside the hull: 0.00"), ("show_tetrahedra", "tetrahedra")):
+            done = subprocess.run([sys.executable, Path(__file__).with_name("examples") / f"{name}.py"],
+                                  capture_output=True, text=True, check=True)
+            if name == "interpolate" or "PyVista was not found" in done.stdout:
+                self.assertIn(line, done.stdout)
 
 
 class Refusals(unittest.TestCase):

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The authors of Delaunay_from_surface_3
 #
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: LGPL-3.0-or-later
 
 """Installs the module as a user does, into a fresh virtual environment, and runs its tests there.
 
@@ -24,7 +24,7 @@ def copy_of_the_project():
     """A copy of this folder beside links to what it needs: nothing is written into the source tree."""
     tree = FOLDER / "tree"
     tree.mkdir(parents=True, exist_ok=True)
-    for name in ("CMakeLists.txt", "LICENSE", "include", "src"):
+    for name in ("CMakeLists.txt", "LICENSE", "LICENSE.LGPL", "include", "src"):
         link = tree / name
         if not link.is_symlink():
             link.symlink_to(HERE.parent / name)

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_THREAD_EXECUTOR_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_THREAD_EXECUTOR_H

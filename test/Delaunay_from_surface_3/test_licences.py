@@ -32,6 +32,15 @@ class Licences(unittest.TestCase):
             for path in (INCLUDE / "CGAL" / "Delaunay_from_surface_3" / room).rglob("*.h"):
                 self.assertEqual(self.licences[path], LESSER, path)
 
+    def test_python_is_lesser(self):
+        """It includes the package's own headers, and those of lesser rooms alone."""
+        files = [path for pattern in ("*.cpp", "*.h", "*.py") for path in sorted((ROOT / "python").rglob(pattern))]
+        self.assertGreater(len(files), 10)
+        for path in files:
+            self.assertEqual(licence(path), LESSER, path)
+            for name in re.findall(r"#include <CGAL/(.+)>", path.read_text(encoding="utf-8")):
+                self.assertEqual(self.licences[INCLUDE / "CGAL" / name], LESSER, f"{path}: {name}")
+
     def test_texts_of_the_licences(self):
         for name, first in (("LICENSE", "GNU GENERAL PUBLIC LICENSE"), ("LICENSE.LGPL", "GNU LESSER GENERAL PUBLIC LICENSE")):
             self.assertTrue((ROOT / name).read_text(encoding="utf-8").lstrip().startswith(first), name)
