@@ -48,9 +48,10 @@ class SourceDistribution(sdist):
         super().make_release_tree(base_dir, files)
         core = Path(base_dir) / "core"
         shutil.copytree(ROOT / "include/CGAL/Delaunay_from_surface_3", core / "include/CGAL/Delaunay_from_surface_3")
-        for name in ("src/core.cpp", "CMakeLists.txt", "LICENSE", "LICENSE.LGPL"):
-            (core / name).parent.mkdir(exist_ok=True)
-            shutil.copy(ROOT / name, core / name)
+        (core / "src").mkdir()
+        for source, target in (("src/core.cpp", core / "src"), ("CMakeLists.txt", core), ("LICENSE", base_dir),
+                               ("LICENSE.LGPL", base_dir)):
+            shutil.copy(ROOT / source, target)
 
 
 ParallelCompile("DELAUNAY_FROM_SURFACE_JOBS", default=0).install()
