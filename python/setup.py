@@ -4,7 +4,7 @@
 
 """Builds the extension with nothing but a C++ compiler: CXX, CXXFLAGS and LDFLAGS in the environment are obeyed.
 
-The core lies beside this folder in a clone of the project, and in core/ in a source distribution, where `sdist` puts it.
+The core lies beside this folder in a clone of the project, and in core/ in a source distribution: `sdist` puts it there.
 """
 
 import os

@@ -374,7 +374,8 @@ class AsScipy(unittest.TestCase):
                 self.assertTrue(set(itertools.combinations(triangle, 2)) <= edges)
             # Edges and triangles whose smallest ball is empty are there from its radius on.
             for size, there in ((2, edges), (3, triangles)):
-                for corners in {c for cell in ours.simplices.tolist() for c in itertools.combinations(sorted(cell), size)}:
+                for corners in {c for cell in ours.simplices.tolist()
+                                for c in itertools.combinations(sorted(cell), size)}:
                     center, radius = smallest_sphere(points[list(corners)])
                     if len(tree.query_ball_point(center, radius * (1 - 1e-9))) == 0 and abs(radius - alpha) > 1e-9:
                         self.assertEqual(corners in there, radius < alpha)
@@ -398,7 +399,7 @@ class AsScipy(unittest.TestCase):
         for level, expected in (("euler", True), ("orientation", False), ("delaunay", False)):
             self.assertEqual(dfs.Delaunay3(moved, self.ours.simplices, None, self.ours.vertices, 3).check(level),
                              expected)
-        with self.assertRaisesRegex(ValueError, "check: expected one of links, euler, orientation, delaunay, got 'all'"):
+        with self.assertRaisesRegex(ValueError, "check: expected one of links, .*, delaunay, got 'all'"):
             self.ours.check("all")
 
     def test_pickle(self):

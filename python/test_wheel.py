@@ -27,13 +27,14 @@ def foreign_headers():
                                          sysconfig.get_path("include"), pybind11.get_include())]
     found = set()
     for source in HERE.glob("*.cpp"):
-        rule = subprocess.run(["c++", "-std=c++17", *includes, "-M", source], check=True, capture_output=True, text=True)
-        found |= {name for name in rule.stdout.split() if re.search(r"/boost/|/CGAL/(?!Delaunay_from_surface_3/)", name)}
+        rule = subprocess.run(["c++", "-std=c++17", *includes, "-M", source], check=True, capture_output=True,
+                              text=True).stdout
+        found |= {name for name in rule.split() if re.search(r"/boost/|/CGAL/(?!Delaunay_from_surface_3/)", name)}
     return sorted(found)
 
 
 def check_files(index):
-    """The wheel is small, finds on the machine all that it needs, and has the licences; so has the source distribution."""
+    """What is wrong: the wheel is small, needs nothing but libc, and has the licences; so have the sources."""
     built, = index.glob("*.whl")
     archive, = index.glob("*.tar.gz")
     with zipfile.ZipFile(built) as files, tarfile.open(archive) as sources:
@@ -42,7 +43,8 @@ def check_files(index):
         files.extract(extension, FOLDER)
         problems = [f"{name} is not in it" for name in ("LICENSE", "LICENSE.LGPL", "py.typed", "cpp.py")
                     if not any(file.endswith("/" + name) for file in names)]
-        problems += [f"{name} is not in the sources" for name in ("core/src/core.cpp", "LICENSE.LGPL", "include/functions.h")
+        problems += [f"{name} is not in the sources"
+                     for name in ("core/src/core.cpp", "LICENSE.LGPL", "include/functions.h")
                      if not any(file.endswith("/" + name) for file in sources.getnames())]
     needed = re.findall(r"NEEDED +(\S+)", subprocess.run(["objdump", "-p", FOLDER / extension], check=True,
                                                          capture_output=True, text=True).stdout)
@@ -57,7 +59,8 @@ def check_files(index):
 def main():
     if foreign_headers():
         sys.exit(f"the extension needs headers of others: {foreign_headers()[:5]} ...")
-    subprocess.run([sys.executable, HERE.parent / "scripts/wheel", "--output", FOLDER / "wheels", sys.executable], check=True)
+    subprocess.run([sys.executable, HERE.parent / "scripts/wheel", "--output", FOLDER / "wheels", sys.executable],
+                   check=True)
     index = FOLDER / "wheels/simple"
     problems = check_files(index / "delaunay-from-surface")
     if problems:
