@@ -7,7 +7,6 @@
 
 #include "Copied_points.h"
 #include "Interruptible_watcher.h"
-#include "Thread_executor.h"
 #include "functions.h"
 #include "numpy_ranges.h"
 
@@ -16,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
 
 #include <algorithm>
@@ -88,8 +88,7 @@ py::tuple delaunay3(const py::object& points_object, const py::object& faces, bo
 {
   const py::array array = python::array_of_points(points_object);
   const core::Rounding_to_nearest rounding;
-  const python::Thread_executor executor(
-      (std::min)(threads, std::size_t(core::Lanes::most_workers)));
+  const core::Thread_executor executor((std::min)(threads, std::size_t(core::Lanes::most_workers)));
   python::Copied_points points(array);
   core::Soup_edges soup = edges_of(faces, points.size(), executor);
   core::Order_request request;
@@ -118,7 +117,12 @@ py::tuple delaunay3(const py::object& points_object, const py::object& faces, bo
 
 } // namespace
 
+// Nothing here is shared by calls: without an interpreter's lock it is as safe as with one.
+#if PYBIND11_VERSION_HEX >= 0x020d0000
+PYBIND11_MODULE(_delaunay_from_surface, m, py::mod_gil_not_used())
+#else
 PYBIND11_MODULE(_delaunay_from_surface, m)
+#endif
 {
   py::register_exception<Stopped>(m, "Stopped").attr("__doc__") =
       "Raised by delaunay3() when progress returns False.";

@@ -5,7 +5,6 @@
 // What is asked of a triangulation after it is made: all is computed from NumPy's arrays of points and
 // simplices, whose numbers are checked when they are read.
 
-#include "Thread_executor.h"
 #include "functions.h"
 #include "numpy_ranges.h"
 
@@ -16,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/match_facets.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 
 #include <algorithm>
 #include <array>
@@ -135,7 +135,7 @@ Numbers neighbors(const Numbers& simplices, std::size_t n, std::size_t threads)
   if (corners > 1) {
     const py::gil_scoped_release unlocked;
     const std::vector<Index> vertices = checked_copy(rows, n);
-    const python::Thread_executor executor(threads);
+    const core::Thread_executor executor(threads);
     const bool is_right = with_corners(corners, [&](auto constant) {
       constexpr std::size_t number = decltype(constant)::value;
       return core::match_facets<number>(
@@ -156,12 +156,12 @@ Numbers find_simplex(const Points& points, const Numbers& simplices, const Numbe
   const Rows vertices(simplices), across(neighbors);
   if (vertices.corners() != 4 || across.corners() != 4 || vertices.size() != across.size())
     throw py::value_error("find_simplex: expected tetrahedra");
-  const core::Simplices_view<Index> view = {vertices.data(), vertices.stride(),
-                                            across.data(),   across.stride(),
-                                            vertices.size(), std::size_t(points.shape(0))};
+  const core::Simplices_view<Index> view = {
+      vertices.data(), vertices.stride(),           across.data(), across.stride(), vertices.size(),
+      vertices.size(), std::size_t(points.shape(0))};
   const Point_of point_of = {python::Points_view(points)};
   const core::Rounding_to_nearest rounding;
-  const python::Thread_executor executor(threads);
+  const core::Thread_executor executor(threads);
   const auto number = std::size_t(queries.shape(0));
   std::vector<Index> found(number);
   std::vector<double> coordinates;
@@ -191,7 +191,7 @@ py::tuple adjacent_vertices(const Numbers& simplices, std::size_t n, std::size_t
     adjacent = core::adjacent_vertices<Index>(
         rows.size(), corners, n,
         [&](std::size_t c, std::size_t k) { return vertices[corners * c + k]; },
-        python::Thread_executor(threads));
+        core::Thread_executor(threads));
   }
   const auto firsts = py::ssize_t(adjacent.first.size());
   const auto items = py::ssize_t(adjacent.items.size());
@@ -210,7 +210,7 @@ void measure(const Points& points, const Numbers& simplices, std::size_t threads
   const Point_of point_of = {python::Points_view(points)};
   const auto n = std::size_t(points.shape(0));
   const py::gil_scoped_release unlocked;
-  const python::Thread_executor executor(threads);
+  const core::Thread_executor executor(threads);
   const std::size_t blocks = core::number_of_blocks(executor, rows.size(), 4096);
   core::for_each_block(executor, rows.size(), blocks,
                        [&](std::size_t first, std::size_t last, std::size_t) {
@@ -286,7 +286,7 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
                   [&](Index v) { return v < 0 || std::size_t(v) >= n; }))
     return false;
   const auto arrays = core::complete_arrays<Index>(dimension, std::move(cells), std::move(vertices),
-                                                   python::Thread_executor(threads));
+                                                   core::Thread_executor(threads));
   return core::is_valid(arrays, core::Point_array(coordinates.data(), n),
                         CGAL::Delaunay_validity_level(level));
 }

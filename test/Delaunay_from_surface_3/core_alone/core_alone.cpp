@@ -88,11 +88,13 @@ void check_queries(const Arrays& arrays, const core::Point_array& points, const 
   const auto adjacent = core::adjacent_vertices<std::int32_t>(
       simplices.size(), 4, points.size(),
       [&](std::size_t c, std::size_t k) { return simplices[c][k]; }, core::Alone());
-  Arrays finite = arrays;
-  finite.drop_infinite_cells();
-  const core::Simplices_view<std::int32_t> view = {finite.vertices_data(),  finite.stride(),
-                                                   finite.neighbors_data(), finite.stride(),
-                                                   simplices.size(),        points.size()};
+  const core::Simplices_view<std::int32_t> view = {arrays.vertices_data(),
+                                                   arrays.stride(),
+                                                   arrays.neighbors_data(),
+                                                   arrays.stride(),
+                                                   arrays.number_of_simplices(),
+                                                   arrays.number_of_cells(),
+                                                   points.size()};
   const auto point_of = [&](std::size_t i) {
     return std::array<double, 3>{points[i][0], points[i][1], points[i][2]};
   };

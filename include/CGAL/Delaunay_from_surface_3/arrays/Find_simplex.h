@@ -29,7 +29,8 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Tetrahedra as rows of arrays that are somebody else's: entry k of simplex c is at c * stride + k.
-// Neighbours are -1 on the hull. Numbers that are out of range are refused when they are met.
+// Beyond the hull is -1 or an infinite cell, which has a number from `number` on. What is out of range
+// is refused when it is met.
 template <class Index>
 struct Simplices_view
 {
@@ -37,7 +38,7 @@ struct Simplices_view
   std::size_t stride_of_vertices;
   const Index* neighbors;
   std::size_t stride_of_neighbors;
-  std::size_t number;
+  std::size_t number, number_of_cells;
   std::size_t number_of_points;
 
   std::size_t vertex(std::size_t c, std::size_t k) const
@@ -50,9 +51,9 @@ struct Simplices_view
   Index neighbor(std::size_t c, std::size_t k) const
   {
     const Index d = neighbors[c * stride_of_neighbors + k];
-    if (d < -1 || (d >= 0 && std::size_t(d) >= number))
+    if (d < -1 || (d >= 0 && std::size_t(d) >= number_of_cells))
       throw std::out_of_range("a simplex has a neighbour that is none");
-    return d;
+    return d >= 0 && std::size_t(d) >= number ? Index(-1) : d;
   }
 };
 

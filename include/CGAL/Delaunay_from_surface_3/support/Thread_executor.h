@@ -2,10 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_THREAD_EXECUTOR_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_THREAD_EXECUTOR_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_THREAD_EXECUTOR_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_THREAD_EXECUTOR_H
 
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <condition_variable>
 #include <cstddef>
@@ -14,14 +15,15 @@
 #include <thread>
 #include <vector>
 
-namespace python {
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Threads of its own, which live as long as it does: the first is started when there is a second
-// task. Where the system gives fewer, these do all.
-class Thread_executor final : public CGAL::Delaunay_from_surface_3::internal::Executor
+// Threads of its own, for who has no TBB. They live as long as it does: the first is started when there
+// is a second task. Where the system gives fewer, these do all.
+class Thread_executor final : public Executor
 {
-  using Task = CGAL::Delaunay_from_surface_3::internal::Task;
-
 public:
   explicit Thread_executor(std::size_t number)
     : m_number(number)
@@ -106,6 +108,9 @@ private:
   bool m_is_over = false;
 };
 
-} // namespace python
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_THREAD_EXECUTOR_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_THREAD_EXECUTOR_H
