@@ -6,7 +6,7 @@
 // simplices, whose numbers are checked when they are read.
 
 #include "functions.h"
-#include "numpy_ranges.h"
+#include "numpy_rows.h"
 
 #include <CGAL/Delaunay_from_surface_3/arrays/adjacent_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/complete_arrays.h>
@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +25,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,73 +34,13 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
-using Index = std::int32_t;
-using Numbers = py::array_t<Index>;
-using Points = py::array; // of shape (n, 3), float64 or float32
-
-// The coordinates of a point, where they are.
-struct Point_of
-{
-  python::Points_view view;
-
-  std::array<double, 3> operator()(std::size_t i) const
-  {
-    return {view(i, 0), view(i, 1), view(i, 2)};
-  }
-};
-
-// A matrix of numbers with rows in one piece, as the module makes them; others are copied.
-class Rows
-{
-public:
-  explicit Rows(const Numbers& numbers)
-    : m_numbers(has_rows(numbers) ? numbers
-                                  : Numbers(py::array_t<Index, py::array::c_style>(numbers)))
-  {
-  }
-
-  const Index* data() const { return m_numbers.data(); }
-  std::size_t size() const { return std::size_t(m_numbers.shape(0)); }
-  std::size_t corners() const { return std::size_t(m_numbers.shape(1)); }
-  std::size_t stride() const
-  {
-    return size() < 2 ? corners() : std::size_t(m_numbers.strides(0)) / sizeof(Index);
-  }
-
-  // Entry k of row i, one of 0, …, n-1.
-  Index number(std::size_t i, std::size_t k, std::size_t n) const
-  {
-    const Index v = m_data[i * m_stride + k];
-    if (v < 0 || std::size_t(v) >= n)
-      throw std::out_of_range("simplices: " + std::to_string(v) + " is not one of the " +
-                              std::to_string(n) + " points");
-    return v;
-  }
-
-private:
-  static bool has_rows(const Numbers& numbers)
-  {
-    if (numbers.ndim() != 2)
-      throw py::value_error("simplices: expected an array of shape (m, d + 1)");
-    const py::ssize_t size = sizeof(Index), row = numbers.strides(0);
-    return numbers.strides(1) == size && row >= size * numbers.shape(1) && row % size == 0;
-  }
-
-  Numbers m_numbers;
-  const Index* m_data = m_numbers.data();
-  std::size_t m_stride = stride();
-};
-
-// A new array, which takes what is in the vector.
-template <class T>
-py::array_t<T> array_from(std::vector<T>&& vector, std::vector<py::ssize_t> shape)
-{
-  auto owned = std::make_unique<std::vector<T>>(std::move(vector));
-  const T* const data = owned->data();
-  const py::capsule owner(owned.get(), [](void* p) { delete static_cast<std::vector<T>*>(p); });
-  owned.release();
-  return py::array_t<T>(std::move(shape), data, owner);
-}
+using python::array_from;
+using python::checked_copy;
+using python::Index;
+using python::Numbers;
+using python::Point_of;
+using python::Points;
+using python::Rows;
 
 // Calls f(the number of corners) with a constant.
 template <class F>
@@ -114,17 +56,6 @@ auto with_corners(std::size_t corners, const F& f)
   default:
     throw py::value_error("simplices: expected an array of shape (m, d + 1)");
   }
-}
-
-// A copy of numbers from 0 to n-1: what another thread writes into the array meanwhile is not read.
-std::vector<Index> checked_copy(const Rows& rows, std::size_t n)
-{
-  std::vector<Index> copy;
-  copy.reserve(rows.corners() * rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t k = 0; k < rows.corners(); ++k)
-      copy.push_back(rows.number(i, k, n));
-  return copy;
 }
 
 Numbers neighbors(const Numbers& simplices, std::size_t n, std::size_t threads)
@@ -197,6 +128,43 @@ py::tuple adjacent_vertices(const Numbers& simplices, std::size_t n, std::size_t
   const auto items = py::ssize_t(adjacent.items.size());
   return py::make_tuple(array_from(std::move(adjacent.first), {firsts}),
                         array_from(std::move(adjacent.items), {items}));
+}
+
+// Kruskal's algorithm on the edges of the lists, by lengths as they are computed.
+Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64_t>& firsts,
+                              const Numbers& items)
+{
+  struct Edge
+  {
+    double squared_length;
+    Index ends[2];
+  };
+  const auto n = std::size_t(points.shape(0));
+  const Point_of point_of = {python::Points_view(points)};
+  std::vector<Edge> edges;
+  for (std::size_t v = 0; v < n; ++v)
+    for (auto i = firsts.at(py::ssize_t(v)); i < firsts.at(py::ssize_t(v) + 1); ++i) {
+      const Index w = items.at(py::ssize_t(i));
+      if (w <= Index(v) || std::size_t(w) >= n)
+        continue;
+      const std::array<double, 3> p = point_of(v), q = point_of(std::size_t(w));
+      const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+      edges.push_back({x * x + y * y + z * z, {Index(v), w}});
+    }
+  std::vector<Index> tree;
+  {
+    const py::gil_scoped_release unlocked;
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+      return std::tie(a.squared_length, a.ends[0], a.ends[1]) <
+             std::tie(b.squared_length, b.ends[0], b.ends[1]);
+    });
+    core::Disjoint_sets<Index> sets(n);
+    for (const Edge& edge : edges)
+      if (sets.unite(edge.ends[0], edge.ends[1]))
+        tree.insert(tree.end(), edge.ends, edge.ends + 2);
+  }
+  const auto number = py::ssize_t(tree.size() / 2);
+  return array_from(std::move(tree), {number, 2});
 }
 
 // Calls write(c, tetrahedron) for each.
@@ -301,6 +269,7 @@ void python::define_queries(py::module_& m)
   m.def("neighbors", &neighbors);
   m.def("find_simplex", &find_simplex);
   m.def("adjacent_vertices", &adjacent_vertices);
+  m.def("minimum_spanning_tree", &minimum_spanning_tree);
   m.def("volumes", &volumes);
   m.def("circumspheres", &circumspheres);
   m.def("voronoi_volumes", &voronoi_volumes);

@@ -22,6 +22,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
+import scipy.sparse.csgraph
 import scipy.spatial
 
 import delaunay_from_surface as dfs
@@ -153,6 +154,7 @@ class Results(unittest.TestCase):
         result = dfs.delaunay3(random_points(5000), neighbors=True)
         neighbors, copy = result.neighbors, result.neighbors.copy()
         self.assertEqual(result.simplices.strides, (32, 4))  # both are views of one array
+        self.assertFalse(result.simplices.flags.owndata or result.neighbors.flags.owndata)
         del result
         dfs.delaunay3(random_points(5000, seed=2))
         self.assertTrue((neighbors == copy).all())
@@ -382,6 +384,21 @@ class AsScipy(unittest.TestCase):
         self.assertEqual(len(found.triangles), (4 * ours.nsimplex + len(ours.convex_hull)) // 2)
         with self.assertRaisesRegex(ValueError, "alpha_complex: expected a radius, got nan"):
             ours.alpha_complex(np.nan)
+
+    def test_minimum_spanning_tree(self):
+        for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [1, 0, 0], self.grid[:1], []):
+            ours = dfs.delaunay3(points)
+            tree = ours.minimum_spanning_tree()
+            distinct = np.unique(ours.points, axis=0)
+            self.assertEqual(tree.shape, (max(len(distinct) - 1, 0), 2))
+            if len(tree) > 0:
+                lengths = np.linalg.norm(ours.points[tree[:, 0]] - ours.points[tree[:, 1]], axis=1)
+                self.assertTrue((np.diff(lengths) >= 0).all())
+                expected = scipy.sparse.csgraph.minimum_spanning_tree(scipy.spatial.distance_matrix(distinct, distinct))
+                self.assertAlmostEqual(lengths.sum(), expected.sum(), places=8)
+                graph = scipy.sparse.coo_matrix((np.ones(len(tree)), tree.T), shape=2 * (len(points),))
+                number, _ = scipy.sparse.csgraph.connected_components(graph, directed=False)
+                self.assertEqual(number, 1 + len(points) - len(distinct))
 
     def test_check(self):
         for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [0, 1, 0], self.points[:1], [],

@@ -246,6 +246,13 @@ class Delaunay3:
         return AlphaComplex(np.flatnonzero(self.circumradii <= alpha), triangles[radii_of_triangles <= alpha],
                             edges[radii_of_edges <= alpha])
 
+    def minimum_spanning_tree(self) -> np.ndarray:
+        """Return a Euclidean minimum spanning tree of the vertices: (k, 2) int32, from the shortest edge to the longest.
+
+        Lengths are compared as they are computed; among equal ones smaller indices come first.
+        """
+        return _core.minimum_spanning_tree(self.points, *self.vertex_neighbor_vertices)
+
     def check(self, level: str = "delaunay") -> bool:
         """Return whether this is the Delaunay triangulation of its points, as far as the level goes.
 
