@@ -28,7 +28,7 @@ def interpolate(triangulation, values, xi):
 
 
 def main():
-    points = np.random.default_rng(0).random((20000, 3))
+    points = np.random.default_rng(0).random((2000, 3))
     triangulation = dfs.delaunay3(points)
     u, v = np.meshgrid(np.linspace(0, 1, 400), np.linspace(0, 1, 400))
     xi = np.stack([u, v, np.full_like(u, .5)], axis=-1)
