@@ -13,6 +13,7 @@ import shutil
 import sys
 from pathlib import Path
 
+import pybind11
 from pybind11.setup_helpers import ParallelCompile, Pybind11Extension
 from setuptools import setup
 from setuptools.command.build_ext import build_ext
@@ -55,8 +56,12 @@ class SourceDistribution(sdist):
 
 
 ParallelCompile("DELAUNAY_FROM_SURFACE_JOBS", default=0).install()
-setup(version=VERSION, cmdclass={"build_ext": BuildExtension, "sdist": SourceDistribution}, ext_modules=[
-    Pybind11Extension(
+NUMPY = "numpy>=1.20" if pybind11.version_info[:2] >= (2, 12) else "numpy>=1.20,<2"  # whose arrays it does not know
+setup(
+    version=VERSION,
+    install_requires=[NUMPY],
+    cmdclass={"build_ext": BuildExtension, "sdist": SourceDistribution},
+    ext_modules=[Pybind11Extension(
         "delaunay_from_surface._delaunay_from_surface",
         sorted(file.name for file in HERE.glob("*.cpp")),
         include_dirs=["include", os.path.relpath(ROOT, HERE), os.path.relpath(ROOT / "include", HERE)],

@@ -41,6 +41,7 @@ def check_files(index):
         names = files.namelist()
         extension, = (name for name in names if name.endswith(".so"))
         files.extract(extension, FOLDER)
+        metadata = files.read(next(name for name in names if name.endswith("/METADATA"))).decode()
         problems = [f"{name} is not in it" for name in ("LICENSE", "LICENSE.LGPL", "py.typed", "cpp.py")
                     if not any(file.endswith("/" + name) for file in names)]
         problems += [f"{name} is not in the sources"
@@ -51,6 +52,8 @@ def check_files(index):
     problems += [f"it needs {name}" for name in needed if not re.match(r"lib(c|m|pthread)\.so|ld-linux", name)]
     if built.stat().st_size > 3e6:
         problems.append(f"it has {built.stat().st_size} bytes")
+    if (pybind11.version_info[:2] < (2, 12)) != ("<2" in re.search("^Requires-Dist: numpy.*$", metadata, re.M).group()):
+        problems.append("it does not say which NumPy its pybind11 knows")
     if sys.platform == "linux" and "-manylinux_2_" not in built.name:
         problems.append("its name does not say which glibc it needs")
     return problems
