@@ -17,7 +17,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
-#include <CGAL/insert_surface_points_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,7 +51,7 @@ INSERT_ONCE_NOT_INLINE void insert_once_by_plain_cgal(Triangulation& tr,
 INSERT_ONCE_NOT_INLINE void insert_once_by_default(Triangulation& tr,
                                                    const files::Polygon_soup& soup)
 {
-  CGAL::insert_surface_points_3(tr, soup.points, soup.faces);
+  CGAL::insert_points_3(tr, soup.points, soup.faces);
 }
 
 // Where the counts of the first end; there is something in it, or calls would be left out.

@@ -28,7 +28,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
-#include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <array>
@@ -131,7 +130,7 @@ void measure_input(Table& table, const Indexed_surface& surface)
   });
   table.line("surface: soup", n, plain, [&] {
     Triangulation tr;
-    CGAL::insert_surface_points_3(tr, points, surface.faces);
+    CGAL::insert_points_3(tr, points, surface.faces);
     return cells(tr);
   });
   table.line("surface: points alone, in the order of the input", n, plain, [&] {

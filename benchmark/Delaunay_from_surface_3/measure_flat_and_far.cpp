@@ -16,7 +16,6 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_points_3.h>
-#include <CGAL/insert_surface_points_3.h>
 
 #include <boost/program_options.hpp>
 
@@ -58,7 +57,7 @@ void insert_by_default(Triangulation& tr, const Indexed_surface& surface, bool h
                        const Parameters&... parameters)
 {
   if (has_faces)
-    CGAL::insert_surface_points_3(tr, surface.points, surface.faces, parameters...);
+    CGAL::insert_points_3(tr, surface.points, surface.faces, parameters...);
   else
     CGAL::insert_points_3(tr, surface.points, parameters...);
 }

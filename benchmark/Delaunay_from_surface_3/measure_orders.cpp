@@ -30,7 +30,6 @@
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/insert_points_3.h>
-#include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/program_options.hpp>
@@ -135,7 +134,7 @@ public:
     if (m_is_mesh)
       CGAL::insert_surface_vertices_3(tr, m_mesh, traits, np);
     else
-      CGAL::insert_surface_points_3(tr, m_surface.points, m_surface.faces, traits, np);
+      CGAL::insert_points_3(tr, m_surface.points, m_surface.faces, traits, np);
   }
 
   void by_plain_cgal(Triangulation& tr) const

@@ -18,7 +18,7 @@
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/contains_euclidean_minimum_spanning_tree.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -121,7 +121,7 @@ comparison::Take_counts counts_of(const Indexed_surface& surface)
 {
   comparison::Take_counts counts;
   Triangulation tr;
-  CGAL::insert_surface_points_3(tr, surface.points, surface.faces, Traits(),
+  CGAL::insert_points_3(tr, surface.points, surface.faces, Traits(),
                                 CGAL::parameters::visitor(std::ref(counts)));
   return counts;
 }
@@ -158,7 +158,7 @@ void measure(const sources::Source& source, comparison::Gains& gains)
       },
       [&] {
         auto tr = std::make_unique<Triangulation>();
-        CGAL::insert_surface_points_3(*tr, made.surface.points, made.surface.faces);
+        CGAL::insert_points_3(*tr, made.surface.points, made.surface.faces);
         return tr;
       },
       [&](Json& line, const auto& expected, const auto& ours) {

@@ -21,7 +21,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <boost/program_options.hpp>
 
@@ -128,9 +128,9 @@ void insert(Triangulation& tr, const Indexed_surface& surface, std::size_t threa
 {
   const auto np = CGAL::parameters::visitor(std::ref(watch));
   if (threads == 1)
-    CGAL::insert_surface_points_3<CGAL::Sequential_tag>(tr, surface.points, surface.faces, np);
+    CGAL::insert_points_3<CGAL::Sequential_tag>(tr, surface.points, surface.faces, np);
   else
-    CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces, np);
+    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces, np);
 }
 
 Json phases(const Watch& watch)

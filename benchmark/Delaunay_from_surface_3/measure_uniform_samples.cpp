@@ -24,7 +24,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Hilbert_sorted_rounds.h>
 #include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <boost/program_options.hpp>
 
@@ -94,7 +94,7 @@ Json destroyed(const Indexed_surface& surface, const Traits& traits)
 {
   Triangulation tr;
   comparison::Take_counts counts;
-  CGAL::insert_surface_points_3(tr, surface.points, surface.faces, traits,
+  CGAL::insert_points_3(tr, surface.points, surface.faces, traits,
                                 CGAL::parameters::visitor(std::ref(counts)));
   return {{"cells_destroyed",
            rounded(double(counts.kernel.cells_destroyed) / double(surface.points.size()), 1e2)},

@@ -5,7 +5,7 @@
 // Is the result that of plain CGAL, and what does it take? The file may hold a mesh, a polygon soup or
 // points alone.
 
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
     CGAL::Timer ours, plain;
     ours.start();
     Triangulation tr;
-    CGAL::insert_surface_points_3(tr, points, faces);
+    CGAL::insert_points_3(tr, points, faces);
     ours.stop();
 
     plain.start();

@@ -5,7 +5,7 @@
 // A polygon soup: three sheets that meet in one edge, and a quadrangle. No mesh data structure of
 // CGAL can hold it, but its edges lead the way all the same.
 
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,7 +30,7 @@ int main()
       {0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {2, 5, 6, 7}};
 
   Triangulation tr;
-  CGAL::insert_surface_points_3(tr, points, faces);
+  CGAL::insert_points_3(tr, points, faces);
 
   std::cout << tr.number_of_vertices() << " vertices, " << tr.number_of_finite_cells()
             << " tetrahedra\n";

@@ -5,7 +5,7 @@
 // An order of one's own, through the compact triangulation: points that were scanned in rows need no
 // faces. Their numbers say which lie beside each other.
 
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
@@ -69,7 +69,7 @@ int main()
 
   const std::vector<std::vector<std::size_t>> no_faces; // only the plan could use them
   Triangulation ours, plain;
-  CGAL::insert_surface_points_3(ours, points, no_faces, My_traits());
+  CGAL::insert_points_3(ours, points, no_faces, My_traits());
   plain.insert(points.begin(), points.end());
 
   std::cout << "The triangulations are " << (ours == plain ? "equal" : "different") << '\n';

@@ -162,7 +162,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 \ingroup PkgDelaunayFromSurface3Arrays
 
 does the same for the points of a polygon soup, whose faces show which points are near each other.
-The order is that of `insert_surface_points_3()` with its default traits.
+The order is that of `insert_points_3()` with its default traits.
 
 \param points the points, those in no face included
 \param faces the faces: a range of ranges of integers, for each the indices of its points in order
@@ -170,7 +170,7 @@ The order is that of `insert_surface_points_3()` with its default traits.
 
 \throws Surface_input_error also if a face has an index out of range
 
-\sa `insert_surface_points_3()`
+\sa `insert_points_3()`
 */
 template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, class PointRange,
           class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/door/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/door/read_items.h>
+#include <CGAL/Delaunay_from_surface_3/door/refuse_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
@@ -173,6 +174,12 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
 }
 
 /// \cond SKIP_IN_MANUAL
+template <class ConcurrencyTag = Default, class Triangulation, class... Arguments>
+Delaunay_from_surface_3::internal::If_refused<Triangulation>
+insert_points_along_graph_3(Triangulation&, const Arguments&...)
+{
+  return Delaunay_from_surface_3::internal::refuse_triangulation<Triangulation>();
+}
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 /// \endcond
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/door/Read_mesh.h>
 #include <CGAL/Delaunay_from_surface_3/door/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/door/refuse_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
@@ -114,7 +115,7 @@ The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_m
 vertices have the same index, the number of infos is not that of the vertices, or `preserve_order`
 cannot be had; `tr` is then unchanged
 
-\sa `insert_surface_points_3()`
+\sa `insert_points_3()`
 \sa `insert_points_along_graph_3()`
 */
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
@@ -148,6 +149,12 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
 }
 
 /// \cond SKIP_IN_MANUAL
+template <class ConcurrencyTag = Default, class Triangulation, class... Arguments>
+Delaunay_from_surface_3::internal::If_refused<Triangulation>
+insert_surface_vertices_3(Triangulation&, const Arguments&...)
+{
+  return Delaunay_from_surface_3::internal::refuse_triangulation<Triangulation>();
+}
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 /// \endcond
 

@@ -451,7 +451,7 @@ BOOST_AUTO_TEST_CASE(all_forms)
   const auto insert = [&](const auto& form) { check(points, Far{.2}, form); };
   insert([&](Triangulation& tr, const auto& np) { return CGAL::insert_points_3(tr, points, np); });
   insert([&](Triangulation& tr, const auto& np) {
-    return CGAL::insert_surface_points_3(tr, points, torus().surface.faces, np);
+    return CGAL::insert_points_3(tr, points, torus().surface.faces, np);
   });
   insert([&](Triangulation& tr, const auto& np) {
     return CGAL::insert_points_along_graph_3(tr, points, graph_of_torus(), np);

@@ -16,7 +16,7 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -44,7 +44,7 @@ Outcome insert_and_fail(Triangulation& tr, const Indexed_surface& surface, Alloc
 {
   const tests::Failing_allocation failing(whose, k);
   try {
-    CGAL::insert_surface_points_3<ConcurrencyTag>(tr, surface.points, surface.faces);
+    CGAL::insert_points_3<ConcurrencyTag>(tr, surface.points, surface.faces);
   } catch (const std::bad_alloc&) {
     return Outcome::FAILED;
   }
@@ -68,7 +68,7 @@ std::size_t check_failures(const Indexed_surface& surface, Allocating whose, int
       BOOST_TEST_REQUIRE(tr.number_of_vertices() == 0u);
       BOOST_TEST_REQUIRE(tr.is_valid());
       if (failures++ % 16 == 0)
-        CGAL::insert_surface_points_3<ConcurrencyTag>(tr, surface.points, surface.faces);
+        CGAL::insert_points_3<ConcurrencyTag>(tr, surface.points, surface.faces);
     }
     if (tr.number_of_vertices() > 0)
       BOOST_TEST_REQUIRE((tr == plain));

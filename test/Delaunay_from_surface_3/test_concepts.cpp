@@ -15,7 +15,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
@@ -118,12 +118,12 @@ BOOST_AUTO_TEST_CASE(visitor_archetype)
 {
   std::size_t insertions = 0;
   Triangulation tr;
-  CGAL::insert_surface_points_3(tr, surface().points, surface().faces,
+  CGAL::insert_points_3(tr, surface().points, surface().faces,
                                 parameters::visitor(tests::Visitor_archetype(&insertions)));
   BOOST_TEST(insertions > 0u);
   const std::size_t in_core = insertions; // CGAL's insertion, which comes next, asks at each point
   tests::Visitor_archetype visitor(&insertions);
-  CGAL::insert_surface_points_3(tr, surface().points, surface().faces,
+  CGAL::insert_points_3(tr, surface().points, surface().faces,
                                 parameters::visitor(std::ref(visitor)));
   BOOST_TEST(insertions == in_core + surface().points.size());
   BOOST_TEST((tr == stock()));
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(forward_ranges)
   for (const auto& face : surface().faces)
     faces.push_front({short(face[0]), short(face[1]), short(face[2])});
   Triangulation tr;
-  CGAL::insert_surface_points_3(tr, points, faces);
+  CGAL::insert_points_3(tr, points, faces);
   BOOST_TEST((tr == stock()));
 }
 
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(metering_visitor_adds_up_what_the_traits_count)
   CGAL::Delaunay_triangulation_3<Counting> tr;
   const auto meter = [&] { return tr.geom_traits().counts(); };
   meters::Metering_visitor_3<decltype(meter)> visitor(meter);
-  CGAL::insert_surface_points_3(tr, surface().points, surface().faces, CGAL::Tracing_traits_3(),
+  CGAL::insert_points_3(tr, surface().points, surface().faces, CGAL::Tracing_traits_3(),
                                 parameters::visitor(std::ref(visitor)));
   const std::size_t n = surface().points.size();
   const auto ends = DFS::Log_star_rounds::round_ends(n);

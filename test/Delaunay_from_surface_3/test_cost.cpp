@@ -14,7 +14,7 @@
 #include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Tracing_traits_3.h>
 
@@ -43,7 +43,7 @@ Cost cost(std::size_t n)
   CGAL::Delaunay_triangulation_3<Counting> tr;
   const auto meter = [counting = tr.geom_traits()] { return counting.counts(); };
   meters::Metering_visitor_3<decltype(meter)> visitor(meter);
-  CGAL::insert_surface_points_3(tr, surface.points, surface.faces, Traits(),
+  CGAL::insert_points_3(tr, surface.points, surface.faces, Traits(),
                                 CGAL::parameters::visitor(std::ref(visitor)));
   std::string rounds;
   std::size_t traced = 0;

@@ -15,7 +15,6 @@
 #include <CGAL/Random.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_3.h>
-#include <CGAL/insert_surface_points_3.h>
 
 #include <cstddef>
 #include <functional>
@@ -69,7 +68,7 @@ std::string refusal(const DFS::Insertion_order& plan)
   traits.plan.plan = plan;
   Triangulation tr;
   try {
-    CGAL::insert_surface_points_3(tr, points, std::vector<std::vector<int>>(), traits);
+    CGAL::insert_points_3(tr, points, std::vector<std::vector<int>>(), traits);
   } catch (const std::invalid_argument& e) {
     BOOST_TEST(tr.number_of_vertices() == 0u);
     return e.what();
@@ -139,7 +138,7 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
 
   Watch kept;
   Triangulation tr;
-  CGAL::insert_surface_points_3(tr, surface.points, surface.faces,
+  CGAL::insert_points_3(tr, surface.points, surface.faces,
                                 CGAL::parameters::visitor(std::ref(kept)));
   BOOST_TEST(kept.orders_replaced == 0u);
   BOOST_TEST(kept.ends == 1u);
@@ -149,7 +148,7 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
 
   Watch replaced;
   Triangulation again;
-  BOOST_TEST(CGAL::insert_surface_points_3(again, surface.points, surface.faces, Starved_traits(),
+  BOOST_TEST(CGAL::insert_points_3(again, surface.points, surface.faces, Starved_traits(),
                                            CGAL::parameters::visitor(std::ref(replaced))) == n);
   BOOST_TEST((again == expected));
   BOOST_TEST(replaced.orders_replaced == 1u);
@@ -159,7 +158,7 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
   // CGAL's own insertion is not counted, and goes on.
   Watch not_counted;
   again.insert(Point(7, 7, 7));
-  CGAL::insert_surface_points_3(again, surface.points, surface.faces, Starved_traits(),
+  CGAL::insert_points_3(again, surface.points, surface.faces, Starved_traits(),
                                 CGAL::parameters::visitor(std::ref(not_counted)));
   BOOST_TEST(not_counted.orders_replaced == 0u);
   BOOST_TEST(not_counted.ends == 1u);

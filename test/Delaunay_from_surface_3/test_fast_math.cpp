@@ -13,7 +13,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/delaunay_3_arrays.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(cgal_inserts)
       Counting_visitor visitor;
       const auto np = CGAL::parameters::visitor(std::ref(visitor));
       Triangulation tr;
-      CGAL::insert_surface_points_3(tr, surface.points, surface.faces, np);
+      CGAL::insert_points_3(tr, surface.points, surface.faces, np);
       BOOST_TEST(visitor.told == 1u);
       BOOST_TEST((tr == Triangulation(surface.points.begin(), surface.points.end())));
       const auto arrays = CGAL::delaunay_3_arrays(surface.points, surface.faces, np);
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(an_order_of_vertices_is_refused)
 {
   const Indexed_surface surface = surfaces::genus_surface(1, 1000, 0.1);
   Triangulation tr;
-  BOOST_CHECK_EXCEPTION(CGAL::insert_surface_points_3(tr, surface.points, surface.faces,
+  BOOST_CHECK_EXCEPTION(CGAL::insert_points_3(tr, surface.points, surface.faces,
                                                       CGAL::parameters::preserve_order(true)),
                         CGAL::Surface_input_error, [](const CGAL::Surface_input_error& error) {
                           return std::string(error.what()).find(reason) != std::string::npos;

@@ -19,7 +19,6 @@
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/insert_surface_points_3.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
@@ -89,7 +88,7 @@ std::vector<Left_open> insert_and_compare(const surfaces::Indexed_surface& surfa
     const auto np = CGAL::parameters::visitor(std::ref(visitor));
     Triangulation tr;
     if (has_faces)
-      CGAL::insert_surface_points_3(tr, surface.points, surface.faces, np);
+      CGAL::insert_points_3(tr, surface.points, surface.faces, np);
     else
       CGAL::insert_points_3(tr, surface.points, np);
     BOOST_TEST(visitor.reason == "");
@@ -229,10 +228,10 @@ BOOST_AUTO_TEST_CASE(faces_of_equal_points)
 {
   surfaces::Indexed_surface surface = surfaces::all_equal(100);
   Triangulation tr;
-  BOOST_TEST(CGAL::insert_surface_points_3(tr, surface.points, surface.faces) == 1);
+  BOOST_TEST(CGAL::insert_points_3(tr, surface.points, surface.faces) == 1);
   surface.faces.push_back({0, 1, surface.points.size()});
   Triangulation untouched;
-  BOOST_CHECK_THROW(CGAL::insert_surface_points_3(untouched, surface.points, surface.faces),
+  BOOST_CHECK_THROW(CGAL::insert_points_3(untouched, surface.points, surface.faces),
                     CGAL::Surface_input_error);
   BOOST_TEST(untouched.number_of_vertices() == 0u);
 }

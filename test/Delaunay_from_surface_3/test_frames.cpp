@@ -16,7 +16,6 @@
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -158,9 +157,9 @@ BOOST_AUTO_TEST_CASE(into_a_triangulation)
   BOOST_TEST(insert("insert_surface_vertices_3", [&](const auto& np) {
                CGAL::insert_surface_vertices_3(tr, mesh(), CGAL::Surface_insertion_traits_3(), np);
              }) == way("insert_surface_vertices_3"));
-  BOOST_TEST(insert("insert_surface_points_3", [&](const auto& np) {
-               CGAL::insert_surface_points_3(tr, points(), faces, np);
-             }) == way("insert_surface_points_3"));
+  BOOST_TEST(insert("insert_points_3", [&](const auto& np) {
+               CGAL::insert_points_3(tr, points(), faces, np);
+             }) == way("insert_points_3"));
   BOOST_TEST(insert("insert_points_3", [&](const auto& np) {
                CGAL::insert_points_3(tr, points(), np);
              }) == way("insert_points_3"));

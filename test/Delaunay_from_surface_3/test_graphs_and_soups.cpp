@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(soups_that_are_no_surface)
   const auto reasons_for = [&](const Faces& faces, const std::string& refusal) {
     Watching_visitor visitor;
     check_with_all_traits(stock, [&](Triangulation& tr, const auto& traits) {
-      return CGAL::insert_surface_points_3(tr, points, faces, traits,
+      return CGAL::insert_points_3(tr, points, faces, traits,
                                            parameters::visitor(std::ref(visitor)));
     });
     BOOST_TEST((visitor.reasons.empty() || visitor.reasons.size() == 3)); // once for each traits
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(indices_of_any_integer_type)
   const auto check = [&](auto index) {
     const std::vector<std::vector<decltype(index)>> faces = {{0, 1, 2}, {2, 3, 4}, {38, 39, 0}};
     Triangulation tr;
-    CGAL::insert_surface_points_3(tr, points, faces);
+    CGAL::insert_points_3(tr, points, faces);
     BOOST_TEST((tr == stock));
   };
   check(std::uint8_t());

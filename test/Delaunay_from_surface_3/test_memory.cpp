@@ -14,7 +14,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/delaunay_3_arrays.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <array>
 #include <chrono>
@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(large_pages_for_large_arrays_alone)
     const auto surface = surfaces::genus_surface(1, int(n), 0.05);
     Triangulation tr;
     Visitor_at_export visitor;
-    CGAL::insert_surface_points_3(tr, surface.points, surface.faces,
+    CGAL::insert_points_3(tr, surface.points, surface.faces,
                                   CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST_MESSAGE(n << " points: " << visitor.advised << " arrays in large pages");
     BOOST_TEST(visitor.advised <= (n < 100000 ? 0u : 2u));

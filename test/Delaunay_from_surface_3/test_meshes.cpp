@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(forms_without_traits)
 {
   Triangulation by_vertices, by_points, along_graph;
   CGAL::insert_surface_vertices_3(by_vertices, surfaces::to_mesh<Mesh>(torus().surface));
-  CGAL::insert_surface_points_3(by_points, torus().points, torus().surface.faces);
+  CGAL::insert_points_3(by_points, torus().points, torus().surface.faces);
   CGAL::insert_points_along_graph_3(along_graph, torus().points, graph_of_torus());
   BOOST_TEST((by_vertices == torus().stock));
   BOOST_TEST((by_points == torus().stock));
@@ -62,10 +62,10 @@ BOOST_AUTO_TEST_CASE(triangulation_that_was_cleared)
 {
   Triangulation tr = cube_of_points();
   tr.clear();
-  CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces);
+  CGAL::insert_points_3(tr, torus().points, torus().surface.faces);
   BOOST_TEST((tr == torus().stock));
   tr.clear();
-  BOOST_TEST(CGAL::insert_surface_points_3(tr, std::vector<Point>(), Faces()) == 0);
+  BOOST_TEST(CGAL::insert_points_3(tr, std::vector<Point>(), Faces()) == 0);
   BOOST_TEST((tr == Triangulation()));
   BOOST_TEST(tr.is_valid());
 }
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(surface_inserted_twice)
   Triangulation tr;
   Index_map first, second;
   for (Index_map* map : {&first, &second})
-    CGAL::insert_surface_points_3(
+    CGAL::insert_points_3(
         tr, torus().points, torus().surface.faces,
         parameters::vertex_to_vertex_output_iterator(std::back_inserter(*map)));
   BOOST_TEST((tr == torus().stock));
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(duplicates_share_a_vertex)
   points.insert(points.end(), torus().points.begin(), torus().points.end());
   Index_map map;
   Triangulation tr;
-  const auto gained = CGAL::insert_surface_points_3(
+  const auto gained = CGAL::insert_points_3(
       tr, points, torus().surface.faces,
       parameters::vertex_to_vertex_output_iterator(std::back_inserter(map)));
   const std::size_t n = torus().points.size();

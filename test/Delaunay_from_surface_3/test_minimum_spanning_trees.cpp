@@ -24,7 +24,7 @@
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/contains_euclidean_minimum_spanning_tree.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
@@ -303,7 +303,7 @@ BOOST_AUTO_TEST_CASE(the_minimum_spanning_forest_is_traced)
 {
   for (const tests::Named_surface& named : tests::ordinary_surfaces(2000)) {
     Triangulation tr;
-    CGAL::insert_surface_points_3(tr, named.surface.points, named.surface.faces,
+    CGAL::insert_points_3(tr, named.surface.points, named.surface.faces,
                                   Forest_traits(named.surface.points));
     BOOST_TEST((tr == Triangulation(named.surface.points.begin(), named.surface.points.end())));
     const Mesh mesh = surfaces::to_mesh<Mesh>(named.surface);
@@ -405,7 +405,7 @@ BOOST_AUTO_TEST_CASE(share_of_a_star)
   const surfaces::Indexed_surface star = surfaces::star(20000, 1);
   Triangulation tr;
   std::vector<Vertex> vertices(star.points.size());
-  CGAL::insert_surface_points_3(
+  CGAL::insert_points_3(
       tr, star.points, star.faces,
       CGAL::parameters::vertex_to_vertex_output_iterator(boost::make_function_output_iterator(
           [&](const auto& pair) { vertices[pair.first] = pair.second; })));

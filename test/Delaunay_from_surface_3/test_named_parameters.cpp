@@ -43,12 +43,12 @@ BOOST_AUTO_TEST_CASE(point_maps)
   const auto pairs = parameters::point_map(CGAL::First_of_pair_property_map<Item>());
   const auto by_index = parameters::point_map(CGAL::make_property_map(torus().points));
   check_with_all_traits(torus().stock, [&](Triangulation& tr, const auto& traits) {
-    return CGAL::insert_surface_points_3(tr, items, torus().surface.faces, traits, pairs);
+    return CGAL::insert_points_3(tr, items, torus().surface.faces, traits, pairs);
   });
   check_with_all_traits(torus().stock, [&](Triangulation& tr, const auto& traits) {
     return CGAL::insert_points_along_graph_3(tr, items, graph_of_torus(), traits, pairs);
   });
   check_with_all_traits(torus().stock, [&](Triangulation& tr, const auto& traits) {
-    return CGAL::insert_surface_points_3(tr, indices, torus().surface.faces, traits, by_index);
+    return CGAL::insert_points_3(tr, indices, torus().surface.faces, traits, by_index);
   });
 }

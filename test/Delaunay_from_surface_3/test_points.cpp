@@ -17,6 +17,7 @@
 #include <boost/iterator/zip_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <list>
@@ -137,7 +138,7 @@ BOOST_AUTO_TEST_CASE(smallest_index_gives_point_and_info)
     Tr along_graph, as_soup;
     CGAL::insert_points_along_graph_3(along_graph, pairs, Graph(pairs.size()));
     check_infos(along_graph, points);
-    CGAL::insert_surface_points_3(as_soup, pairs, Faces{{0, 1, 2}}, CGAL::Tracing_traits_3());
+    CGAL::insert_points_3(as_soup, pairs, Faces{{0, 1, 2}}, CGAL::Tracing_traits_3());
     check_infos(as_soup, points);
   };
   const std::vector<Point> in_space = with_duplicates(torus().points);
@@ -171,8 +172,7 @@ BOOST_AUTO_TEST_CASE(infos_by_named_parameters)
                           DFS::vertex_info_map(CGAL::Identity_property_map<std::size_t>()));
   });
   check([&](With_info& tr) {
-    CGAL::insert_surface_points_3(tr, points, torus().surface.faces,
-                                  DFS::vertex_info_map(by_index));
+    CGAL::insert_points_3(tr, points, torus().surface.faces, DFS::vertex_info_map(by_index));
   });
   check([&](With_info& tr) {
     CGAL::insert_points_along_graph_3(tr, points, Graph(points.size()),
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(callables)
   std::size_t calls = 0;
   auto stops = [&](double share) { return ++calls, share < 0.5; };
   Triangulation stopped;
-  CGAL::insert_surface_points_3(
+  CGAL::insert_points_3(
       stopped, torus().points, torus().surface.faces,
       parameters::visitor(std::ref(stops))
           .vertex_to_vertex_output_iterator([](const std::pair<std::size_t, Vertex_handle>&) {
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(vertices_in_the_order_of_the_input)
     return CGAL::insert_points_3(tr, points, np);
   };
   const auto as_soup = [&](auto& tr, const auto& np) {
-    return CGAL::insert_surface_points_3(tr, points, torus().surface.faces, np);
+    return CGAL::insert_points_3(tr, points, torus().surface.faces, np);
   };
   check(Triangulation(), as_points);
   check(Triangulation(), as_soup);
@@ -302,9 +302,33 @@ BOOST_AUTO_TEST_CASE(order_of_the_input_that_cannot_be_had)
         [&](Triangulation& tr) { CGAL::insert_points_3(tr, flat, np); });
   check(cube_of_points(), "the triangulation is not empty",
         [&](Triangulation& tr) { CGAL::insert_points_3(tr, torus().points, np); });
-  check(Triangulation(), "that needs traits that go through the core",
-        [&](Triangulation& tr) {
-          CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces,
-                                        CGAL::Plain_insertion_traits_3(), np);
-        });
+  check(Triangulation(), "that needs traits that go through the core", [&](Triangulation& tr) {
+    CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
+                          CGAL::Plain_insertion_traits_3(), np);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_without_a_point)
+{
+  const std::vector<Point>& points = torus().points;
+  std::vector<std::array<double, 3>> arrays;
+  std::vector<std::array<float, 3>> floats;
+  std::vector<const double*> pointers;
+  for (const Point& p : points) {
+    arrays.push_back({p.x(), p.y(), p.z()});
+    floats.push_back({float(p.x()), float(p.y()), float(p.z())});
+  }
+  for (const auto& p : arrays)
+    pointers.push_back(p.data());
+  Triangulation from_arrays, from_pointers, with_faces, from_floats, from_c_array;
+  CGAL::insert_points_3(from_arrays, arrays);
+  CGAL::insert_points_3(from_pointers, pointers.begin(), pointers.end());
+  CGAL::insert_points_3(with_faces, arrays, torus().surface.faces);
+  BOOST_TEST((from_arrays == torus().stock));
+  BOOST_TEST((from_pointers == torus().stock));
+  BOOST_TEST((with_faces == torus().stock));
+  CGAL::insert_points_3(from_floats, floats);
+  BOOST_TEST(from_floats.number_of_vertices() > 0u);
+  const double corners[5][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  BOOST_TEST(CGAL::insert_points_3(from_c_array, corners) == 5);
 }

@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused)
       points[7] = Point(c == 0 ? x : 0., c == 1 ? x : 0., c == 2 ? x : 0.);
       const std::vector<std::string> words = {"vertex 7", std::string(1, "xyz"[c])};
       check_refused_input(words, [&](Triangulation& tr) {
-        CGAL::insert_surface_points_3(tr, points, torus().surface.faces);
+        CGAL::insert_points_3(tr, points, torus().surface.faces);
       });
       check_refused_input(words, [&](Triangulation& tr) {
         CGAL::insert_points_along_graph_3(tr, points, graph_of_torus());
@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused)
   // The largest numbers are finite.
   const double most = (std::numeric_limits<double>::max)();
   Triangulation tr;
-  CGAL::insert_surface_points_3(tr, std::vector<Point>{{most, 0, 0}, {-most, 0, 0}}, Faces{});
+  CGAL::insert_points_3(tr, std::vector<Point>{{most, 0, 0}, {-most, 0, 0}}, Faces{});
   BOOST_TEST(tr.number_of_vertices() == 2u);
 }
 
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(numbers_too_large_for_the_triangulation_are_refused)
   std::vector<Wide::Point_3> points(9, Wide::Point_3(1, 2, 3));
   points[4] = Wide::Point_3(0, std::numeric_limits<long double>::max(), 0);
   check_refused_input({"vertex 4", "y coordinate"}, [&](Triangulation& tr) {
-    CGAL::insert_surface_points_3(tr, points, Faces{});
+    CGAL::insert_points_3(tr, points, Faces{});
   });
 }
 
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(indices_out_of_range_are_refused)
   const auto check = [](const auto& faces, const std::string& face, const std::string& index) {
     check_refused_input(
         {face, index, std::to_string(torus().points.size())},
-        [&](Triangulation& tr) { CGAL::insert_surface_points_3(tr, torus().points, faces); });
+        [&](Triangulation& tr) { CGAL::insert_points_3(tr, torus().points, faces); });
   };
   const int n = int(torus().points.size());
   check(Faces{{0, 1, 2}, {1, n, 3}}, "face 1", std::to_string(n));

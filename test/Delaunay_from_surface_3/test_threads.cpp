@@ -14,7 +14,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
-#include <CGAL/insert_surface_points_3.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 
@@ -105,7 +104,7 @@ void check(Tr& tr, const Indexed_surface& surface, const Tr& plain)
 {
   std::vector<std::pair<std::size_t, typename Tr::Vertex_handle>> map;
   Counting_visitor visitor;
-  const std::ptrdiff_t gained = CGAL::insert_surface_points_3<CGAL::Parallel_tag>(
+  const std::ptrdiff_t gained = CGAL::insert_points_3<CGAL::Parallel_tag>(
       tr, surface.points, surface.faces,
       CGAL::parameters::visitor(std::ref(visitor))
           .vertex_to_vertex_output_iterator(std::back_inserter(map)));
@@ -148,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_triangulation_for_many_threads)
     check(tr, surface, plain);
     Counting_visitor by_default;
     Parallel other;
-    insert_surface_points_3(other, surface.points, surface.faces,
+    insert_points_3(other, surface.points, surface.faces,
                             CGAL::parameters::visitor(std::ref(by_default)));
     BOOST_TEST(by_default.threads == 8u);
     BOOST_TEST((other == plain));
@@ -184,7 +183,7 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_found_early)
   with_eight_threads([&] {
     Triangulation tr;
     Counting_visitor visitor;
-    CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces,
+    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces,
                                                       CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST((tr == plain));
     BOOST_TEST(visitor.asked_before_replaced > 0u);
@@ -227,7 +226,7 @@ BOOST_AUTO_TEST_CASE(hints_that_are_not_concurrent)
   with_eight_threads([&] {
     Triangulation tr;
     Counting_visitor visitor;
-    CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces,
+    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces,
                                                       CGAL::Tracing_traits_3(),
                                                       CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(visitor.threads == 1u);
@@ -251,10 +250,10 @@ BOOST_AUTO_TEST_CASE(points_left_out)
   visitor.points = &surface.points;
   const auto np = CGAL::parameters::visitor(std::ref(visitor));
   Triangulation alone, tr;
-  CGAL::insert_surface_points_3(alone, surface.points, surface.faces, np);
+  CGAL::insert_points_3(alone, surface.points, surface.faces, np);
   visitor.threads = 0;
   with_eight_threads([&] {
-    CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces, np);
+    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces, np);
   });
   BOOST_TEST(visitor.threads == 1u);
   BOOST_TEST(tr.number_of_vertices() < surface.points.size());
@@ -274,7 +273,7 @@ BOOST_AUTO_TEST_CASE(stops_and_exceptions_leave_an_empty_triangulation)
         visitor.stops_at = stops_at;
         visitor.throws = throws;
         const auto insert = [&] {
-          return CGAL::insert_surface_points_3<CGAL::Parallel_tag>(
+          return CGAL::insert_points_3<CGAL::Parallel_tag>(
               tr, surface.points, surface.faces, CGAL::parameters::visitor(std::ref(visitor)));
         };
         if (throws)
@@ -296,7 +295,7 @@ BOOST_AUTO_TEST_CASE(a_limit_of_one_thread)
   tbb::task_arena(8).execute([&] {
     Triangulation tr;
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
+    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
     BOOST_TEST((tr == plain));
   });
 }
@@ -308,7 +307,7 @@ BOOST_AUTO_TEST_CASE(in_the_loop_of_a_caller)
   std::vector<Triangulation> triangulations(6);
   with_eight_threads([&] {
     tbb::parallel_for(std::size_t(0), triangulations.size(), [&](std::size_t k) {
-      CGAL::insert_surface_points_3<CGAL::Parallel_tag>(triangulations[k], surface.points,
+      CGAL::insert_points_3<CGAL::Parallel_tag>(triangulations[k], surface.points,
                                                         surface.faces);
     });
   });
@@ -422,7 +421,7 @@ private:
   {
     Triangulation tr;
     Cancelling_visitor visitor(moment, cancel);
-    CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, faces(moment, cancel),
+    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, faces(moment, cancel),
                                                       CGAL::parameters::visitor(std::ref(visitor)));
     return visitor.threads == 8 && tr == plain && tr.tds().is_valid();
   }
@@ -486,7 +485,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_that_asks_for_cancellation)
   tbb::task_arena(2).execute([&] {
     Triangulation tr;
     tests::call_in_group([&](const auto&) {
-      CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, points, faces,
+      CGAL::insert_points_3<CGAL::Parallel_tag>(tr, points, faces,
                                                         CGAL::parameters::visitor(goes_on));
     });
     BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
@@ -495,7 +494,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_that_asks_for_cancellation)
       tr.clear();
       double told = -1;
       tests::call_in_group([&](const auto& cancel) {
-        CGAL::insert_surface_points_3<CGAL::Parallel_tag>(
+        CGAL::insert_points_3<CGAL::Parallel_tag>(
             tr, points, faces, CGAL::parameters::visitor([&](double inserted) {
               told = inserted;
               if (inserted >= share)
@@ -519,7 +518,7 @@ BOOST_AUTO_TEST_CASE(several_callers_at_once)
   std::vector<std::thread> callers;
   for (Triangulation& tr : triangulations)
     callers.emplace_back([&] {
-      CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
+      CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
     });
   for (std::thread& caller : callers)
     caller.join();
@@ -542,8 +541,8 @@ BOOST_AUTO_TEST_CASE(rounding_modes)
     {
       const fuzz::Rounding rounding(mode);
       with_eight_threads([&] {
-        CGAL::insert_surface_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
-        CGAL::insert_surface_points_3<CGAL::Parallel_tag>(other, denormals, surface.faces);
+        CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
+        CGAL::insert_points_3<CGAL::Parallel_tag>(other, denormals, surface.faces);
       });
       is_kept = rounding.is_kept();
     }

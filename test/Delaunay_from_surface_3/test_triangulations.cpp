@@ -26,7 +26,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <atomic>
 #include <cstddef>
@@ -44,7 +44,7 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 using Point = Epick::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<Epick>;
-using CGAL::insert_surface_points_3;
+using CGAL::insert_points_3;
 using tests::Indexed_surface;
 using tests::Named_surface;
 
@@ -76,7 +76,7 @@ void check_non_empty(const std::vector<Point>& old_points)
     old_vertices.emplace_back(v, v->point());
   const auto infinite = tr.infinite_vertex();
 
-  const auto gained = insert_surface_points_3(tr, surface.points, surface.faces, Traits());
+  const auto gained = insert_points_3(tr, surface.points, surface.faces, Traits());
   BOOST_TEST(gained == stock.insert(surface.points.begin(), surface.points.end()));
   BOOST_TEST((tr == stock));
   BOOST_TEST(tr.is_valid());
@@ -149,9 +149,9 @@ void check_info(bool infinite_vertex_keeps_it)
   stock.insert(points.begin(), points.end());
   tr.infinite_vertex()->info().value() = 4711;
   const std::vector<std::vector<int>> bad_faces = {{-1}};
-  BOOST_CHECK_THROW(insert_surface_points_3(tr, points, bad_faces), CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(insert_points_3(tr, points, bad_faces), CGAL::Surface_input_error);
   BOOST_TEST(tr.infinite_vertex()->info().value() == 4711);
-  insert_surface_points_3(tr, points, faces);
+  insert_points_3(tr, points, faces);
   BOOST_TEST(tr.infinite_vertex()->info().value() == (infinite_vertex_keeps_it ? 4711 : 0));
   BOOST_TEST(tr.number_of_cells() == stock.number_of_cells());
   BOOST_TEST(tr.is_valid());
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(fast_location)
   const Indexed_surface surface = surfaces::genus_surface(2, 20000, 0.05);
   const Triangulation stock(surface.points.begin(), surface.points.end());
   Tr tr;
-  insert_surface_points_3(tr, surface.points, surface.faces);
+  insert_points_3(tr, surface.points, surface.faces);
   BOOST_TEST(tr.is_valid()); // all levels
   BOOST_TEST(tr.number_of_cells() == stock.number_of_cells());
 
@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(info_is_kept)
 
   Tr empty;
   empty.infinite_vertex()->info().value = 4711;
-  insert_surface_points_3(empty, surface.points, surface.faces);
+  insert_points_3(empty, surface.points, surface.faces);
   BOOST_TEST(empty.infinite_vertex()->info().value == 4711);
   BOOST_TEST(empty.number_of_vertices() == surface.points.size());
 
@@ -285,7 +285,7 @@ BOOST_AUTO_TEST_CASE(info_is_kept)
   tr.infinite_vertex()->info().value = 4711;
   for (auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
     v->info().value = 1;
-  insert_surface_points_3(tr, surface.points, surface.faces);
+  insert_points_3(tr, surface.points, surface.faces);
   BOOST_TEST(tr.infinite_vertex()->info().value == 4711);
   std::size_t marked = 0;
   for (auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
@@ -295,7 +295,7 @@ BOOST_AUTO_TEST_CASE(info_is_kept)
 
   // The map is what a user fills the info with.
   std::vector<std::pair<std::size_t, Tr::Vertex_handle>> map;
-  insert_surface_points_3(
+  insert_points_3(
       tr, surface.points, surface.faces,
       CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(map)));
   for (const auto& [i, v] : map)
@@ -322,7 +322,7 @@ BOOST_AUTO_TEST_CASE(time_stamps_stay_different)
   const auto& [points, faces] = torus();
   CGAL::Delaunay_triangulation_3<Epick, Tds> tr;
   tr.infinite_vertex()->set_time_stamp(7);
-  insert_surface_points_3(tr, points, faces);
+  insert_points_3(tr, points, faces);
   std::set<std::size_t> time_stamps;
   for (auto v = tr.all_vertices_begin(); v != tr.all_vertices_end(); ++v)
     time_stamps.insert(v->time_stamp());
@@ -344,7 +344,7 @@ BOOST_AUTO_TEST_CASE(parallel_tag)
   const Tr stock(surface.points.begin(), surface.points.end());
   for (Tr* tr : {&without_locks, &with_locks, &half}) {
     const auto lock_structure = tr->get_lock_data_structure();
-    insert_surface_points_3(*tr, surface.points, surface.faces);
+    insert_points_3(*tr, surface.points, surface.faces);
     BOOST_TEST((*tr == stock));
     BOOST_TEST(tr->is_valid());
     BOOST_TEST(tr->get_lock_data_structure() == lock_structure);
@@ -397,7 +397,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_with_exact_kernels)
   for (const double x : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
     CGAL::Delaunay_triangulation_3<Epeck> tr;
     BOOST_CHECK_THROW(
-        insert_surface_points_3(tr, std::vector<Point>{{0, 0, 0}, {1, x, 0}}, no_faces),
+        insert_points_3(tr, std::vector<Point>{{0, 0, 0}, {1, x, 0}}, no_faces),
         CGAL::Surface_input_error);
     BOOST_TEST(tr.number_of_vertices() == 0u);
   }
@@ -409,9 +409,9 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_with_exact_kernels)
   const CGAL::Delaunay_triangulation_3<Epeck> stock(points.begin(), points.end());
   CGAL::Delaunay_triangulation_3<Epeck> exact;
   Triangulation inexact;
-  insert_surface_points_3(exact, points, no_faces);
+  insert_points_3(exact, points, no_faces);
   BOOST_TEST((exact == stock));
-  BOOST_CHECK_THROW(insert_surface_points_3(inexact, points, no_faces), CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(insert_points_3(inexact, points, no_faces), CGAL::Surface_input_error);
   BOOST_TEST(inexact.number_of_vertices() == 0u);
 }
 
@@ -426,7 +426,7 @@ BOOST_AUTO_TEST_CASE(class_derived_from_a_triangulation)
   const Indexed_surface surface = torus();
   const Triangulation stock(surface.points.begin(), surface.points.end());
   Derived derived;
-  insert_surface_points_3(derived, surface.points, surface.faces);
+  insert_points_3(derived, surface.points, surface.faces);
   BOOST_TEST((static_cast<const Triangulation&>(derived) == stock));
   BOOST_TEST(derived.mine == 42);
 }
@@ -446,16 +446,16 @@ BOOST_AUTO_TEST_CASE(stock_order_is_stock_insertion_by_insertion)
       const auto& [points, faces] = named.surface;
       const auto stock_calls = calls_of_stock<tests::Recording_kernel>(points);
       Tr stock_order, tracing;
-      insert_surface_points_3(stock_order, points, faces, CGAL::Plain_insertion_traits_3());
+      insert_points_3(stock_order, points, faces, CGAL::Plain_insertion_traits_3());
       BOOST_TEST((stock_order.geom_traits().calls() == stock_calls));
       // The record would show a difference: the paper's order calls other predicates.
-      insert_surface_points_3(tracing, points, faces, CGAL::Tracing_traits_3());
+      insert_points_3(tracing, points, faces, CGAL::Tracing_traits_3());
       BOOST_TEST((points.size() < 500 || tracing.geom_traits().calls() != stock_calls));
 
       using Counting = meters::Predicate_counting_traits_3<Epick>;
       CGAL::Delaunay_triangulation_3<Counting> counted_stock, counted;
       counted_stock.insert(points.begin(), points.end());
-      insert_surface_points_3(counted, points, faces, CGAL::Plain_insertion_traits_3());
+      insert_points_3(counted, points, faces, CGAL::Plain_insertion_traits_3());
       const meters::Predicate_counts a = counted_stock.geom_traits().counts();
       const meters::Predicate_counts b = counted.geom_traits().counts();
       BOOST_TEST(a.orientation == b.orientation);
@@ -474,7 +474,7 @@ BOOST_AUTO_TEST_CASE(stock_order_is_stock_in_a_triangulation_with_points)
   stock.insert(old_points.begin(), old_points.end());
   stock.insert(points.begin(), points.end());
   tr.insert(old_points.begin(), old_points.end());
-  insert_surface_points_3(tr, points, faces, CGAL::Plain_insertion_traits_3());
+  insert_points_3(tr, points, faces, CGAL::Plain_insertion_traits_3());
   BOOST_TEST((stock.geom_traits().calls() == tr.geom_traits().calls()));
 }
 
@@ -486,11 +486,11 @@ BOOST_AUTO_TEST_CASE(exception_of_a_predicate_leaves_an_empty_triangulation_alon
     Tr tr;
     const auto infinite = tr.infinite_vertex();
     tr.geom_traits().fail_at_call(call);
-    BOOST_CHECK_THROW(insert_surface_points_3(tr, points, faces), std::runtime_error);
+    BOOST_CHECK_THROW(insert_points_3(tr, points, faces), std::runtime_error);
     BOOST_TEST(tr.number_of_vertices() == 0u);
     BOOST_TEST((tr.infinite_vertex() == infinite));
     tr.geom_traits().fail_at_call(std::size_t(-1));
-    insert_surface_points_3(tr, points, faces);
+    insert_points_3(tr, points, faces);
     BOOST_TEST((tr == Tr(points.begin(), points.end())));
   }
 }
@@ -500,7 +500,7 @@ BOOST_AUTO_TEST_CASE(a_seed_determines_everything)
   const Indexed_surface surface = torus();
   const auto insert = [&](auto traits, unsigned int seed) {
     CGAL::Delaunay_triangulation_3<tests::Recording_kernel> tr;
-    insert_surface_points_3(tr, surface.points, surface.faces, traits,
+    insert_points_3(tr, surface.points, surface.faces, traits,
                             CGAL::parameters::random_seed(seed));
     return tr;
   };
@@ -513,7 +513,7 @@ BOOST_AUTO_TEST_CASE(a_seed_determines_everything)
     BOOST_TEST((one == two));
     const auto by_default = insert(traits, 0);
     CGAL::Delaunay_triangulation_3<tests::Recording_kernel> unnamed;
-    insert_surface_points_3(unnamed, surface.points, surface.faces, traits);
+    insert_points_3(unnamed, surface.points, surface.faces, traits);
     BOOST_TEST((finite_points(by_default) == finite_points(unnamed)));
   };
   check(CGAL::Tracing_traits_3(), true);

@@ -21,7 +21,7 @@
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(soup_graph_and_refusal)
   const Triangulation stock(points.begin(), points.end());
   Triangulation from_soup, along_graph, along_mesh;
   const std::vector<std::array<int, 3>> faces = {{0, 1, 2}, {2, 1, 3}};
-  CGAL::insert_surface_points_3(from_soup, points, faces, parameters::random_seed(3));
+  CGAL::insert_points_3(from_soup, points, faces, parameters::random_seed(3));
   CGAL::insert_points_along_graph_3(
       along_graph, points,
       boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>(points.size()));
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(soup_graph_and_refusal)
   BOOST_TEST((from_soup == stock));
   BOOST_TEST((along_graph == stock));
   BOOST_TEST((along_mesh == stock));
-  BOOST_CHECK_THROW(CGAL::insert_surface_points_3(from_soup, points,
+  BOOST_CHECK_THROW(CGAL::insert_points_3(from_soup, points,
                                                   std::vector<std::array<int, 3>>{{0, 1, 300}}),
                     CGAL::Surface_input_error);
 }

@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_of_another_subgraph)
   const std::vector<std::vector<std::size_t>> faces = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
   Triangulation tr;
   Watching_visitor visitor;
-  CGAL::insert_surface_points_3(tr, points, faces, CGAL::Tracing_traits_3(),
+  CGAL::insert_points_3(tr, points, faces, CGAL::Tracing_traits_3(),
                                 CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.reasons_of_subgraph.size() == 1u);
 }
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_in_the_order_documented)
   Logging visitor;
   Triangulation tr;
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  CGAL::insert_surface_points_3(tr, points, Faces{{0, 1}}, CGAL::Tracing_traits_3(),
+  CGAL::insert_points_3(tr, points, Faces{{0, 1}}, CGAL::Tracing_traits_3(),
                                 parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.log ==
              "irregular PSreplaced  round 0 of 2:  go LU go LUT located 1 round 1 of 1:  go LUEFD");
@@ -155,14 +155,14 @@ BOOST_AUTO_TEST_CASE(visitor_by_value)
   std::size_t insertions = 0;
   Triangulation tr = cube_of_points();
   const std::size_t before = tr.number_of_vertices();
-  const auto gained = CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces,
+  const auto gained = CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
                                                     parameters::visitor(Stopping(&insertions)));
   BOOST_TEST(gained == 10);
   BOOST_TEST(insertions == 11u);
   BOOST_TEST(tr.number_of_vertices() == before + 10);
 
   Triangulation whole;
-  CGAL::insert_surface_points_3(whole, torus().points, torus().surface.faces,
+  CGAL::insert_points_3(whole, torus().points, torus().surface.faces,
                                 parameters::visitor(CGAL::Default_surface_insertion_visitor_3()));
   BOOST_TEST((whole == torus().stock));
 }
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(exception_of_the_output_iterator)
   });
   Triangulation tr;
   BOOST_CHECK_THROW(
-      CGAL::insert_surface_points_3(tr, torus().points, torus().surface.faces,
+      CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
                                     parameters::vertex_to_vertex_output_iterator(throwing)),
       std::runtime_error);
   BOOST_TEST(written == 100u);

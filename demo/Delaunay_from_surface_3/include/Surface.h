@@ -6,7 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_H
 
 #include <CGAL/Surface_insertion_traits_3.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -54,7 +54,7 @@ void insert_surface(Tr& tr, const Surface& surface, const Traits& traits, const 
   if (surface.is_manifold)
     CGAL::insert_surface_vertices_3<Tag>(tr, surface.mesh, traits, np);
   else
-    CGAL::insert_surface_points_3<Tag>(tr, surface.points, surface.faces, traits, np);
+    CGAL::insert_points_3<Tag>(tr, surface.points, surface.faces, traits, np);
 }
 
 // The same, watched by `visitor`; returns the vertex of each point.

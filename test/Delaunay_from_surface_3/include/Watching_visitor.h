@@ -42,7 +42,7 @@ Watching_visitor watch(Triangulation& tr, Watching_visitor visitor = Watching_vi
                        Index_map* map = nullptr)
 {
   Index_map unused;
-  CGAL::insert_surface_points_3(
+  CGAL::insert_points_3(
       tr, torus().points, torus().surface.faces, Traits(),
       parameters::visitor(std::ref(visitor))
           .vertex_to_vertex_output_iterator(std::back_inserter(map ? *map : unused)));

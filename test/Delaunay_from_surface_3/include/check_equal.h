@@ -14,7 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/test/unit_test.hpp>
@@ -73,7 +73,7 @@ public:
     {
       Triangulation tr;
       std::vector<std::pair<std::size_t, Vertex_handle>> map;
-      const std::ptrdiff_t gained = CGAL::insert_surface_points_3(
+      const std::ptrdiff_t gained = CGAL::insert_points_3(
           tr, m_points, m_named.surface.faces, Traits(),
           CGAL::parameters::random_seed(seed).vertex_to_vertex_output_iterator(
               std::back_inserter(map)));

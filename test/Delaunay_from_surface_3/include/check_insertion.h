@@ -13,7 +13,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/insert_surface_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -95,7 +94,7 @@ struct As_soup
   static std::ptrdiff_t insert(Tr& tr, const std::vector<typename Tr::Point>& points,
                                const Faces& faces, const Traits& traits, const NamedParameters& np)
   {
-    return CGAL::insert_surface_points_3(tr, points, faces, traits, np);
+    return CGAL::insert_points_3(tr, points, faces, traits, np);
   }
 };
 

@@ -26,7 +26,7 @@
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/Tracing_traits_3.h>
-#include <CGAL/insert_surface_points_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>

@@ -10,10 +10,10 @@
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
-#include <CGAL/insert_surface_points_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <cstddef>
@@ -52,7 +52,8 @@ struct Old_traits
 
 void call(Without_info& without_info, With_info& with_info, const std::vector<Point>& points,
           const std::vector<std::pair<Point, int>>& numbered,
-          const std::vector<std::pair<Point, std::string>>& named, const std::vector<int>& infos)
+          const std::vector<std::pair<Point, std::string>>& named, const std::vector<int>& infos,
+          CGAL::Regular_triangulation_3<K>& weighted)
 {
   // expected: this function does not know that named parameter
   CGAL::insert_points_3(without_info, points, parameters::vertex_to_vertex_map(1));
@@ -68,8 +69,13 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   // expected: the accept() of a visitor takes the numbers of two points and a point
   CGAL::insert_points_3(without_info, points, parameters::visitor(Wrong_visitor()));
   // expected: traits say by through_core who inserts
-  CGAL::insert_surface_points_3(without_info, points, std::vector<std::vector<int>>(),
-                                Old_traits());
+  CGAL::insert_points_3(without_info, points, std::vector<std::vector<int>>(), Old_traits());
+  // expected: weighted and periodic points are not served
+  CGAL::insert_points_3(weighted, points);
+  // expected: points are those of a kernel, or have coordinates p[0], p[1] and p[2]
+  CGAL::insert_points_3(without_info, infos);
+  // expected: behind the points come faces, ranges of indices, or named parameters
+  CGAL::insert_points_3(without_info, points, 0);
   // expected: delaunay_3_arrays() leaves no point out
   CGAL::delaunay_3_arrays(points, parameters::visitor(Thinning_visitor()));
 }

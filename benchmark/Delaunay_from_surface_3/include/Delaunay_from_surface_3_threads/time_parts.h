@@ -127,7 +127,7 @@ struct Timing_visitor : CGAL::Default_surface_insertion_visitor_3
   }
 };
 
-// As insert_surface_points_3() calls it, but for the executor.
+// As insert_points_3() calls it, but for the executor.
 template <class Executor>
 std::map<std::string, double> seconds_of_parts(const surfaces::Indexed_surface& surface)
 {

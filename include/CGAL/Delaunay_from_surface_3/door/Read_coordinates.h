@@ -41,12 +41,7 @@ struct Coordinates_map
 
   friend value_type get(const Coordinates_map&, const Item& item)
   {
-    if constexpr (std::is_convertible<const Item&, value_type>::value)
-      return item;
-    else if constexpr (std::is_arithmetic<std::decay_t<decltype(item[0])>>::value)
-      return value_type(double(item[0]), double(item[1]), double(item[2]));
-    else
-      return converted_point<value_type>(item);
+    return converted_point<value_type>(item);
   }
 };
 

@@ -28,6 +28,17 @@ bool are_all_equal(const std::vector<Point>& points)
   return std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points[0]; });
 }
 
+// Are faces ranges of integers, which number points?
+template <class FaceRange, class = void>
+struct Are_faces : std::false_type
+{
+};
+template <class FaceRange>
+struct Are_faces<FaceRange, std::void_t<decltype(std::size_t(*std::begin(
+                                *std::begin(std::declval<const FaceRange&>()))))>> : std::true_type
+{
+};
+
 // The points and faces of a polygon soup, read and checked.
 template <class Triangulation, class PointRange, class FaceRange, class NamedParameters>
 class Read_soup

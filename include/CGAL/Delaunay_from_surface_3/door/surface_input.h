@@ -31,17 +31,49 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
+// Has it coordinates [0], [1] and [2] that are numbers of C++? So have arrays, pointers, and vectors
+// of other libraries.
+template <class Item, class = void>
+struct Has_coordinates : std::false_type
+{
+};
+template <class Item>
+struct Has_coordinates<Item, std::void_t<decltype(std::declval<const Item&>()[0])>>
+  : std::is_arithmetic<std::decay_t<decltype(std::declval<const Item&>()[0])>>
+{
+};
+
+// Is it a point of a kernel?
+template <class Item, class = void>
+struct Is_point_of_kernel : std::false_type
+{
+};
+template <class Item>
+struct Is_point_of_kernel<Item, std::void_t<typename Item::R::Point_3>>
+  : std::is_convertible<const Item&, typename Item::R::Point_3>
+{
+};
+
 // The rule where the kernels differ: a point of the same or a convertible type is taken as it is;
 // any other goes through Cartesian_converter, exactly if the target's numbers can hold it, else by
-// to_double().
+// to_double(). Coordinates without a point are doubles.
 template <class Point, class SourcePoint>
 Point converted_point(const SourcePoint& p)
 {
+  constexpr bool is_served = std::is_convertible<const SourcePoint&, Point>::value ||
+                             Is_point_of_kernel<SourcePoint>::value ||
+                             Has_coordinates<SourcePoint>::value;
+  static_assert(is_served, "points are those of a kernel, or have coordinates p[0], p[1] and p[2]; "
+                           "other items need a point_map, those of a Point_set_3 its own");
   if constexpr (std::is_convertible<const SourcePoint&, Point>::value)
     return p;
-  else
+  else if constexpr (Has_coordinates<SourcePoint>::value)
+    return Point(double(p[0]), double(p[1]), double(p[2]));
+  else if constexpr (is_served)
     return Cartesian_converter<typename Kernel_traits<SourcePoint>::Kernel,
                                typename Kernel_traits<Point>::Kernel>()(p);
+  else
+    return Point(ORIGIN);
 }
 
 // Works for exact numbers too: an interval around a finite number has a finite end, and no NaN.

@@ -51,7 +51,7 @@ public:
         internal::Subgraph_kind::SUBGRAPH, out);
   }
 
-  /// does the same for the graph that `insert_surface_points_3()` makes of a polygon soup: the
+  /// does the same for the graph that `insert_points_3()` makes of a polygon soup: the
   /// cyclic order of the edges at each vertex is read from the faces, which may be oriented at
   /// random.
   template <class GraphOfFaces, class VertexIndexMap, class EdgeOutputIterator>
@@ -89,7 +89,7 @@ public:
         internal::Subgraph_kind::TREE, out);
   }
 
-  /// does the same for the graph that `insert_surface_points_3()` makes of a polygon soup.
+  /// does the same for the graph that `insert_points_3()` makes of a polygon soup.
   template <class GraphOfFaces, class VertexIndexMap, class EdgeOutputIterator>
   auto operator()(const GraphOfFaces& graph, VertexIndexMap, EdgeOutputIterator out) const
       -> decltype(static_cast<void>(graph.faces_of_soup()), EdgeOutputIterator(out))

@@ -42,7 +42,7 @@ public:
         internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map), out, witnesses);
   }
 
-  /// does the same for the graph that `insert_surface_points_3()` makes of a polygon soup.
+  /// does the same for the graph that `insert_points_3()` makes of a polygon soup.
   template <class GraphOfFaces, class VertexIndexMap, class EdgeOutputIterator>
   auto operator()(const GraphOfFaces& graph, VertexIndexMap, EdgeOutputIterator out) const
       -> decltype(static_cast<void>(graph.faces_of_soup()), EdgeOutputIterator(out))

@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_POINTS_3_H
+#define CGAL_DELAUNAY_FROM_POINTS_3_H
+
+#include <CGAL/insert_points_3.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Points
+
+is a `Delaunay_triangulation_3` that inserts ranges by `insert_points_3()`: in place of that class it
+makes the triangulations of others faster by a change of one type, those of `Alpha_shape_3`,
+`Fixed_alpha_shape_3`, `Advancing_front_surface_reconstruction` and of your own templates among them.
+
+It is one in all else: the same vertices, cells and functions, and the result is equal. Of several
+pairs with equal points the first gives the vertex its info, as `insert_points_3()` says.
+
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`. With a `Tds` for
+`Parallel_tag` many threads insert.
+*/
+template <class Gt, class Tds = Default, class Lp = Default, class Slds = Default>
+class Delaunay_from_points_3 : public Delaunay_triangulation_3<Gt, Tds, Lp, Slds>
+{
+public:
+  /// the triangulation that this is.
+  using Base = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+
+  /// is empty.
+  explicit Delaunay_from_points_3(const Gt& gt = Gt())
+    : Base(gt)
+  {
+  }
+
+  /// has the points in the range [`first`, `last`), which may be pairs of a point and an info; `rest`
+  /// is what `Base` is made of: geometric traits, a lock data structure, or nothing.
+  template <class InputIterator, class... Rest>
+  Delaunay_from_points_3(InputIterator first, InputIterator last, const Rest&... rest)
+    : Base(rest...)
+  {
+    insert(first, last);
+  }
+
+  /// is empty, with a lock data structure.
+  template <class LockDataStructure>
+  explicit Delaunay_from_points_3(LockDataStructure* lock_ds, const Gt& gt = Gt())
+    : Base(lock_ds, gt)
+  {
+  }
+  /// \cond SKIP_IN_MANUAL
+  template <class LockDataStructure>
+  Delaunay_from_points_3(const Gt& gt, LockDataStructure* lock_ds)
+    : Base(gt, lock_ds)
+  {
+  }
+  /// \endcond
+
+  /*!
+  inserts. Two iterators of one type are a range: its points, or pairs of a point and an info, are
+  inserted by `insert_points_3()`, and the number of vertices gained is returned. All else is what
+  `Delaunay_triangulation_3::insert()` takes, does and returns.
+  */
+  template <class First, class... Rest>
+  auto insert(First&& first, Rest&&... rest)
+  {
+    if constexpr (is_range<First, Rest...>())
+      return insert_points_3(static_cast<Base&>(*this), first, rest...);
+    else
+      return Base::insert(std::forward<First>(first), std::forward<Rest>(rest)...);
+  }
+
+private:
+  template <class Iterator, class = void>
+  struct Is_iterator : std::false_type
+  {
+  };
+  template <class Iterator>
+  struct Is_iterator<Iterator,
+                     std::void_t<typename std::iterator_traits<Iterator>::iterator_category>>
+    : std::negation<std::disjunction<std::is_same<Iterator, typename Base::Cell_handle>,
+                                     std::is_same<Iterator, typename Base::Vertex_handle>>>
+  {
+  };
+
+  template <class First, class... Rest>
+  static constexpr bool is_range()
+  {
+    using Iterator = std::decay_t<First>;
+    return sizeof...(Rest) == 1 && (std::is_same<Iterator, std::decay_t<Rest>>::value && ...) &&
+           Is_iterator<Iterator>::value;
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_POINTS_3_H
