@@ -22,7 +22,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace py = pybind11;
@@ -83,10 +85,9 @@ core::Soup_edges edges_of(const py::object& faces, std::size_t n, const core::Ex
   });
 }
 
-py::tuple delaunay3(const py::object& points_object, const py::object& faces, bool neighbors,
-                    unsigned int seed, const py::object& progress, std::size_t threads)
+py::tuple triangulated(const py::array& array, const py::object& faces, bool neighbors,
+                       unsigned int seed, const py::object& progress, std::size_t threads)
 {
-  const py::array array = python::array_of_points(points_object);
   const core::Rounding_to_nearest rounding;
   const core::Thread_executor executor((std::min)(threads, std::size_t(core::Lanes::most_workers)));
   python::Copied_points points(array);
@@ -113,6 +114,19 @@ py::tuple delaunay3(const py::object& points_object, const py::object& faces, bo
     throw Stopped("progress returned False");
   watcher.finish();
   return views_of(std::move(arrays), neighbors);
+}
+
+py::tuple delaunay3(const py::array& points, const py::object& faces, bool neighbors,
+                    unsigned int seed, const py::object& progress, std::size_t threads)
+{
+  try {
+    return triangulated(points, faces, neighbors, seed, progress, threads);
+  } catch (const std::bad_alloc&) {
+    const std::string message =
+        "there is not enough memory to triangulate " + std::to_string(points.shape(0)) + " points";
+    PyErr_SetString(PyExc_MemoryError, message.c_str());
+    throw py::error_already_set();
+  }
 }
 
 } // namespace

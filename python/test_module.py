@@ -614,6 +614,27 @@ class Control(unittest.TestCase):
                 done.set()
                 thread.join()
 
+    def test_memory(self):
+        """One clear line, from every place where memory may end."""
+        program = """if True:
+            import resource, sys
+            import numpy as np, delaunay_from_surface as dfs
+            points = np.random.default_rng(1).random((1000000, 3))
+            used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+            for megabytes in (10, 40, 70, 100, 130, 170):
+                resource.setrlimit(resource.RLIMIT_AS, (used + megabytes * 2 ** 20, resource.RLIM_INFINITY))
+                for threads in (1, 2):
+                    try:
+                        dfs.delaunay3(points, threads=threads)
+                    except MemoryError as error:
+                        print(error)
+            """
+        if not Path("/proc/self/statm").exists():
+            self.skipTest("memory is limited on Linux only")
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(set(done.stdout.splitlines()), {"there is not enough memory to triangulate 1000000 points"})
+
     def test_no_leak(self):
         """Of calls that return and calls that fail, on either way out."""
         points, spoilt = random_points(60), np.full((60, 3), np.nan)

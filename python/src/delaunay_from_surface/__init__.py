@@ -81,6 +81,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         If an array does not hold numbers of the right kind.
     OverflowError
         If there are more than 2**30 cells: beyond 150 million points.
+    MemoryError
+        If memory ends.
 
     Memory: about 270 bytes per point at the peak, the result included, where points have 6.8 cells each.
     """
