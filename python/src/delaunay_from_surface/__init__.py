@@ -93,7 +93,6 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     return Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number), threads=number)
 
 
-
 def subgraph(faces: Faces, number_of_vertices: Optional[int] = None, *, tree: bool = False) -> np.ndarray:
     """Return a spanning subgraph of small degree of a triangulated surface: (e, 2) indices of vertices.
 

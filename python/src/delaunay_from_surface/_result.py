@@ -127,7 +127,8 @@ class Delaunay3:
     def neighbors(self) -> np.ndarray:
         """(m, d + 1) int32: the simplex opposite to each vertex, -1 outside the convex hull.
 
-        With `delaunay3(…, neighbors=True)` they are there at once; else they are found when they are first asked for.
+        With `delaunay3(…, neighbors=True)` they are there at once; else they are found when they are first asked for,
+        which takes more memory on the way.
         """
         return _core.neighbors(self.simplices, self.npoints, self._threads)
 
