@@ -1,58 +1,43 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The extension behind the Python module delaunay_from_surface, whose docstrings say what it does.
+// The extension behind the Python module delaunay_from_surface, whose docstrings say what it does. It
+// names no other library than Python's: the core needs none.
 
-#include "Interruptible_visitor.h"
+#include "Copied_points.h"
+#include "Interruptible_watcher.h"
+#include "functions.h"
 #include "numpy_ranges.h"
 
-#include <pybind11/stl.h>
-
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
-#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
-#include <CGAL/bounded_degree_spanning_subgraph.h>
-#include <CGAL/delaunay_3_arrays.h>
-
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <boost/iterator/function_output_iterator.hpp>
+#include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <optional>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace py = pybind11;
+namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
 using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 struct Stopped : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
-
-template <class Build>
-Arrays without_lock(const Build& build, bool keeps_neighbors)
-{
-  const py::gil_scoped_release unlocked;
-  Arrays arrays = build();
-  arrays.drop_infinite_cells();
-  if (!keeps_neighbors)
-    arrays.drop_neighbors();
-  return arrays;
-}
 
 // Views of the arrays, which live as long as one of them does.
 py::tuple views_of(Arrays&& moved, bool with_neighbors)
@@ -74,104 +59,89 @@ py::tuple views_of(Arrays&& moved, bool with_neighbors)
   return py::make_tuple(view(arrays->vertices_data()), neighbors, vertices, arrays->dimension());
 }
 
-py::tuple delaunay3(const py::object& points_object, const py::object& faces_object, bool neighbors,
-                    unsigned int seed, const py::object& progress)
+// What the core makes of points and edges, if it was not stopped.
+Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::Watcher& watcher,
+                 const core::Executor& executor)
 {
-  const py::array array = python::array_of_points(points_object);
-  const auto points = python::points_of(array);
-  python::Interruptible_visitor visitor(points.size(), progress);
-  const auto np = CGAL::parameters::random_seed(seed).visitor(std::ref(visitor));
+  const auto build = executor.number_of_workers() > 1
+                         ? &core::build<std::uint32_t, core::Many_threads>
+                         : &core::build<std::uint32_t, core::One_thread>;
+  const auto built = build(points, orders, {true, true}, watcher, executor);
+  // Points on a line are sorted at once.
+  if (built->outcome == core::Insertion_outcome::FLAT && points.points().size() > 0 &&
+      !watcher.go_further(0))
+    return Arrays();
+  return core::arrays_of_built<std::int32_t>(*built, points);
+}
+
+// Of the faces of a surface, if there is any; read with the lock, and gone when it is given back.
+core::Soup_edges edges_of(const py::object& faces, std::size_t n, const core::Executor& executor)
+{
+  if (faces.is_none())
+    return {};
+  return python::with_faces(faces, [&](const auto& rows) {
+    const py::gil_scoped_release unlocked;
+    return core::soup_edges(rows, n, executor);
+  });
+}
+
+py::tuple triangulated(const py::array& array, const py::object& faces, bool neighbors,
+                       unsigned int seed, const py::object& progress, std::size_t threads)
+{
+  const core::Rounding_to_nearest rounding;
+  const core::Thread_executor executor((std::min)(threads, std::size_t(core::Lanes::most_workers)));
+  python::Copied_points points(array);
+  core::Soup_edges soup = edges_of(faces, points.size(), executor);
+  core::Order_request request;
+  request.kind =
+      soup.lower.items.empty() ? core::Order_request::GEOMETRIC : core::Order_request::NETS;
+  request.seed = seed;
+  core::Given_edges edges(std::move(soup.lower));
+  const auto orders = core::order_of_core(request, edges);
+  python::Interruptible_watcher watcher(points.size(), progress, rounding);
   Arrays arrays;
   try {
-    if (faces_object.is_none())
-      arrays = without_lock([&] { return CGAL::delaunay_3_arrays(points, np); }, neighbors);
-    else
-      arrays = python::with_faces(faces_object, [&](const auto& faces) {
-        return without_lock([&] { return CGAL::delaunay_3_arrays(points, faces, np); }, neighbors);
-      });
+    const py::gil_scoped_release unlocked;
+    arrays = arrays_of(points, *orders, watcher, executor);
+    arrays.drop_infinite_cells();
+    if (!neighbors)
+      arrays.drop_neighbors();
   } catch (const CGAL::Delaunay_from_surface_3::Too_few_ids& error) {
     PyErr_SetString(PyExc_OverflowError, error.what());
     throw py::error_already_set();
   }
-  if (visitor.is_stopped())
+  if (watcher.is_stopped())
     throw Stopped("progress returned False");
-  visitor.finish();
+  watcher.finish();
   return views_of(std::move(arrays), neighbors);
 }
 
-// The surface of the faces, with vertices 0, …, n - 1.
-Mesh mesh_of(const py::object& faces_object, std::optional<std::size_t> number_of_vertices)
+py::tuple delaunay3(const py::array& points, const py::object& faces, bool neighbors,
+                    unsigned int seed, const py::object& progress, std::size_t threads)
 {
-  return python::with_faces(faces_object, [&](const auto& rows) {
-    std::size_t n = 0, f = 0;
-    std::vector<std::vector<std::size_t>> faces;
-    for (const auto& row : rows) {
-      faces.emplace_back();
-      for (const std::int64_t index : row) {
-        const bool is_refused =
-            index < 0 || (number_of_vertices && std::size_t(index) >= *number_of_vertices);
-        if (is_refused || index >= (std::int64_t(1) << 31))
-          throw py::value_error("faces: face " + std::to_string(f) + ": the index " +
-                                std::to_string(index) + " is not one of a vertex");
-        faces.back().push_back(std::size_t(index));
-        n = (std::max)(n, std::size_t(index) + 1);
-      }
-      ++f;
-    }
-    const py::gil_scoped_release unlocked;
-    namespace PMP = CGAL::Polygon_mesh_processing;
-    if (!PMP::is_polygon_soup_a_polygon_mesh(faces))
-      throw std::invalid_argument("faces: they are not a consistently oriented manifold");
-    Mesh mesh;
-    PMP::polygon_soup_to_polygon_mesh(std::vector<Mesh::Point>(number_of_vertices.value_or(n)),
-                                      faces, mesh);
-    return mesh;
-  });
-}
-
-py::array subgraph(const py::object& faces, std::optional<std::size_t> number_of_vertices,
-                   bool is_tree)
-{
-  const Mesh mesh = mesh_of(faces, number_of_vertices);
-  std::vector<std::int32_t> ends;
-  {
-    const py::gil_scoped_release unlocked;
-    const auto out = boost::make_function_output_iterator([&](Mesh::Edge_index e) {
-      ends.push_back(std::int32_t(source(e, mesh)));
-      ends.push_back(std::int32_t(target(e, mesh)));
-    });
-    if (is_tree)
-      CGAL::bounded_degree_spanning_tree(mesh, out);
-    else
-      CGAL::bounded_degree_spanning_subgraph(mesh, out);
+  try {
+    return triangulated(points, faces, neighbors, seed, progress, threads);
+  } catch (const std::bad_alloc&) {
+    const std::string message =
+        "there is not enough memory to triangulate " + std::to_string(points.shape(0)) + " points";
+    PyErr_SetString(PyExc_MemoryError, message.c_str());
+    throw py::error_already_set();
   }
-  return py::array_t<std::int32_t>({py::ssize_t(ends.size() / 2), py::ssize_t(2)}, ends.data());
-}
-
-py::list surface_topology(const py::object& faces, std::optional<std::size_t> number_of_vertices)
-{
-  const Mesh mesh = mesh_of(faces, number_of_vertices);
-  py::list result;
-  for (const auto& c : CGAL::Delaunay_from_surface_3::surface_topology(mesh).components)
-    result.append(py::make_tuple(c.number_of_vertices, c.number_of_edges, c.number_of_triangles,
-                                 c.number_of_boundary_loops, c.euler_characteristic(), c.genus(),
-                                 c.subgraph_degree_bound()));
-  return result;
 }
 
 } // namespace
 
+// Nothing here is shared by calls: without an interpreter's lock it is as safe as with one.
+#if PYBIND11_VERSION_HEX >= 0x020d0000
+PYBIND11_MODULE(_delaunay_from_surface, m, py::mod_gil_not_used())
+#else
 PYBIND11_MODULE(_delaunay_from_surface, m)
+#endif
 {
   py::register_exception<Stopped>(m, "Stopped").attr("__doc__") =
       "Raised by delaunay3() when progress returns False.";
   m.attr("__version__") = DELAUNAY_FROM_SURFACE_3_VERSION;
-#if defined(CGAL_USE_GMP)
-  m.attr("uses_gmp") = true;
-#else
-  m.attr("uses_gmp") = false;
-#endif
   m.def("delaunay3", &delaunay3);
-  m.def("subgraph", &subgraph);
-  m.def("surface_topology", &surface_topology);
+  python::define_surface_functions(m);
+  python::define_queries(m);
 }

@@ -1,56 +1,70 @@
 # Copyright (c) 2026 The authors of Delaunay_from_surface_3
 #
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: LGPL-3.0-or-later
 
-"""Builds the extension by CMake. CMAKE_ARGS in the environment is passed on to CMake.
+"""Builds the extension with nothing but a C++ compiler: CXX, CXXFLAGS and LDFLAGS in the environment are obeyed.
 
-It is built inside a clone of the project: the headers are those of the folder include/ beside this one.
+The core lies beside this folder in a clone of the project, and in core/ in a source distribution: `sdist` puts it there.
 """
 
 import os
 import re
-import shlex
-import subprocess
+import shutil
 import sys
 from pathlib import Path
 
-from setuptools import Extension, setup
+import pybind11
+from pybind11.setup_helpers import ParallelCompile, Pybind11Extension
+from setuptools import setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
 
 HERE = Path(__file__).resolve().parent
+ROOT = HERE / "core" if (HERE / "core").is_dir() else HERE.parent
+VERSION = re.search(r"^  VERSION ([0-9.]+)$", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"), re.M).group(1)
 
 
-class CMakeExtension(Extension):
-    """An extension without sources: CMake knows them."""
+class BuildExtension(build_ext):
+    """Says what a compiler needs to be told. The filters are proved for operations that are rounded one by one."""
 
-    def __init__(self, name):
-        super().__init__(name, sources=[])
-
-
-class BuildByCMake(build_ext):
-    """Configures this folder and builds the extension into the place where setuptools expects it."""
-
-    def build_extension(self, ext):
-        output = Path(self.get_ext_fullpath(ext.name)).resolve().parent
-        build = Path(self.build_temp).resolve()
-        build.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["cmake", "-S", HERE, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
-                        f"-DPython_EXECUTABLE={sys.executable}", f"-DCMAKE_LIBRARY_OUTPUT_DIRECTORY={output}",
-                        f"-DCMAKE_LIBRARY_OUTPUT_DIRECTORY_RELEASE={output}", *self.pybind11_folder(),
-                        *shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
-        subprocess.run(["cmake", "--build", build, "--config", "Release"], check=True)
+    def build_extensions(self):
+        is_msvc = self.compiler.compiler_type == "msvc"
+        for extension in self.extensions:
+            extension.extra_compile_args += (["/O2", "/fp:precise", "/DNDEBUG"] if is_msvc else
+                                             ["-O3", "-DNDEBUG", "-fno-fast-math", "-ffp-contract=off", "-g0"])
+            if sys.platform.startswith("linux"):
+                extension.extra_link_args += ["-pthread", "-Wl,-s", *self.static_runtime()]
+        super().build_extensions()
 
     @staticmethod
-    def pybind11_folder():
-        """Where the module pybind11 says that its CMake files are; else CMake looks for them."""
-        try:
-            import pybind11
-            return [f"-Dpybind11_DIR={pybind11.get_cmake_dir()}"]
-        except ImportError:
-            return []
+    def static_runtime():
+        """A wheel need not find the compiler's library at run time; elsewhere the system's is used."""
+        return ["-static-libstdc++", "-static-libgcc"] if os.environ.get("DELAUNAY_FROM_SURFACE_STATIC") else []
 
 
-VERSION = re.search(r"^  VERSION ([0-9.]+)$", (HERE.parent / "CMakeLists.txt").read_text(encoding="utf-8"), re.M)
+class SourceDistribution(sdist):
+    """Adds what the extension is made of and lies outside this folder."""
 
-setup(version=VERSION.group(1), ext_modules=[CMakeExtension("delaunay_from_surface._delaunay_from_surface")],
-      cmdclass={"build_ext": BuildByCMake})
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        core = Path(base_dir) / "core"
+        shutil.copytree(ROOT / "include/CGAL/Delaunay_from_surface_3", core / "include/CGAL/Delaunay_from_surface_3")
+        (core / "src").mkdir()
+        for source, target in (("src/core.cpp", core / "src"), ("CMakeLists.txt", core), ("LICENSE", base_dir),
+                               ("LICENSE.LGPL", base_dir)):
+            shutil.copy(ROOT / source, target)
+
+
+ParallelCompile("DELAUNAY_FROM_SURFACE_JOBS", default=0).install()
+NUMPY = "numpy>=1.20" if pybind11.version_info[:2] >= (2, 12) else "numpy>=1.20,<2"  # whose arrays it does not know
+setup(
+    version=VERSION,
+    install_requires=[NUMPY],
+    cmdclass={"build_ext": BuildExtension, "sdist": SourceDistribution},
+    ext_modules=[Pybind11Extension(
+        "delaunay_from_surface._delaunay_from_surface",
+        sorted(file.name for file in HERE.glob("*.cpp")),
+        include_dirs=["include", os.path.relpath(ROOT, HERE), os.path.relpath(ROOT / "include", HERE)],
+        define_macros=[("DELAUNAY_FROM_SURFACE_3_VERSION", f'"{VERSION}"'),
+                       ("CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED", None)],
+        cxx_std=17)])

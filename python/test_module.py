@@ -1,25 +1,33 @@
 # Copyright (c) 2026 The authors of Delaunay_from_surface_3
 #
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: LGPL-3.0-or-later
 
 """Tests the installed module, against SciPy and against the program delaunay_from_surface."""
 
 import doctest
+import itertools
 import os
+import pickle
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
+import types
 import typing
 import unittest
+import unittest.mock
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
+import scipy.sparse.csgraph
 import scipy.spatial
 
 import delaunay_from_surface as dfs
 from delaunay_from_surface import _delaunay_from_surface as core
+from delaunay_from_surface import cpp
 
 TORUS = Path(__file__).resolve().parents[1] / "examples/Delaunay_from_surface_3/data/torus.off"
 
@@ -38,6 +46,23 @@ def skew_lines(n):
 
 def cell_set(simplices):
     return {tuple(sorted(map(int, s))) for s in simplices}
+
+
+def contains(corners, x):
+    """Whether a positive tetrahedron contains a point, its facets included; exact."""
+    corners, x = [[Fraction(float(t)) for t in p] for p in corners], [Fraction(float(t)) for t in x]
+
+    def is_positive(a, b, c, d):
+        (x, y, z), (u, v, w), (p, q, r) = ([t - o for t, o in zip(corner, a)] for corner in (b, c, d))
+        return x * (v * r - w * q) - y * (u * r - w * p) + z * (u * q - v * p) >= 0
+    return all(is_positive(*corners[:k], x, *corners[k + 1:]) for k in range(4))
+
+
+def smallest_sphere(corners):
+    """Through two or three points."""
+    edges = corners[1:] - corners[0]
+    offset = np.linalg.solve(2 * edges @ edges.T, (edges ** 2).sum(axis=1)) @ edges
+    return corners[0] + offset, np.linalg.norm(offset)
 
 
 def torus():
@@ -129,11 +154,42 @@ class Results(unittest.TestCase):
         result = dfs.delaunay3(random_points(5000), neighbors=True)
         neighbors, copy = result.neighbors, result.neighbors.copy()
         self.assertEqual(result.simplices.strides, (32, 4))  # both are views of one array
+        self.assertFalse(result.simplices.flags.owndata or result.neighbors.flags.owndata)
         del result
         dfs.delaunay3(random_points(5000, seed=2))
         self.assertTrue((neighbors == copy).all())
         self.assertTrue(dfs.delaunay3(random_points(50)).simplices.flags.c_contiguous)
-        self.assertIsNone(dfs.delaunay3(random_points(50)).neighbors)
+
+    def test_threads(self):
+        points, faces = torus()
+        grid = np.stack(np.meshgrid(*3 * [np.arange(20.)]), axis=-1).reshape(-1, 3)
+        for points, faces in ((random_points(20000), None), (np.vstack([grid, grid[::3]]), None), (points, faces),
+                              (points[:2], None), (points[:0], None), (points * [1, 1, 0], faces)):
+            one = dfs.delaunay3(points, faces)
+            for threads in (2, 5, None, 1000):
+                many = dfs.delaunay3(points, faces, neighbors=True, threads=threads)
+                self.assertEqual(cell_set(many.simplices), cell_set(one.simplices))
+                self.assertTrue((many.vertices == one.vertices).all())
+                self.assertEqual(many.dimension, one.dimension)
+                if many.dimension > 0:
+                    self.check_neighbors(many)
+
+    def test_positive_orientation(self):
+        """Promised, and decided by exact arithmetic."""
+        grid = np.stack(np.meshgrid(*3 * [np.arange(5)]), axis=-1).reshape(-1, 3) * .1
+        for points in (grid, random_points(500).astype(np.float32), random_points(500) * 1e-160):
+            for threads in (1, 2):
+                result = dfs.delaunay3(points, threads=threads)
+                exact = [[Fraction(float(x)) for x in p] for p in points]
+                for s in result.simplices[:2000].tolist():
+                    a, b, c, d = (exact[v] for v in s)
+                    (x, y, z), (u, v, w), (p, q, r) = ([t - o for t, o in zip(corner, a)] for corner in (b, c, d))
+                    self.assertGreater(x * (v * r - w * q) - y * (u * r - w * p) + z * (u * q - v * p), 0)
+
+    def test_nothing(self):
+        for nothing in ([], (), np.zeros(0), np.zeros((0, 3)), np.zeros(0, dtype=np.float32)):
+            result = dfs.delaunay3(nothing)
+            self.assertEqual((result.dimension, result.simplices.shape, result.vertices.shape), (-1, (0, 1), (0,)))
 
     def test_seeds(self):
         points = random_points(500)
@@ -141,6 +197,294 @@ class Results(unittest.TestCase):
         self.assertEqual(cell_set(one), cell_set(other))
         self.assertTrue(np.array_equal(one, again))
         self.assertFalse(np.array_equal(one, other))
+
+
+class AsScipy(unittest.TestCase):
+    """The names of scipy.spatial.Delaunay."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.points = random_points(2000)
+        cls.scipy = scipy.spatial.Delaunay(cls.points)
+        cls.ours = dfs.delaunay3(cls.points)
+        cls.grid = np.stack(np.meshgrid(*3 * [np.arange(6.)]), axis=-1).reshape(-1, 3)
+
+    def test_sizes(self):
+        self.assertEqual((self.ours.npoints, self.ours.nsimplex, self.ours.ndim), (2000, self.scipy.nsimplex, 3))
+        for name in ("min_bound", "max_bound"):
+            self.assertTrue((getattr(self.ours, name) == getattr(self.scipy, name)).all())
+        self.assertIs(self.ours.points, self.points)
+        self.assertEqual(repr(self.ours), f"<Delaunay3: 2000 points, {self.scipy.nsimplex} tetrahedra>")
+        self.assertEqual(repr(dfs.delaunay3([])), "<Delaunay3: 0 points, 0 simplices>")
+
+    def test_neighbors_when_asked_for(self):
+        """The same as those that were kept."""
+        for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [0, 1, 0], self.points[:1]):
+            for threads in (1, 2):
+                later, kept = dfs.delaunay3(points, threads=threads), dfs.delaunay3(points, neighbors=True)
+                if threads == 1:
+                    self.assertTrue(np.array_equal(later.simplices, kept.simplices))
+                    self.assertTrue(np.array_equal(later.neighbors, kept.neighbors))
+                Results.check_neighbors(self, later)
+        wrong = dfs.Delaunay3(self.points, np.array([[0, 1, 2, 3]] * 3, dtype=np.int32), None, self.ours.vertices, 3)
+        with self.assertRaisesRegex(ValueError, "more than two have a facet in common"):
+            wrong.neighbors
+        wrong.simplices[1] = 2000
+        with self.assertRaisesRegex(IndexError, "2000 is not one of the 2000 points"):
+            wrong.neighbors
+
+    def test_convex_hull(self):
+        hull = self.ours.convex_hull
+        self.assertEqual(cell_set(hull), cell_set(self.scipy.convex_hull))
+        a, b, c = (self.points[hull[:, k]] for k in range(3))
+        self.assertTrue((np.einsum("ij,ij->i", np.cross(b - a, c - a), .5 - a) < 0).all())
+        flat = dfs.delaunay3(self.grid * [1, 1, 0])
+        self.assertEqual((len(flat.convex_hull), flat.convex_hull.shape[1]), (20, 2))
+        self.assertEqual(dfs.delaunay3([[0, 0, 0], [2, 2, 2], [1, 1, 1]]).convex_hull.ravel().tolist(), [0, 1])
+
+    def test_vertex_neighbor_vertices(self):
+        for threads in (1, 2):
+            first, items = dfs.delaunay3(self.points, threads=threads).vertex_neighbor_vertices
+            their_first, their_items = self.scipy.vertex_neighbor_vertices
+            self.assertTrue((first == their_first).all())
+            for i in range(2000):
+                self.assertEqual(items[first[i]:first[i + 1]].tolist(),
+                                 sorted(their_items[their_first[i]:their_first[i + 1]].tolist()))
+
+    def test_coplanar(self):
+        points = np.vstack([self.points, self.points[5:8]])
+        ours = dfs.delaunay3(points)
+        self.assertEqual(ours.coplanar[:, [0, 2]].tolist(), [[2000, 5], [2001, 6], [2002, 7]])
+        self.assertEqual({frozenset(pair) for pair in scipy.spatial.Delaunay(points).coplanar[:, [0, 2]].tolist()},
+                         {frozenset(pair) for pair in ours.coplanar[:, [0, 2]].tolist()})
+        for _, simplex, vertex in ours.coplanar.tolist():
+            self.assertIn(vertex, ours.simplices[simplex])
+        self.assertEqual(self.ours.coplanar.shape, (0, 3))
+        self.assertTrue((ours.vertex_to_simplex[2000:] == -1).all())
+        corners = ours.simplices[ours.vertex_to_simplex[:2000]]
+        self.assertTrue((corners == np.arange(2000)[:, None]).any(axis=1).all())
+
+    def test_find_simplex(self):
+        xi = np.random.default_rng(5).random((20000, 3)) * 1.2 - .1
+        expected = self.scipy.find_simplex(xi)
+        corners = np.append(np.sort(self.scipy.simplices, axis=1), [[-1] * 4], axis=0)[expected]
+        for threads in (1, 2, None):
+            found = self.ours.find_simplex(xi, threads=threads)
+            self.assertEqual(found.dtype, np.int32)
+            ours = np.append(np.sort(self.ours.simplices, axis=1), [[-1] * 4], axis=0)[found]
+            self.assertTrue((ours == corners).all())
+        self.assertTrue((found == dfs.delaunay3(self.points, neighbors=True).find_simplex(xi)).all())
+        self.assertEqual(self.ours.find_simplex(xi[:60].reshape(3, 4, 5, 3)).shape, (3, 4, 5))
+        self.assertEqual(self.ours.find_simplex([.5, .5, .5]).shape, ())
+        self.assertEqual(self.ours.find_simplex(np.zeros((0, 3))).shape, (0,))
+        self.assertEqual(self.ours.find_simplex([]).shape, (0,))
+        narrow = dfs.delaunay3(self.points.astype(np.float32))
+        wide = dfs.delaunay3(self.points.astype(np.float32).astype(float))
+        self.assertEqual((narrow.points.dtype, wide.points.dtype), (np.float32, np.float64))
+        self.assertTrue((narrow.find_simplex(xi) == wide.find_simplex(xi)).all())
+
+    def test_find_simplex_on_facets(self):
+        """Of all simplices that contain a point, by exact arithmetic, the first."""
+        for points in (self.grid, self.grid * .1, np.vstack([self.grid, skew_lines(60)])):
+            ours = dfs.delaunay3(points)
+            corners = ours.points[ours.simplices]
+            rng = np.random.default_rng(6)
+            some = corners[rng.integers(0, len(corners), 40)]
+            xi = np.concatenate([some[:, 0], some[:, :2].mean(axis=1), (some[:, 0] + some[:, 1] + 2 * some[:, 2]) / 4,
+                                 some.mean(axis=1), points[:3] - [1e-300, 0, 0], points[:3] * 1.5])
+            found = ours.find_simplex(xi)
+            for x, number in zip(xi, found.tolist()):
+                low, high = corners.min(axis=1), corners.max(axis=1)
+                near = np.flatnonzero(((low <= x) & (x <= high)).all(axis=1))
+                self.assertEqual(number, next((i for i in near.tolist() if contains(corners[i], x)), -1))
+
+    def test_find_simplex_refuses(self):
+        with self.assertRaisesRegex(ValueError, "^xi: point 1: its z coordinate is not a finite number$"):
+            self.ours.find_simplex([[0, 0, 0], [0, 0, np.nan]])
+        for wrong in ([[0, 0]], 7, np.zeros(4)):
+            with self.assertRaisesRegex(ValueError, r"xi: expected an array of shape \(n, 3\)"):
+                self.ours.find_simplex(wrong)
+        with self.assertRaisesRegex(ValueError, "xi: a masked array is not read"):
+            self.ours.find_simplex(np.ma.masked_array(np.zeros((2, 3)), mask=True))
+        with self.assertRaisesRegex(ValueError, "threads: expected"):
+            self.ours.find_simplex([[0, 0, 0]], threads=0)
+        with self.assertRaisesRegex(ValueError, "find_simplex: there are no tetrahedra, the points have dimension 2"):
+            dfs.delaunay3(self.grid * [1, 1, 0]).find_simplex([[0, 0, 0]])
+
+    def test_find_simplex_in_points_that_change(self):
+        """No crash, and no walk without end."""
+        for spoilt in (np.nan, np.inf, 0., None):
+            points = random_points(300)
+            ours = dfs.delaunay3(points)
+            points[::7] = random_points(43, seed=9) if spoilt is None else spoilt
+            try:
+                ours.find_simplex(random_points(2000, seed=8))
+            except ValueError as error:
+                self.assertRegex(str(error), "not those of the points|not a finite number any more")
+        ours = dfs.delaunay3(self.points, neighbors=True)
+        ours.neighbors[:] = 2 ** 30
+        with self.assertRaises(IndexError):
+            ours.find_simplex(random_points(2000, seed=8))
+
+    def test_barycentric(self):
+        xi = np.random.default_rng(5).random((500, 3)) * 1.2 - .1
+        simplex = self.ours.find_simplex(xi)
+        coordinates = self.ours.barycentric(xi)
+        inside = simplex >= 0
+        self.assertTrue(np.isnan(coordinates[~inside]).all())
+        again = np.einsum("ij,ijk->ik", coordinates[inside], self.points[self.ours.simplices[simplex[inside]]])
+        self.assertTrue(np.allclose(again, xi[inside], atol=1e-9))
+        transform = self.ours.transform[simplex[inside]]
+        first = np.einsum("ijk,ik->ij", transform[:, :3], xi[inside] - transform[:, 3])
+        self.assertTrue(np.allclose(first, coordinates[inside, :3]))
+        self.assertEqual(self.ours.barycentric(xi.reshape(5, 100, 3)).shape, (5, 100, 4))
+
+    def test_measures(self):
+        hull = scipy.spatial.ConvexHull(self.points)
+        self.assertAlmostEqual(self.ours.volumes.sum(), hull.volume, places=9)
+        self.assertTrue((self.ours.volumes > 0).all())
+        distance = np.linalg.norm(self.points[self.ours.simplices] - self.ours.circumcenters[:, None], axis=2)
+        self.assertTrue(np.allclose(distance, self.ours.circumradii[:, None], rtol=1e-6))
+        tiny = dfs.delaunay3(random_points(50) * 1e-200)
+        self.assertTrue(np.allclose(tiny.circumradii, dfs.delaunay3(random_points(50)).circumradii * 1e-200, rtol=1e-6))
+
+    def test_voronoi_volumes(self):
+        for points in (self.points, np.vstack([self.grid, self.grid[:9]])):
+            ours = dfs.delaunay3(points).voronoi_volumes
+            voronoi = scipy.spatial.Voronoi(np.unique(points, axis=0))
+            region = dict(zip(map(tuple, voronoi.points), voronoi.point_region))
+            for point, volume in zip(points, ours):
+                corners = voronoi.regions[region[tuple(point)]]
+                if -1 in corners:
+                    self.assertEqual(volume, -1)
+                else:
+                    expected = scipy.spatial.ConvexHull(voronoi.vertices[corners]).volume
+                    self.assertLess(abs(volume - expected), 1e-7 * expected)
+
+    def test_alpha_complex(self):
+        points = random_points(60)
+        ours = dfs.delaunay3(points)
+        tree = scipy.spatial.cKDTree(points)
+        for alpha in (0, .1, .15, .2, .4, np.inf):
+            found = ours.alpha_complex(alpha)
+            self.assertTrue((found.simplices == np.flatnonzero(ours.circumradii <= alpha)).all())
+            triangles = cell_set(found.triangles)
+            edges = cell_set(found.edges)
+            for cell in ours.simplices[found.simplices].tolist():
+                self.assertTrue({tuple(sorted(c)) for c in itertools.combinations(cell, 3)} <= triangles)
+            for triangle in triangles:
+                self.assertTrue(set(itertools.combinations(triangle, 2)) <= edges)
+            # Edges and triangles whose smallest ball is empty are there from its radius on.
+            for size, there in ((2, edges), (3, triangles)):
+                for corners in {c for cell in ours.simplices.tolist()
+                                for c in itertools.combinations(sorted(cell), size)}:
+                    center, radius = smallest_sphere(points[list(corners)])
+                    if len(tree.query_ball_point(center, radius * (1 - 1e-9))) == 0 and abs(radius - alpha) > 1e-9:
+                        self.assertEqual(corners in there, radius < alpha)
+        self.assertEqual(len(found.triangles), (4 * ours.nsimplex + len(ours.convex_hull)) // 2)
+        with self.assertRaisesRegex(ValueError, "alpha_complex: expected a radius, got nan"):
+            ours.alpha_complex(np.nan)
+
+    def test_minimum_spanning_tree(self):
+        for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [1, 0, 0], self.grid[:1], []):
+            ours = dfs.delaunay3(points)
+            tree = ours.minimum_spanning_tree()
+            distinct = np.unique(ours.points, axis=0)
+            self.assertEqual(tree.shape, (max(len(distinct) - 1, 0), 2))
+            if len(tree) > 0:
+                lengths = np.linalg.norm(ours.points[tree[:, 0]] - ours.points[tree[:, 1]], axis=1)
+                self.assertTrue((np.diff(lengths) >= 0).all())
+                expected = scipy.sparse.csgraph.minimum_spanning_tree(scipy.spatial.distance_matrix(distinct, distinct))
+                self.assertAlmostEqual(lengths.sum(), expected.sum(), places=8)
+                graph = scipy.sparse.coo_matrix((np.ones(len(tree)), tree.T), shape=2 * (len(points),))
+                number, _ = scipy.sparse.csgraph.connected_components(graph, directed=False)
+                self.assertEqual(number, 1 + len(points) - len(distinct))
+
+    def test_check(self):
+        for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [0, 1, 0], self.points[:1], [],
+                       np.vstack([self.grid * .1, self.grid * .1])):
+            ours = dfs.delaunay3(points)
+            for level in ("links", "euler", "orientation", "delaunay"):
+                self.assertTrue(ours.check(level))
+            if ours.nsimplex > 1:
+                without = dfs.Delaunay3(ours.points, ours.simplices[1:], None, ours.vertices, ours.dimension)
+                self.assertFalse(without.check())
+        turned = dfs.Delaunay3(self.points, self.ours.simplices[:, [1, 0, 2, 3]], None, self.ours.vertices, 3)
+        self.assertEqual([turned.check(level) for level in ("links", "euler", "orientation")], [True, True, False])
+        moved = self.points.copy()
+        moved[7] = .5
+        for level, expected in (("euler", True), ("orientation", False), ("delaunay", False)):
+            self.assertEqual(dfs.Delaunay3(moved, self.ours.simplices, None, self.ours.vertices, 3).check(level),
+                             expected)
+        with self.assertRaisesRegex(ValueError, "check: expected one of links, .*, delaunay, got 'all'"):
+            self.ours.check("all")
+
+    def test_pickle(self):
+        for ours in (self.ours, dfs.delaunay3(self.points, neighbors=True), dfs.delaunay3([])):
+            again = pickle.loads(pickle.dumps(ours))
+            for name in ("points", "simplices", "vertices", "neighbors"):
+                self.assertTrue(np.array_equal(getattr(again, name), getattr(ours, name)))
+            self.assertEqual(again.dimension, ours.dimension)
+        self.assertTrue(again.check())
+
+
+class StandsForTetraNerf(unittest.TestCase):
+    """cpp.triangulate(); PyTorch itself is not there, so what it is asked for is."""
+
+    def test_arrays(self):
+        points = random_points(300).astype(np.float32)
+        cells = cpp.triangulate(points)
+        self.assertEqual((cells.dtype, cells.flags.c_contiguous), (np.int32, True))
+        self.assertEqual(cell_set(cells), cell_set(dfs.delaunay3(points).simplices))
+        self.assertEqual(cell_set(cpp.triangulate(points, threads=2)), cell_set(cells))
+        self.assertEqual(cpp.triangulate(points * np.float32([1, 1, 0])).shape, (0, 4))
+        self.assertEqual(cpp.triangulate(points[:0]).shape, (0, 4))
+        with self.assertRaises(ValueError):
+            cpp.triangulate(points[:, :2])
+        if hasattr(np, "from_dlpack"):
+            class Exporter:
+                def __dlpack__(self, **keywords):
+                    return points.__dlpack__(**keywords)
+
+                def __dlpack_device__(self):
+                    return points.__dlpack_device__()
+            self.assertTrue((cpp.triangulate(Exporter()) == cells).all())
+
+    def test_tensors(self):
+        class Tensor:
+            def __init__(self, array, device="cpu", is_detached=False):
+                self.array, self.device, self.is_detached = array, device, is_detached
+
+            def detach(self):
+                return Tensor(self.array, self.device, True)
+
+            def cpu(self):
+                return Tensor(self.array, "cpu", self.is_detached)
+
+            def to(self, device):
+                return Tensor(self.array, device)
+
+            def numpy(self):
+                if self.device != "cpu" or not self.is_detached:
+                    raise RuntimeError
+                return self.array
+        torch = types.SimpleNamespace(Tensor=Tensor, from_numpy=Tensor)
+        points = random_points(300).astype(np.float32)
+        with unittest.mock.patch.dict(sys.modules, torch=torch):
+            cells = cpp.triangulate(Tensor(points, "cuda:0"))
+            self.assertIsInstance(cpp.triangulate(points), np.ndarray)
+        self.assertIsInstance(cells, Tensor)
+        self.assertEqual(cells.device, "cuda:0")
+        self.assertTrue((cells.array == dfs.delaunay3(points).simplices).all() and cells.array.flags.writeable)
+
+
+class Examples(unittest.TestCase):
+    def test_run(self):
+        for name, line in (("interpolate", "mean error inside the hull: 0.0"), ("show_tetrahedra", "tetrahedra")):
+            done = subprocess.run([sys.executable, Path(__file__).with_name("examples") / f"{name}.py"],
+                                  capture_output=True, text=True, check=True)
+            if name == "interpolate" or "PyVista was not found" in done.stdout:
+                self.assertIn(line, done.stdout)
 
 
 class Refusals(unittest.TestCase):
@@ -159,7 +503,7 @@ class Refusals(unittest.TestCase):
                        list(np.ma.masked_array(points, mask=points > 0.5))):
             self.refuses(ValueError, "points: a masked array is not read", masked)
         points[7, 1] = np.nan
-        self.refuses(ValueError, "vertex 7: its y coordinate is not a finite number", points)
+        self.refuses(ValueError, "^points: point 7: its y coordinate is not a finite number$", points)
 
     def test_faces(self):
         points = random_points(20)
@@ -183,6 +527,10 @@ class Refusals(unittest.TestCase):
                 function(masked)
 
     def test_arguments(self):
+        for threads in (0, -1):
+            self.refuses(ValueError, f"threads: expected a whole number from 1 on, or None for all, got {threads}",
+                         random_points(5), threads=threads)
+        self.refuses(TypeError, "", random_points(5), threads=1.5)
         for seed in (-1, 2 ** 32):
             self.refuses(ValueError, "seed: expected a whole number from 0 to 4294967295", random_points(5), seed=seed)
         self.refuses(TypeError, "", random_points(5), seed="one")
@@ -218,13 +566,94 @@ class Control(unittest.TestCase):
             dfs.delaunay3(random_points(20000), progress=7)
 
     def test_interrupt(self):
-        begin = time.monotonic()
-        killer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-        with self.assertRaises(KeyboardInterrupt):
-            killer.start()
-            while time.monotonic() < begin + 60:
-                dfs.delaunay3(random_points(200000))
-        self.assertLess(time.monotonic(), begin + 30)
+        for threads in (1, 3):
+            begin = time.monotonic()
+            killer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+            with self.assertRaises(KeyboardInterrupt):
+                killer.start()
+                while time.monotonic() < begin + 60:
+                    dfs.delaunay3(random_points(200000), threads=threads)
+            self.assertLess(time.monotonic(), begin + 30)
+
+    def test_many_threads(self):
+        """Progress, stops and exceptions come to the thread that has called, and the others have ended by then."""
+        shares = []
+        dfs.delaunay3(random_points(400000), progress=shares.append, threads=3)
+        self.assertEqual(shares, sorted(shares))
+        self.assertEqual((shares[0], shares[-1]), (0., 1.))
+        with self.assertRaises(dfs.Stopped):
+            dfs.delaunay3(random_points(400000), progress=lambda share: share < .1, threads=3)
+
+        def fail(share):
+            if share > .1:
+                raise LookupError("in the user's function")
+        with self.assertRaisesRegex(LookupError, "in the user's function"):
+            dfs.delaunay3(random_points(400000), progress=fail, threads=3)
+
+    def test_array_that_changes(self):
+        """What another thread writes meanwhile is read or not, and never makes the module fail."""
+        points, faces = random_points(30000), np.random.default_rng(3).integers(0, 30000, (60000, 3))
+        for threads in (1, 2):
+            done = threading.Event()
+
+            def spoil():
+                rng = np.random.default_rng(4)
+                while not done.wait(1e-4):
+                    points[rng.integers(0, len(points), 100)] = rng.choice([np.nan, 1e300, 0, -5], (100, 3))
+                    faces[rng.integers(0, len(faces), 100)] = rng.integers(-2 ** 40, 2 ** 40)
+                    points[:], faces[:] = random_points(30000), rng.integers(0, 30000, (60000, 3))
+            thread = threading.Thread(target=spoil)
+            thread.start()
+            try:
+                for _ in range(8):
+                    try:
+                        dfs.delaunay3(points, faces, threads=threads)
+                    except ValueError as error:
+                        self.assertRegex(str(error), "is not a finite number|is not one of the 30000 points|too large")
+            finally:
+                done.set()
+                thread.join()
+
+    def test_memory(self):
+        """One clear line, from every place where memory may end."""
+        program = """if True:
+            import resource, sys
+            import numpy as np, delaunay_from_surface as dfs
+            points = np.random.default_rng(1).random((1000000, 3))
+            used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+            for megabytes in (10, 40, 70, 100, 130, 170):
+                resource.setrlimit(resource.RLIMIT_AS, (used + megabytes * 2 ** 20, resource.RLIM_INFINITY))
+                for threads in (1, 2):
+                    try:
+                        dfs.delaunay3(points, threads=threads)
+                    except MemoryError as error:
+                        print(error)
+            """
+        if not Path("/proc/self/statm").exists():
+            self.skipTest("memory is limited on Linux only")
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(set(done.stdout.splitlines()), {"there is not enough memory to triangulate 1000000 points"})
+
+    def test_no_leak(self):
+        """Of calls that return and calls that fail, on either way out."""
+        points, spoilt = random_points(60), np.full((60, 3), np.nan)
+
+        def call(times):
+            for i in range(times):
+                dfs.delaunay3(points, [[0, 1, 2]] if i % 2 else None, neighbors=i % 3 == 0)
+                for wrong in ({"points": spoilt}, {"points": points, "faces": [[0, 1, 60]]},
+                              {"points": points, "progress": lambda share: 1 / 0}):
+                    try:
+                        dfs.delaunay3(**wrong)
+                    except (ValueError, ZeroDivisionError):
+                        pass
+            return int(Path("/proc/self/statm").read_text().split()[1])
+        if not Path("/proc/self/statm").exists():
+            self.skipTest("memory is measured on Linux only")
+        call(500)
+        before = call(500)
+        self.assertLess(call(2500) - before, 256)  # pages of 4096 bytes
 
     def test_interrupt_between_few_points(self):
         shares = []
@@ -267,9 +696,9 @@ class Surfaces(unittest.TestCase):
     def test_components_and_refusals(self):
         triangle = [[0, 1, 2]]
         component, = dfs.surface_topology(triangle, 5)
-        self.assertEqual(component, (3, 3, 1, 1, 1, 0, 3))
+        self.assertEqual(component, (3, 3, 1, 1, 1, 0, 3, True))
         self.assertEqual(dfs.surface_topology([]), [])
-        with self.assertRaisesRegex(ValueError, "faces: they are not a consistently oriented manifold"):
+        with self.assertRaisesRegex(ValueError, r"edge \(0, 1\) is in more than two faces"):
             dfs.subgraph([[0, 1, 2], [0, 1, 3], [0, 1, 4]])
         with self.assertRaisesRegex(ValueError, "faces: face 0: the index 2 is not one of a vertex"):
             dfs.subgraph(triangle, 2)
@@ -278,9 +707,9 @@ class Surfaces(unittest.TestCase):
 
 
 class Module(unittest.TestCase):
-    def test_no_gmp(self):
-        self.assertFalse(core.uses_gmp)
-        self.assertNotIn(b"libgmp", Path(core.__file__).read_bytes())
+    def test_needs_no_other_library(self):
+        for library in (b"libgmp", b"libmpfr", b"libtbb", b"libboost"):
+            self.assertNotIn(library, Path(core.__file__).read_bytes())
 
     def test_documentation(self):
         self.assertEqual(doctest.testmod(dfs).failed, 0)

@@ -1,39 +1,78 @@
 # Copyright (c) 2026 The authors of Delaunay_from_surface_3
 #
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: LGPL-3.0-or-later
 
-"""Installs the module as a user does, into a fresh virtual environment, and runs its tests there.
+"""Makes a wheel, looks into it, installs it from its index into a fresh virtual environment, and runs its tests there.
 
 FOLDER names the folder for all that is made. The tests are those of test_module.py."""
 
 import os
-import shutil
+import re
 import subprocess
 import sys
+import sysconfig
+import tarfile
+import zipfile
 from pathlib import Path
+
+import pybind11
 
 HERE = Path(__file__).resolve().parent
 FOLDER = Path(os.environ["FOLDER"]).resolve()
 
 
-def copy_of_the_project():
-    """A copy of this folder beside links to what it needs: nothing is written into the source tree."""
-    tree = FOLDER / "tree"
-    tree.mkdir(parents=True, exist_ok=True)
-    for name in ("CMakeLists.txt", "cmake", "include"):
-        link = tree / name
-        if not link.is_symlink():
-            link.symlink_to(HERE.parent / name)
-    shutil.copytree(HERE, tree / "python", dirs_exist_ok=True)
-    return tree / "python"
+def foreign_headers():
+    """Headers of CGAL and Boost that the extension is made of: there shall be none."""
+    includes = [f"-I{path}" for path in (HERE / "include", HERE.parent, HERE.parent / "include",
+                                         sysconfig.get_path("include"), pybind11.get_include())]
+    found = set()
+    for source in HERE.glob("*.cpp"):
+        rule = subprocess.run(["c++", "-std=c++17", *includes, "-M", source], check=True, capture_output=True,
+                              text=True).stdout
+        found |= {name for name in rule.split() if re.search(r"/boost/|/CGAL/(?!Delaunay_from_surface_3/)", name)}
+    return sorted(found)
+
+
+def check_files(index):
+    """What is wrong: the wheel is small, needs nothing but libc, and has the licences; so have the sources."""
+    built, = index.glob("*.whl")
+    archive, = index.glob("*.tar.gz")
+    with zipfile.ZipFile(built) as files, tarfile.open(archive) as sources:
+        names = files.namelist()
+        extension, = (name for name in names if name.endswith(".so"))
+        files.extract(extension, FOLDER)
+        metadata = files.read(next(name for name in names if name.endswith("/METADATA"))).decode()
+        problems = [f"{name} is not in it" for name in ("LICENSE", "LICENSE.LGPL", "py.typed", "cpp.py")
+                    if not any(file.endswith("/" + name) for file in names)]
+        problems += [f"{name} is not in the sources"
+                     for name in ("core/src/core.cpp", "LICENSE.LGPL", "include/functions.h")
+                     if not any(file.endswith("/" + name) for file in sources.getnames())]
+    needed = re.findall(r"NEEDED +(\S+)", subprocess.run(["objdump", "-p", FOLDER / extension], check=True,
+                                                         capture_output=True, text=True).stdout)
+    problems += [f"it needs {name}" for name in needed if not re.match(r"lib(c|m|pthread)\.so|ld-linux", name)]
+    if built.stat().st_size > 3e6:
+        problems.append(f"it has {built.stat().st_size} bytes")
+    if (pybind11.version_info[:2] < (2, 12)) != ("<2" in re.search("^Requires-Dist: numpy.*$", metadata, re.M).group()):
+        problems.append("it does not say which NumPy its pybind11 knows")
+    if sys.platform == "linux" and "-manylinux_2_" not in built.name:
+        problems.append("its name does not say which glibc it needs")
+    return problems
 
 
 def main():
+    if foreign_headers():
+        sys.exit(f"the extension needs headers of others: {foreign_headers()[:5]} ...")
+    subprocess.run([sys.executable, HERE.parent / "scripts/wheel", "--output", FOLDER / "wheels", sys.executable],
+                   check=True)
+    index = FOLDER / "wheels/simple"
+    problems = check_files(index / "delaunay-from-surface")
+    if problems:
+        sys.exit(f"the wheel: {'; '.join(problems)}")
     environment = FOLDER / "venv"
     subprocess.run([sys.executable, "-m", "venv", "--clear", "--system-site-packages", environment], check=True)
     python = environment / "bin/python"
-    subprocess.run([python, "-m", "pip", "install", "--no-index", "--no-build-isolation", "--disable-pip-version-check",
-                    copy_of_the_project()], check=True)
+    subprocess.run([python, "-m", "pip", "install", "--index-url", index.as_uri(), "--only-binary", ":all:",
+                    "--disable-pip-version-check", "delaunay-from-surface"], check=True)
     tests = subprocess.run([python, "-B", HERE / "test_module.py", *sys.argv[1:]], cwd=FOLDER, check=False)
     return tests.returncode
 

@@ -18,7 +18,8 @@ from manual_tables import cell, commands_of, machine_of, table
 
 def gains(report, other, title):
     rows = [[r["consumer"], f'{r["points"]:,}'.replace(",", " "), f'{r[f"median_{other}_cpu"]:.3f}',
-             f'{r["median_ours_cpu"]:.3f}', f'{r["median_ratio"]:.2f}'] for r in report["results"]]
+             f'{r["median_ours_cpu"]:.3f}', f'{r["median_ratio"]:.2f}']
+            for r in report["results"] + report.get("queries", [])]
     return table(["what is done", "points", f"{title}, CPU s", "this package, CPU s", "gain"],
                  [[cell(v) for v in row] for row in rows])
 

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The authors of Delaunay_from_surface_3
 #
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: LGPL-3.0-or-later
 
 """Shows the Delaunay tetrahedra of a mesh, cut by a plane, colored by the radius of their spheres.
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_RANGES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_RANGES_H
@@ -10,12 +10,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include <boost/iterator/iterator_facade.hpp>
-
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -34,10 +34,14 @@ class Indexed_range
 
 public:
   class iterator
-    : public boost::iterator_facade<iterator, Value, boost::random_access_traversal_tag, Value,
-                                    std::ptrdiff_t>
   {
   public:
+    using iterator_category = std::random_access_iterator_tag;
+    using value_type = Value;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Value*;
+    using reference = Value;
+
     iterator() = default;
     iterator(const Item& item, std::size_t i)
       : m_item(&item)
@@ -45,18 +49,34 @@ public:
     {
     }
 
-  private:
-    friend class boost::iterator_core_access;
-    Value dereference() const { return (*m_item)(m_i); }
-    bool equal(const iterator& other) const { return m_i == other.m_i; }
-    void increment() { ++m_i; }
-    void decrement() { --m_i; }
-    void advance(std::ptrdiff_t d) { m_i += std::size_t(d); }
-    std::ptrdiff_t distance_to(const iterator& other) const
+    Value operator*() const { return (*m_item)(m_i); }
+    Value operator[](std::ptrdiff_t d) const { return *(*this + d); }
+    iterator& operator+=(std::ptrdiff_t d)
     {
-      return std::ptrdiff_t(other.m_i) - std::ptrdiff_t(m_i);
+      m_i += std::size_t(d);
+      return *this;
     }
+    iterator& operator-=(std::ptrdiff_t d) { return *this += -d; }
+    iterator& operator++() { return *this += 1; }
+    iterator& operator--() { return *this += -1; }
+    iterator operator++(int) { return std::exchange(*this, *this + 1); }
+    iterator operator--(int) { return std::exchange(*this, *this + -1); }
 
+    friend iterator operator+(iterator it, std::ptrdiff_t d) { return it += d; }
+    friend iterator operator+(std::ptrdiff_t d, iterator it) { return it += d; }
+    friend iterator operator-(iterator it, std::ptrdiff_t d) { return it -= d; }
+    friend std::ptrdiff_t operator-(const iterator& a, const iterator& b)
+    {
+      return std::ptrdiff_t(a.m_i) - std::ptrdiff_t(b.m_i);
+    }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.m_i == b.m_i; }
+    friend bool operator!=(const iterator& a, const iterator& b) { return a.m_i != b.m_i; }
+    friend bool operator<(const iterator& a, const iterator& b) { return a.m_i < b.m_i; }
+    friend bool operator>(const iterator& a, const iterator& b) { return b < a; }
+    friend bool operator<=(const iterator& a, const iterator& b) { return !(b < a); }
+    friend bool operator>=(const iterator& a, const iterator& b) { return !(a < b); }
+
+  private:
     const Item* m_item = nullptr;
     std::size_t m_i = 0;
   };
@@ -81,8 +101,9 @@ template <class Wide, class Narrow>
 class Matrix_view
 {
 public:
-  explicit Matrix_view(const py::array& array)
-    : m_data(static_cast<const char*>(array.data()))
+  // Of the rows from one on.
+  explicit Matrix_view(const py::array& array, std::size_t first = 0)
+    : m_data(static_cast<const char*>(array.data()) + std::ptrdiff_t(first) * array.strides(0))
     , m_row_stride(array.strides(0))
     , m_column_stride(array.strides(1))
     , m_is_wide(array.itemsize() == sizeof(Wide))
@@ -144,23 +165,35 @@ inline py::array array_of(const std::string& name, const py::object& object,
   return is_usual ? array : py::array(array.attr("astype")(converted));
 }
 
-// Of shape (n, 3).
-inline py::array array_of_points(const py::object& object)
+// Of shape (n, 3); an empty sequence is one of no points.
+inline py::array array_of_points(const py::object& object, const std::string& name = "points")
 {
-  refuse_mask("points", object);
-  const py::array array = array_of("points", object, "fiu", "numbers", "float64");
+  refuse_mask(name, object);
+  const py::array array = array_of(name, object, "fiu", "numbers", "float64");
+  if (array.ndim() == 1 && array.size() == 0)
+    return py::array(array.attr("reshape")(0, 3));
   if (array.ndim() != 2 || array.shape(1) != 3)
-    throw py::value_error("points: expected an array of shape (n, 3), got " + shape_of(array));
+    throw py::value_error(name + ": expected an array of shape (n, 3), got " + shape_of(array));
   return array;
 }
 
-// The points of such an array, one after the other.
-inline auto points_of(const py::array& array)
+// The points of such an array.
+using Points_view = Matrix_view<double, float>;
+
+// Their coordinates one after the other, in doubles, which are finite; the first has number `first`.
+template <class Vector>
+void copy_points(const Points_view& view, std::size_t n, const char* name, Vector& coordinates,
+                 std::size_t first = 0)
 {
-  return Indexed_range(std::size_t(array.shape(0)),
-                       [view = Matrix_view<double, float>(array)](std::size_t i) {
-                         return std::array<double, 3>{view(i, 0), view(i, 1), view(i, 2)};
-                       });
+  coordinates.resize(3 * n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double x = view(i, c);
+      if (!std::isfinite(x))
+        throw py::value_error(std::string(name) + " " + std::to_string(first + i) + ": its " +
+                              "xyz"[c] + " coordinate is not a finite number");
+      coordinates[3 * i + c] = x;
+    }
 }
 
 // Refuses what was at least 2^63 before it was converted.
@@ -183,7 +216,9 @@ auto with_faces(const py::object& object, const F& f)
     const py::array array = array_of("faces", object, "iu", "integers", "int64");
     if (array.ndim() != 2)
       throw py::value_error("faces: expected an array of shape (m, k), got " + shape_of(array));
-    const Matrix_view<std::int64_t, std::int32_t> view(array);
+    // A copy: what another thread writes meanwhile is not read.
+    const py::array rows = py::array(array.attr("copy")("C"));
+    const Matrix_view<std::int64_t, std::int32_t> view(rows);
     const auto n = std::size_t(array.shape(0)), k = std::size_t(array.shape(1));
     if (py::array(object).dtype().kind() == 'u')
       refuse_wrapped(view, n, k);

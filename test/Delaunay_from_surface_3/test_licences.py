@@ -32,13 +32,22 @@ class Licences(unittest.TestCase):
             for path in (INCLUDE / "CGAL" / "Delaunay_from_surface_3" / room).rglob("*.h"):
                 self.assertEqual(self.licences[path], LESSER, path)
 
+    def test_python_is_lesser(self):
+        """It includes the package's own headers, and those of lesser rooms alone."""
+        files = [path for pattern in ("*.cpp", "*.h", "*.py") for path in sorted((ROOT / "python").rglob(pattern))]
+        self.assertGreater(len(files), 10)
+        for path in files:
+            self.assertEqual(licence(path), LESSER, path)
+            for name in re.findall(r"#include <CGAL/(.+)>", path.read_text(encoding="utf-8")):
+                self.assertEqual(self.licences[INCLUDE / "CGAL" / name], LESSER, f"{path}: {name}")
+
     def test_texts_of_the_licences(self):
         for name, first in (("LICENSE", "GNU GENERAL PUBLIC LICENSE"), ("LICENSE.LGPL", "GNU LESSER GENERAL PUBLIC LICENSE")):
             self.assertTrue((ROOT / name).read_text(encoding="utf-8").lstrip().startswith(first), name)
 
     def test_lesser_includes_no_general(self):
         lines = [f"#include <{path.relative_to(INCLUDE)}>" for path, kind in self.licences.items()
-                 if kind == LESSER and path.suffix == ".h"]
+                 if kind == LESSER and path.suffix == ".h" and INCLUDE in path.parents]
         done = subprocess.run([os.environ.get("CXX", "c++"), "-std=c++17", f"-I{INCLUDE}", "-M", "-x", "c++", "-"],
                               input="\n".join(lines) + "\n", capture_output=True, text=True, check=True)
         included = {Path(path) for path in done.stdout.split() if "/CGAL/" in path}

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The authors of Delaunay_from_surface_3
 #
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: LGPL-3.0-or-later
 
 """The 3D Delaunay triangulation of the vertices of a surface mesh, or of any points, in NumPy arrays.
 
@@ -16,32 +16,18 @@ points make it faster; they never change the result.
 from __future__ import annotations
 
 import operator
-from typing import Callable, List, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, List, NamedTuple, Optional, Union
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._delaunay_from_surface import Stopped, __version__
+from ._result import AlphaComplex, Delaunay3, number_of_threads
 
-__all__ = ["Delaunay3", "Stopped", "SurfaceComponent", "delaunay3", "subgraph", "surface_topology"]
+__all__ = ["AlphaComplex", "Delaunay3", "Stopped", "SurfaceComponent", "delaunay3", "subgraph", "surface_topology"]
 
-Faces = Union[np.ndarray, Sequence[Sequence[int]]]
-
-
-class Delaunay3(NamedTuple):
-    """A Delaunay triangulation in arrays. The names are those of scipy.spatial.Delaunay."""
-
-    simplices: np.ndarray
-    """(m, d + 1) int32: indices of points; tetrahedra with positive orientation if d is 3."""
-
-    neighbors: Optional[np.ndarray]
-    """(m, d + 1) int32: the simplex opposite to each vertex, -1 outside the convex hull; None if not asked for."""
-
-    vertices: np.ndarray
-    """(n,) int32: for each point the smallest index of a point equal to it, which stands in `simplices`."""
-
-    dimension: int
-    """d: 3; less if all points lie in a plane, on a line or in one place; -1 if there are none."""
+Points = Union[np.ndarray, Iterable[Any]]
+Faces = Union[np.ndarray, Iterable[Iterable[int]]]
 
 
 class SurfaceComponent(NamedTuple):
@@ -56,44 +42,55 @@ class SurfaceComponent(NamedTuple):
     """The number of handles."""
     subgraph_degree_bound: int
     """The largest degree that `subgraph` can give a vertex here."""
+    is_orientable: bool
+    """Whether its triangles can be turned alike; else `genus` is the number of cross-caps."""
 
 
-def delaunay3(points: np.ndarray, faces: Optional[Faces] = None, *, neighbors: bool = False, seed: int = 0,
-              progress: Optional[Callable[[float], Optional[bool]]] = None) -> Delaunay3:
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool = False, seed: int = 0,
+              progress: Optional[Callable[[float], Optional[bool]]] = None,
+              threads: Optional[int] = 1) -> Delaunay3:
     """Return the Delaunay triangulation of points in space.
 
     Parameters
     ----------
     points
-        Array of shape (n, 3) with finite numbers; float64 and float32 are read where they are.
+        Array of shape (n, 3) with finite numbers of any type. It is copied while the order is made, so
+        another thread may change it. float64 and float32 are not copied into the result.
     faces
         Indices of points: an integer array of shape (m, k), or a sequence of sequences of any lengths.
         They need not be a manifold. Without them the points are taken alone.
     neighbors
-        Whether the neighbours are wanted, too. They and the simplices are then views of one array,
-        16 bytes apart.
+        Whether the neighbours are kept: they and the simplices are then views of one array, 16 bytes apart.
+        Else they are found anew when they are first asked for.
     seed
         Decides the order of insertion, and with it the order of the simplices.
     progress
         Is called about every 50 ms with the share of the points that are inserted, and at last with 1. If it
         returns False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and
         Ctrl-C is seen, once the order of the points is made. The interpreter lock is released in between.
+    threads
+        How many threads work; None: as many as there are processors. With more than one the simplices are the
+        same in another order at every call.
 
     Raises
     ------
     ValueError
-        If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index or the
-        seed is out of range.
+        If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index, the
+        seed or the number of threads is out of range.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError
         If there are more than 2**30 cells: beyond 150 million points.
+    MemoryError
+        If memory ends.
 
     Memory: about 270 bytes per point at the peak, the result included, where points have 6.8 cells each.
     """
     if not 0 <= operator.index(seed) < 2 ** 32:
         raise ValueError(f"seed: expected a whole number from 0 to 4294967295, got {seed}")
-    return Delaunay3(*_core.delaunay3(points, faces, neighbors, seed, progress))
+    number = number_of_threads(threads)
+    array = _core.array_of_points(points, "points")
+    return Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number), threads=number)
 
 
 def subgraph(faces: Faces, number_of_vertices: Optional[int] = None, *, tree: bool = False) -> np.ndarray:
@@ -102,15 +99,15 @@ def subgraph(faces: Faces, number_of_vertices: Optional[int] = None, *, tree: bo
     Parameters
     ----------
     faces
-        Triangles, as in `delaunay3`: a consistently oriented manifold, closed or with boundary.
+        Triangles, as in `delaunay3`: a manifold, closed or with boundary. How they are oriented does not matter.
     number_of_vertices
         One more than the largest index if left out.
     tree
         Whether cycles are left out: a spanning tree of each component.
 
     Raises ValueError, naming a face or a vertex, if the faces are no such surface. Linear time.
-    The degree of every vertex is at most 3 on spheres and discs, and at most 8 g + 2 b + 1 on a component
-    of genus g with b boundary loops (Choi, SoCG 2002).
+    The degree of every vertex is at most 3 on spheres and discs, and at most 8 g + 2 b + 1 on an orientable
+    component of genus g with b boundary loops (Choi, SoCG 2002).
     """
     return _core.subgraph(faces, number_of_vertices, tree)
 

@@ -5,12 +5,19 @@
 // The core by itself, as a program would use it that has never heard of CGAL: points of every
 // dimension, degenerate ones, with edges and without, into arrays.
 
+#include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/adjacent_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/complete_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/lower_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -51,6 +58,63 @@ core::Lists<std::uint32_t> path(std::size_t n)
   return core::lower_neighbors(edges, n);
 }
 
+std::vector<std::array<std::int32_t, 4>> simplices_of(const Arrays& arrays)
+{
+  std::vector<std::array<std::int32_t, 4>> simplices(arrays.number_of_simplices());
+  for (std::size_t c = 0; c < simplices.size(); ++c)
+    simplices[c] = arrays.vertices(c);
+  return simplices;
+}
+
+// Neighbours and infinite cells are found again from the simplices alone.
+void check_completion(const Arrays& arrays, const core::Point_array& points, const char* where)
+{
+  const Arrays complete = core::complete_arrays<std::int32_t>(
+      arrays.dimension(), simplices_of(arrays), arrays.vertices_of_points(), core::Alone());
+  check(complete.number_of_cells() == arrays.number_of_cells(), "infinite cells", where);
+  check(core::is_valid(complete, points, CGAL::Delaunay_validity_level::DELAUNAY),
+        "is not valid when completed", where);
+  for (std::size_t c = 0; c < arrays.number_of_simplices() && arrays.dimension() > 0; ++c)
+    for (std::size_t k = 0; k <= std::size_t(arrays.dimension()); ++k) {
+      const std::int32_t d = arrays.neighbors(c)[k];
+      check(arrays.is_infinite(d) || complete.neighbors(c)[k] == d, "neighbour", where);
+    }
+}
+
+// A vertex is found in the first of its tetrahedra, and has the others' vertices around it.
+void check_queries(const Arrays& arrays, const core::Point_array& points, const char* where)
+{
+  const auto simplices = simplices_of(arrays);
+  const auto adjacent = core::adjacent_vertices<std::int32_t>(
+      simplices.size(), 4, points.size(),
+      [&](std::size_t c, std::size_t k) { return simplices[c][k]; }, core::Alone());
+  const core::Simplices_view<std::int32_t> view = {arrays.vertices_data(),
+                                                   arrays.stride(),
+                                                   arrays.neighbors_data(),
+                                                   arrays.stride(),
+                                                   arrays.number_of_simplices(),
+                                                   arrays.number_of_cells(),
+                                                   points.size()};
+  const auto point_of = [&](std::size_t i) {
+    return std::array<double, 3>{points[i][0], points[i][1], points[i][2]};
+  };
+  core::Find_simplex<std::int32_t, decltype(point_of)> find(view, point_of);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto v = arrays.vertex_of_point(i);
+    const auto first = std::find_if(simplices.begin(), simplices.end(), [&](const auto& simplex) {
+      return std::find(simplex.begin(), simplex.end(), v) != simplex.end();
+    });
+    check(find(point_of(i)) == first - simplices.begin(), "simplex of a vertex", where);
+    const auto begin = adjacent.items.begin() + adjacent.first[i];
+    const auto end = adjacent.items.begin() + adjacent.first[i + 1];
+    check(std::is_sorted(begin, end) && (end - begin >= 3 || v != std::int32_t(i)),
+          "adjacent vertices", where);
+    if (v == std::int32_t(i))
+      for (const auto w : *first)
+        check(w == v || std::binary_search(begin, end, w), "adjacent vertex", where);
+  }
+}
+
 Arrays arrays_of(const std::vector<double>& coordinates, bool has_edges, const char* where)
 {
   const std::size_t n = coordinates.size() / 3;
@@ -63,6 +127,9 @@ Arrays arrays_of(const std::vector<double>& coordinates, bool has_edges, const c
   const Arrays arrays = core::arrays_of_built<std::int32_t>(*built, points);
   check(core::is_valid(arrays, points.points(), CGAL::Delaunay_validity_level::DELAUNAY),
         "is no Delaunay triangulation", where);
+  check_completion(arrays, points.points(), where);
+  if (arrays.dimension() == 3)
+    check_queries(arrays, points.points(), where);
   return arrays;
 }
 

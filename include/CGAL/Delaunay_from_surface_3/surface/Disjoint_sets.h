@@ -7,10 +7,9 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/property_map.hpp>
-
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -18,24 +17,17 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// boost::disjoint_sets over 0, …, n-1, with its storage. Not boost::disjoint_sets_with_storage:
-// that takes pointers for property maps, whose get() cannot be found where
-// <boost/graph/compressed_sparse_row_graph.hpp> was included first.
+// Disjoint sets of 0, …, n-1, united by rank, with paths that are halved on the way. Not Boost's:
+// the Python module is built without it.
 template <class Index>
 class Disjoint_sets
 {
-  template <class T>
-  using Map = boost::iterator_property_map<typename std::vector<T>::iterator,
-                                           boost::typed_identity_property_map<Index>>;
-
 public:
   explicit Disjoint_sets(std::size_t n)
     : m_rank(n)
     , m_parent(n)
-    , m_sets(Map<unsigned char>(m_rank.begin()), Map<Index>(m_parent.begin()))
   {
-    for (std::size_t i = 0; i < n; ++i)
-      m_sets.make_set(static_cast<Index>(i));
+    std::iota(m_parent.begin(), m_parent.end(), Index(0));
   }
 
   Disjoint_sets(const Disjoint_sets&) = delete;
@@ -44,17 +36,26 @@ public:
   // Unites the sets of a and b; returns false if they were one already.
   bool unite(Index a, Index b)
   {
-    const Index s = m_sets.find_set(a), t = m_sets.find_set(b);
+    Index s = root(a), t = root(b);
     if (s == t)
       return false;
-    m_sets.link(s, t);
+    if (m_rank[s] < m_rank[t])
+      std::swap(s, t);
+    m_rank[s] = static_cast<unsigned char>(m_rank[s] + (m_rank[s] == m_rank[t]));
+    m_parent[t] = s;
     return true;
   }
 
 private:
+  Index root(Index i)
+  {
+    while (m_parent[i] != i)
+      i = m_parent[i] = m_parent[m_parent[i]];
+    return i;
+  }
+
   std::vector<unsigned char> m_rank; // at most log2 n
   std::vector<Index> m_parent;
-  boost::disjoint_sets<Map<unsigned char>, Map<Index>> m_sets;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

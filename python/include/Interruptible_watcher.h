@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_VISITOR_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_VISITOR_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_WATCHER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_WATCHER_H
 
-#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 
 #include <pybind11/pybind11.h>
 
@@ -38,26 +39,31 @@ private:
 };
 
 // Takes the interpreter lock now and then, for signals and for the user's function. What that
-// raises, KeyboardInterrupt too, goes through the package as an exception.
-class Interruptible_visitor : public CGAL::Default_surface_insertion_visitor_3
+// raises, KeyboardInterrupt too, goes through the core as an exception.
+class Interruptible_watcher final : public CGAL::Delaunay_from_surface_3::internal::Watcher
 {
+  using Rounding = CGAL::Delaunay_from_surface_3::internal::Rounding_to_nearest;
+
 public:
-  Interruptible_visitor(std::size_t number_of_points, const py::object& progress)
+  // Keeps references.
+  Interruptible_watcher(std::size_t number_of_points, const py::object& progress,
+                        const Rounding& rounding)
     : m_number_of_points(number_of_points)
     , m_progress(progress)
+    , m_rounding(rounding)
   {
   }
 
-  using CGAL::Default_surface_insertion_visitor_3::go_further;
-
-  bool go_further(std::size_t inserted)
+  bool go_further(std::size_t inserted) override
   {
     if (!m_clock.is_time())
       return true;
-    const py::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0)
-      throw py::error_already_set();
-    return m_progress.is_none() || is_content(double(inserted));
+    return m_rounding.in_mode_of_caller([&] {
+      const py::gil_scoped_acquire lock;
+      if (PyErr_CheckSignals() != 0)
+        throw py::error_already_set();
+      return m_progress.is_none() || is_content(double(inserted));
+    });
   }
 
   // Whether the user's function has stopped the work.
@@ -79,10 +85,11 @@ private:
 
   std::size_t m_number_of_points;
   const py::object& m_progress;
+  const Rounding& m_rounding;
   Alarm_clock m_clock;
   bool m_is_stopped = false;
 };
 
 } // namespace python
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_VISITOR_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_WATCHER_H

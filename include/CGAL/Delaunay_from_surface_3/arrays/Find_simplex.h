@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FIND_SIMPLEX_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FIND_SIMPLEX_H
+
+// Which tetrahedron contains a point: a walk from one to the next through facets that separate them
+// from the point, as exact orientations say. In a Delaunay triangulation, a perturbed one too, it never
+// comes back (Devillers, Pion, Teillaud 2002).
+
+#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Tetrahedra as rows of arrays that are somebody else's: entry k of simplex c is at c * stride + k.
+// Beyond the hull is -1 or an infinite cell, which has a number from `number` on. What is out of range
+// is refused when it is met.
+template <class Index>
+struct Simplices_view
+{
+  const Index* vertices;
+  std::size_t stride_of_vertices;
+  const Index* neighbors;
+  std::size_t stride_of_neighbors;
+  std::size_t number, number_of_cells;
+  std::size_t number_of_points;
+
+  std::size_t vertex(std::size_t c, std::size_t k) const
+  {
+    const auto v = std::size_t(vertices[c * stride_of_vertices + k]);
+    if (v >= number_of_points)
+      throw std::out_of_range("a simplex has a vertex that is no point");
+    return v;
+  }
+  Index neighbor(std::size_t c, std::size_t k) const
+  {
+    const Index d = neighbors[c * stride_of_neighbors + k];
+    if (d < -1 || (d >= 0 && std::size_t(d) >= number_of_cells))
+      throw std::out_of_range("a simplex has a neighbour that is none");
+    return d >= 0 && std::size_t(d) >= number ? Index(-1) : d;
+  }
+};
+
+// `point_of(i)`: the coordinates of point i, as a std::array<double, 3>. For one thread.
+template <class Index, class PointOf>
+class Find_simplex
+{
+  using Point = std::array<double, 3>;
+
+public:
+  // Keeps copies of both.
+  Find_simplex(const Simplices_view<Index>& simplices, const PointOf& point_of)
+    : m_simplices(simplices)
+    , m_point_of(point_of)
+  {
+  }
+
+  // The simplex with the smallest number that contains q, its facets included, or -1. Starts where the
+  // last one was found. Expected constant for points near the last one.
+  Index operator()(const Point& q)
+  {
+    if (m_simplices.number == 0)
+      return -1;
+    Index from = -1;
+    for (std::size_t steps = 0; steps <= m_simplices.number; ++steps) {
+      const int k = look(m_last, q, from);
+      if (k < 0)
+        return m_facets == 0 ? m_last : least_around(q);
+      const Index next = m_simplices.neighbor(std::size_t(m_last), std::size_t(k));
+      if (next < 0)
+        return -1; // beyond the hull
+      from = m_last;
+      m_last = next;
+    }
+    throw std::invalid_argument("the simplices are not those of the points");
+  }
+
+private:
+  // The first facet with q beyond it, or -1: then bit k of m_facets says whether q lies in facet k. That
+  // which leads back to `from` has q on the inner side.
+  int look(Index c, const Point& q, Index from)
+  {
+    Point corners[4];
+    for (std::size_t k = 0; k < 4; ++k)
+      corners[k] = m_point_of(m_simplices.vertex(std::size_t(c), k));
+    const Row<double> rows[4] = {row(corners[0].data(), q.data()), row(corners[1].data(), q.data()),
+                                 row(corners[2].data(), q.data()),
+                                 row(corners[3].data(), q.data())};
+    m_facets = 0;
+    for (unsigned k = 0; k < 4; ++k)
+      if (rows[k].x == 0 && rows[k].y == 0 && rows[k].z == 0) {
+        m_facets = 15u & ~(1u << k);
+        return -1;
+      }
+    for (unsigned k = 0; k < 4; ++k) {
+      if (from >= 0 && m_simplices.neighbor(std::size_t(c), k) == from)
+        continue;
+      const int side = sign(corners, rows, facet_corners[k], q);
+      if (side < 0)
+        return int(k);
+      m_facets |= unsigned(side == 0) << k;
+    }
+    return -1;
+  }
+
+  int sign(const Point* corners, const Row<double>* rows, const unsigned char* facet,
+           const Point& q) const
+  {
+    const Row<double>&a = rows[facet[0]], &b = rows[facet[1]], &c = rows[facet[2]];
+    const double m = largest_square(a, b, c);
+    const int side = m_has_filter && m < 1e100
+                         ? certified_sign(determinant_of(a, b, c), Filter_bounds::three_rows(m))
+                         : 0;
+    if (side != 0)
+      return side;
+    for (unsigned k = 0; k < 3; ++k)
+      for (const double x : corners[facet[k]])
+        if (!std::isfinite(x))
+          throw std::invalid_argument("a coordinate of a point is not a finite number any more");
+    return orientation(q.data(), corners[facet[0]].data(), corners[facet[1]].data(),
+                       corners[facet[2]].data());
+  }
+
+  // Of all that have q in a facet, as m_last has: they are met through such facets.
+  Index least_around(const Point& q)
+  {
+    Index least = m_last;
+    m_met.clear();
+    m_many_met.clear();
+    m_met.push_back(m_last);
+    for (std::size_t i = 0; i < m_met.size(); ++i) {
+      const Index c = m_met[i];
+      if (i > 0)
+        look(c, q, -1);
+      const unsigned facets = m_facets;
+      least = (std::min)(least, c);
+      for (unsigned k = 0; k < 4; ++k)
+        if ((facets >> k & 1u) != 0) {
+          const Index d = m_simplices.neighbor(std::size_t(c), k);
+          if (d >= 0 && is_new(d))
+            m_met.push_back(d);
+        }
+    }
+    return least;
+  }
+
+  bool is_new(Index d)
+  {
+    constexpr std::size_t many = 64;
+    if (m_met.size() < many)
+      return std::find(m_met.begin(), m_met.end(), d) == m_met.end();
+    if (m_many_met.empty())
+      m_many_met.insert(m_met.begin(), m_met.end());
+    return m_many_met.insert(d).second;
+  }
+
+  const Simplices_view<Index> m_simplices;
+  const PointOf m_point_of;
+  const bool m_has_filter = obstacle_of_compiler() == nullptr;
+  Index m_last = 0;
+  unsigned m_facets = 0;
+  std::vector<Index> m_met;
+  std::unordered_set<Index> m_many_met;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FIND_SIMPLEX_H

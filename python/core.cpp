@@ -1,0 +1,8 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The compiled core, as a part of the extension: it says itself that it is compiled.
+
+#undef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
+#include <src/core.cpp>

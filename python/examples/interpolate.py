@@ -1,0 +1,51 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""Linear interpolation between scattered points: values at the vertices, barycentric coordinates in between.
+
+    python interpolate.py [picture.png]
+
+With a picture, which needs Matplotlib, a slice of the interpolated function is drawn beside the function itself.
+"""
+
+import sys
+
+import numpy as np
+
+import delaunay_from_surface as dfs
+
+
+def function(x):
+    return np.sin(6 * x[..., 0]) * np.cos(5 * x[..., 1]) + x[..., 2]
+
+
+def interpolate(triangulation, values, xi):
+    """Values at the points xi; NaN outside the convex hull."""
+    simplex = triangulation.find_simplex(xi, threads=None)
+    weights = triangulation.barycentric(xi, simplex)
+    return np.einsum("...i,...i->...", values[triangulation.simplices[simplex]], weights)
+
+
+def main():
+    points = np.random.default_rng(0).random((2000, 3))
+    triangulation = dfs.delaunay3(points)
+    u, v = np.meshgrid(np.linspace(0, 1, 400), np.linspace(0, 1, 400))
+    xi = np.stack([u, v, np.full_like(u, .5)], axis=-1)
+    found = interpolate(triangulation, function(points), xi)
+    print(f"mean error inside the hull: {np.nanmean(abs(found - function(xi))):.4f}; "
+          f"{np.isnan(found).sum()} of {found.size} points are outside")
+    if len(sys.argv) > 1:
+        import matplotlib
+        matplotlib.use("Agg")
+        import matplotlib.pyplot as plt
+        figure, axes = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
+        for axis, values, title in zip(axes, (function(xi), found), ("function", "interpolated")):
+            shown = axis.imshow(values, origin="lower", extent=(0, 1, 0, 1), vmin=-.6, vmax=1.6)
+            axis.set_title(title)
+        figure.colorbar(shown, ax=axes)
+        figure.savefig(sys.argv[1])
+
+
+if __name__ == "__main__":
+    main()

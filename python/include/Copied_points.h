@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_COPIED_POINTS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_COPIED_POINTS_H
+
+#include "numpy_ranges.h"
+
+#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+
+#include <cstddef>
+
+namespace python {
+
+// Points of an array, copied for as long as the core reads them in its input order: 24 bytes per point
+// before the insertion begins, and none at the peak of memory. So what another thread writes into the
+// array meanwhile may make the result one of other points, but is checked as the first were.
+class Copied_points final : public CGAL::Delaunay_from_surface_3::internal::Point_source
+{
+  using Point_array = CGAL::Delaunay_from_surface_3::internal::Point_array;
+
+public:
+  // Keeps a reference; the first copy is made with the interpreter's lock.
+  explicit Copied_points(const py::array& array)
+    : m_view(array)
+    , m_size(std::size_t(array.shape(0)))
+  {
+    copy_points(m_view, m_size, "points: point", m_copy);
+  }
+
+  std::size_t size() const { return m_size; }
+
+  Point_array points() override
+  {
+    if (m_copy.empty() && m_size > 0) {
+      const py::gil_scoped_acquire lock;
+      copy_points(m_view, m_size, "points: point", m_copy);
+    }
+    return Point_array(m_copy.data(), m_size);
+  }
+  void give_up() override { Vector().swap(m_copy); }
+
+private:
+  using Vector = CGAL::Delaunay_from_surface_3::internal::Large_vector<double>;
+
+  const Points_view m_view;
+  const std::size_t m_size;
+  Vector m_copy;
+};
+
+} // namespace python
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_COPIED_POINTS_H

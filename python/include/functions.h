@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_FUNCTIONS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_FUNCTIONS_H
+
+#include <pybind11/pybind11.h>
+
+namespace python {
+
+// What the files beside module.cpp add to the extension.
+void define_surface_functions(pybind11::module_& m);
+void define_queries(pybind11::module_& m);
+
+} // namespace python
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_FUNCTIONS_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_ROWS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_ROWS_H
+
+// The arrays of a result: points and simplices as they are read, and new ones.
+
+#include "numpy_ranges.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace python {
+
+using Index = std::int32_t;
+using Numbers = py::array_t<Index>;
+using Points = py::array; // of shape (n, 3), float64 or float32
+
+// The coordinates of a point, where they are.
+struct Point_of
+{
+  Points_view view;
+
+  std::array<double, 3> operator()(std::size_t i) const
+  {
+    return {view(i, 0), view(i, 1), view(i, 2)};
+  }
+};
+
+// A matrix of numbers with rows in one piece, as the module makes them; others are copied.
+class Rows
+{
+public:
+  explicit Rows(const Numbers& numbers)
+    : m_numbers(has_rows(numbers) ? numbers
+                                  : Numbers(py::array_t<Index, py::array::c_style>(numbers)))
+  {
+  }
+
+  const Index* data() const { return m_numbers.data(); }
+  std::size_t size() const { return std::size_t(m_numbers.shape(0)); }
+  std::size_t corners() const { return std::size_t(m_numbers.shape(1)); }
+  std::size_t stride() const
+  {
+    return size() < 2 ? corners() : std::size_t(m_numbers.strides(0)) / sizeof(Index);
+  }
+
+  // Entry k of row i, one of 0, …, n-1.
+  Index number(std::size_t i, std::size_t k, std::size_t n) const
+  {
+    const Index v = m_data[i * m_stride + k];
+    if (v < 0 || std::size_t(v) >= n)
+      throw std::out_of_range("simplices: " + std::to_string(v) + " is not one of the " +
+                              std::to_string(n) + " points");
+    return v;
+  }
+
+private:
+  static bool has_rows(const Numbers& numbers)
+  {
+    if (numbers.ndim() != 2)
+      throw py::value_error("simplices: expected an array of shape (m, d + 1)");
+    const py::ssize_t size = sizeof(Index), row = numbers.strides(0);
+    return numbers.strides(1) == size && row >= size * numbers.shape(1) && row % size == 0;
+  }
+
+  Numbers m_numbers;
+  const Index* m_data = m_numbers.data();
+  std::size_t m_stride = stride();
+};
+
+// A new array, which takes what is in the vector.
+template <class T>
+py::array_t<T> array_from(std::vector<T>&& vector, std::vector<py::ssize_t> shape)
+{
+  auto owned = std::make_unique<std::vector<T>>(std::move(vector));
+  const T* const data = owned->data();
+  const py::capsule owner(owned.get(), [](void* p) { delete static_cast<std::vector<T>*>(p); });
+  owned.release();
+  return py::array_t<T>(std::move(shape), data, owner);
+}
+
+// A copy of numbers from 0 to n-1: what another thread writes into the array meanwhile is not read.
+inline std::vector<Index> checked_copy(const Rows& rows, std::size_t n)
+{
+  std::vector<Index> copy;
+  copy.reserve(rows.corners() * rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < rows.corners(); ++k)
+      copy.push_back(rows.number(i, k, n));
+  return copy;
+}
+
+} // namespace python
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_ROWS_H

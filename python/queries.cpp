@@ -1,0 +1,277 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// What is asked of a triangulation after it is made: all is computed from NumPy's arrays of points and
+// simplices, whose numbers are checked when they are read.
+
+#include "functions.h"
+#include "numpy_rows.h"
+
+#include <CGAL/Delaunay_from_surface_3/arrays/adjacent_vertices.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/complete_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/find_simplices.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/match_facets.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+namespace core = CGAL::Delaunay_from_surface_3::internal;
+
+namespace {
+
+using python::array_from;
+using python::checked_copy;
+using python::Index;
+using python::Numbers;
+using python::Point_of;
+using python::Points;
+using python::Rows;
+
+// Calls f(the number of corners) with a constant.
+template <class F>
+auto with_corners(std::size_t corners, const F& f)
+{
+  switch (corners) {
+  case 4:
+    return f(std::integral_constant<std::size_t, 4>());
+  case 3:
+    return f(std::integral_constant<std::size_t, 3>());
+  case 2:
+    return f(std::integral_constant<std::size_t, 2>());
+  default:
+    throw py::value_error("simplices: expected an array of shape (m, d + 1)");
+  }
+}
+
+Numbers neighbors(const Numbers& simplices, std::size_t n, std::size_t threads)
+{
+  const Rows rows(simplices);
+  const std::size_t corners = rows.corners();
+  std::vector<Index> found(corners * rows.size(), -1);
+  if (corners > 1) {
+    const py::gil_scoped_release unlocked;
+    const std::vector<Index> vertices = checked_copy(rows, n);
+    const core::Thread_executor executor(threads);
+    const bool is_right = with_corners(corners, [&](auto constant) {
+      constexpr std::size_t number = decltype(constant)::value;
+      return core::match_facets<number>(
+          core::Corners_view<Index>{vertices.data(), number, rows.size(), 0}, n,
+          [&](std::size_t c, std::size_t k, std::size_t d) { found[number * c + k] = Index(d); },
+          executor);
+    });
+    if (!is_right)
+      throw std::invalid_argument("simplices: more than two have a facet in common");
+  }
+  return array_from(std::move(found), {simplices.shape(0), simplices.shape(1)});
+}
+
+// Of points in groups, between which Ctrl-C is seen.
+Numbers find_simplex(const Points& points, const Numbers& simplices, const Numbers& neighbors,
+                     const Points& queries, std::size_t threads)
+{
+  const Rows vertices(simplices), across(neighbors);
+  if (vertices.corners() != 4 || across.corners() != 4 || vertices.size() != across.size())
+    throw py::value_error("find_simplex: expected tetrahedra");
+  const core::Simplices_view<Index> view = {
+      vertices.data(), vertices.stride(),           across.data(), across.stride(), vertices.size(),
+      vertices.size(), std::size_t(points.shape(0))};
+  const Point_of point_of = {python::Points_view(points)};
+  const core::Rounding_to_nearest rounding;
+  const core::Thread_executor executor(threads);
+  const auto number = std::size_t(queries.shape(0));
+  std::vector<Index> found(number);
+  std::vector<double> coordinates;
+  constexpr std::size_t group = 1 << 20;
+  for (std::size_t first = 0; first < number; first += group) {
+    const std::size_t size = (std::min)(group, number - first);
+    python::copy_points(python::Points_view(queries, first), size, "xi: point", coordinates, first);
+    {
+      const py::gil_scoped_release unlocked;
+      core::find_simplices(view, point_of, core::Point_array(coordinates.data(), size),
+                           found.data() + first, executor);
+    }
+    if (PyErr_CheckSignals() != 0)
+      throw py::error_already_set();
+  }
+  return array_from(std::move(found), {queries.shape(0)});
+}
+
+py::tuple adjacent_vertices(const Numbers& simplices, std::size_t n, std::size_t threads)
+{
+  const Rows rows(simplices);
+  core::Adjacent_vertices<Index> adjacent;
+  {
+    const py::gil_scoped_release unlocked;
+    const std::vector<Index> vertices = checked_copy(rows, n);
+    const std::size_t corners = rows.corners();
+    adjacent = core::adjacent_vertices<Index>(
+        rows.size(), corners, n,
+        [&](std::size_t c, std::size_t k) { return vertices[corners * c + k]; },
+        core::Thread_executor(threads));
+  }
+  const auto firsts = py::ssize_t(adjacent.first.size());
+  const auto items = py::ssize_t(adjacent.items.size());
+  return py::make_tuple(array_from(std::move(adjacent.first), {firsts}),
+                        array_from(std::move(adjacent.items), {items}));
+}
+
+// Kruskal's algorithm on the edges of the lists, by lengths as they are computed.
+Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64_t>& firsts,
+                              const Numbers& items)
+{
+  struct Edge
+  {
+    double squared_length;
+    Index ends[2];
+  };
+  const auto n = std::size_t(points.shape(0));
+  const Point_of point_of = {python::Points_view(points)};
+  std::vector<Edge> edges;
+  for (std::size_t v = 0; v < n; ++v)
+    for (auto i = firsts.at(py::ssize_t(v)); i < firsts.at(py::ssize_t(v) + 1); ++i) {
+      const Index w = items.at(py::ssize_t(i));
+      if (w <= Index(v) || std::size_t(w) >= n)
+        continue;
+      const std::array<double, 3> p = point_of(v), q = point_of(std::size_t(w));
+      const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+      edges.push_back({x * x + y * y + z * z, {Index(v), w}});
+    }
+  std::vector<Index> tree;
+  {
+    const py::gil_scoped_release unlocked;
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+      return std::tie(a.squared_length, a.ends[0], a.ends[1]) <
+             std::tie(b.squared_length, b.ends[0], b.ends[1]);
+    });
+    core::Disjoint_sets<Index> sets(n);
+    for (const Edge& edge : edges)
+      if (sets.unite(edge.ends[0], edge.ends[1]))
+        tree.insert(tree.end(), edge.ends, edge.ends + 2);
+  }
+  const auto number = py::ssize_t(tree.size() / 2);
+  return array_from(std::move(tree), {number, 2});
+}
+
+// Calls write(c, tetrahedron) for each.
+template <class Write>
+void measure(const Points& points, const Numbers& simplices, std::size_t threads,
+             const Write& write)
+{
+  const Rows rows(simplices);
+  if (rows.corners() != 4)
+    throw py::value_error("simplices: expected tetrahedra");
+  const Point_of point_of = {python::Points_view(points)};
+  const auto n = std::size_t(points.shape(0));
+  const py::gil_scoped_release unlocked;
+  const core::Thread_executor executor(threads);
+  const std::size_t blocks = core::number_of_blocks(executor, rows.size(), 4096);
+  core::for_each_block(executor, rows.size(), blocks,
+                       [&](std::size_t first, std::size_t last, std::size_t) {
+                         for (std::size_t c = first; c < last; ++c) {
+                           std::array<double, 3> corners[4];
+                           for (std::size_t k = 0; k < 4; ++k)
+                             corners[k] = point_of(std::size_t(rows.number(c, k, n)));
+                           core::with_scaled_tetrahedron(corners, [&](const auto& tetrahedron) {
+                             write(c, tetrahedron, corners[0]);
+                           });
+                         }
+                       });
+}
+
+py::array volumes(const Points& points, const Numbers& simplices, std::size_t threads)
+{
+  std::vector<double> result(std::size_t(simplices.shape(0)));
+  measure(points, simplices, threads, [&](std::size_t c, const auto& tetrahedron, const auto&) {
+    result[c] = tetrahedron.volume();
+  });
+  return array_from(std::move(result), {simplices.shape(0)});
+}
+
+py::tuple circumspheres(const Points& points, const Numbers& simplices, std::size_t threads)
+{
+  const auto m = std::size_t(simplices.shape(0));
+  std::vector<double> centers(3 * m), radii(m);
+  measure(points, simplices, threads,
+          [&](std::size_t c, const auto& tetrahedron, const auto& origin) {
+            const std::array<double, 3> center = tetrahedron.center();
+            for (std::size_t i = 0; i < 3; ++i)
+              centers[3 * c + i] = origin[i] + center[i];
+            radii[c] = tetrahedron.radius();
+          });
+  return py::make_tuple(array_from(std::move(centers), {py::ssize_t(m), 3}),
+                        array_from(std::move(radii), {py::ssize_t(m)}));
+}
+
+py::array voronoi_volumes(const Points& points, const Numbers& simplices)
+{
+  const Rows rows(simplices);
+  const auto n = std::size_t(points.shape(0));
+  std::vector<double> result(n);
+  measure(points, simplices, 1, [&](std::size_t c, const auto& tetrahedron, const auto&) {
+    const std::array<double, 4> shares = tetrahedron.shares();
+    for (std::size_t k = 0; k < 4; ++k)
+      result[std::size_t(rows.number(c, k, n))] += shares[k];
+  });
+  return array_from(std::move(result), {py::ssize_t(n)});
+}
+
+bool is_valid(const Points& points, const Numbers& simplices, const Numbers& vertices_of_points,
+              int dimension, int level, std::size_t threads)
+{
+  const Rows rows(simplices);
+  const auto n = std::size_t(points.shape(0));
+  if (vertices_of_points.ndim() != 1 || std::size_t(vertices_of_points.shape(0)) != n ||
+      dimension < -1 || dimension > 3 ||
+      rows.corners() != std::size_t((std::max)(dimension, 0)) + 1)
+    return false;
+  std::vector<double> coordinates;
+  python::copy_points(python::Points_view(points), n, "points: point", coordinates);
+  std::vector<Index> vertices(n);
+  for (std::size_t i = 0; i < n; ++i)
+    vertices[i] = vertices_of_points.at(py::ssize_t(i));
+  const py::gil_scoped_release unlocked;
+  const core::Rounding_to_nearest rounding;
+  std::vector<std::array<Index, 4>> cells(rows.size(), {-1, -1, -1, -1});
+  for (std::size_t c = 0; c < rows.size(); ++c)
+    for (std::size_t k = 0; k < rows.corners(); ++k)
+      cells[c][k] = rows.number(c, k, n);
+  if (std::any_of(vertices.begin(), vertices.end(),
+                  [&](Index v) { return v < 0 || std::size_t(v) >= n; }))
+    return false;
+  const auto arrays = core::complete_arrays<Index>(dimension, std::move(cells), std::move(vertices),
+                                                   core::Thread_executor(threads));
+  return core::is_valid(arrays, core::Point_array(coordinates.data(), n),
+                        CGAL::Delaunay_validity_level(level));
+}
+
+} // namespace
+
+void python::define_queries(py::module_& m)
+{
+  m.def("array_of_points", [](const py::object& object, const std::string& name) {
+    return python::array_of_points(object, name);
+  });
+  m.def("neighbors", &neighbors);
+  m.def("find_simplex", &find_simplex);
+  m.def("adjacent_vertices", &adjacent_vertices);
+  m.def("minimum_spanning_tree", &minimum_spanning_tree);
+  m.def("volumes", &volumes);
+  m.def("circumspheres", &circumspheres);
+  m.def("voronoi_volumes", &voronoi_volumes);
+  m.def("is_valid", &is_valid);
+}

@@ -1,0 +1,343 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""The result of delaunay3()."""
+
+from __future__ import annotations
+
+import operator
+import os
+from functools import cached_property
+from typing import Any, NamedTuple, Optional, Tuple
+
+import numpy as np
+
+from . import _delaunay_from_surface as _core
+
+LEVELS = ("links", "euler", "orientation", "delaunay")
+NAMES = {3: "tetrahedra", 2: "triangles", 1: "segments", 0: "vertices", -1: "simplices"}
+
+
+def number_of_threads(threads: Optional[int]) -> int:
+    """The number that is meant by None, or refused."""
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if operator.index(threads) <= 0:
+        raise ValueError(f"threads: expected a whole number from 1 on, or None for all, got {threads}")
+    return operator.index(threads)
+
+
+class AlphaComplex(NamedTuple):
+    """The simplices of `Delaunay3.alpha_complex()`."""
+
+    simplices: np.ndarray
+    """Numbers of tetrahedra, ascending."""
+
+    triangles: np.ndarray
+    """(k, 3) int32: indices of points, ascending; those of the tetrahedra included."""
+
+    edges: np.ndarray
+    """(e, 2) int32: the same."""
+
+
+class Delaunay3:
+    """A Delaunay triangulation in NumPy arrays. The names are those of scipy.spatial.Delaunay.
+
+    Points, simplices and vertices are there; the rest is computed when it is first asked for, and kept. Where it
+    differs from SciPy's:
+
+    ===================  ===========================================  =============================================
+    .                    scipy.spatial.Delaunay                       here
+    ===================  ===========================================  =============================================
+    arithmetic           rounded; options of Qhull                    exact; there are no options
+    orientation          as it comes                                  positive: det(b - a, c - a, d - a) > 0
+    ties                 of cospherical points some tetrahedra may    one triangulation, that of CGAL, which depends
+                         overlap or be missing                        on the points alone
+    equal points         in `coplanar`                                in `coplanar`; `vertices` names the first one
+    points in a plane    QhullError                                   triangles, segments or a point: `dimension`
+    find_simplex         rounded, with a tolerance; any simplex       exact; of several the one with the smallest
+                         where several contain a point                number; NaN is refused
+    convex_hull          facets oriented as they come                 seen from outside counterclockwise
+    coplanar             near a facet by rounding, too                only points equal to another
+    dimensions           two and more                                 three
+    simplices            int32, in one piece                          the same; with neighbors=True rows of 32 bytes
+    incremental          yes                                          no: all points at once
+    ===================  ===========================================  =============================================
+
+    There are no `add_points`, `close`, `equations`, `good`, `lift_points`, `paraboloid_scale`, `plane_distance`.
+    """
+
+    points: np.ndarray
+    """(n, 3): the array that was given, which should not be changed as long as this is asked; or a copy in float64,
+    if it was neither float64 nor float32."""
+
+    simplices: np.ndarray
+    """(m, d + 1) int32: indices of points; tetrahedra with positive orientation if d is 3."""
+
+    vertices: np.ndarray
+    """(n,) int32: for each point the smallest index of a point equal to it, which stands in `simplices`."""
+
+    dimension: int
+    """d: 3; less if all points lie in a plane, on a line or in one place; -1 if there are none."""
+
+    def __init__(self, points: np.ndarray, simplices: np.ndarray, neighbors: Optional[np.ndarray],
+                 vertices: np.ndarray, dimension: int, threads: int = 1):
+        self.points = points
+        self.simplices = simplices
+        self.vertices = vertices
+        self.dimension = dimension
+        self._threads = threads
+        if neighbors is not None:
+            self.neighbors = neighbors
+
+    def __repr__(self) -> str:
+        return f"<Delaunay3: {self.npoints} points, {self.nsimplex} {NAMES[self.dimension]}>"
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return (Delaunay3, (self.points, self.simplices, self.__dict__.get("neighbors"), self.vertices,
+                            self.dimension, self._threads))
+
+    @property
+    def ndim(self) -> int:
+        """3: that of the space."""
+        return 3
+
+    @property
+    def npoints(self) -> int:
+        """How many points were given."""
+        return len(self.points)
+
+    @property
+    def nsimplex(self) -> int:
+        """How many simplices there are."""
+        return len(self.simplices)
+
+    @property
+    def min_bound(self) -> np.ndarray:
+        """(3,): the least coordinates."""
+        return self.points.min(axis=0)
+
+    @property
+    def max_bound(self) -> np.ndarray:
+        """(3,): the greatest coordinates."""
+        return self.points.max(axis=0)
+
+    @cached_property
+    def neighbors(self) -> np.ndarray:
+        """(m, d + 1) int32: the simplex opposite to each vertex, -1 outside the convex hull.
+
+        With `delaunay3(…, neighbors=True)` they are there at once; else they are found when they are first asked for,
+        which takes more memory on the way.
+        """
+        return _core.neighbors(self.simplices, self.npoints, self._threads)
+
+    @cached_property
+    def convex_hull(self) -> np.ndarray:
+        """(k, d) int32: the facets of the convex hull; triangles counterclockwise as seen from outside."""
+        simplex, corner = np.nonzero(self.neighbors < 0)
+        facets = {3: [[1, 2, 3], [2, 0, 3], [0, 1, 3], [2, 1, 0]], 2: [[1, 2], [2, 0], [0, 1]],
+                  1: [[1], [0]]}.get(self.dimension)
+        if facets is None:
+            return np.zeros((0, max(self.dimension, 0)), dtype=np.int32)
+        return self.simplices[simplex[:, None], np.array(facets)[corner]]
+
+    @cached_property
+    def vertex_to_simplex(self) -> np.ndarray:
+        """(n,) int32: a simplex of each point; -1 for one that equals another with a smaller index."""
+        simplex = np.full(self.npoints, -1, dtype=np.int32)
+        for corner in self.simplices.T:
+            simplex[corner] = np.arange(self.nsimplex, dtype=np.int32)
+        return simplex
+
+    @cached_property
+    def coplanar(self) -> np.ndarray:
+        """(k, 3) int32: points that are no vertices, with a simplex and the vertex in the same place."""
+        point = np.flatnonzero(self.vertices != np.arange(self.npoints)).astype(np.int32)
+        vertex = self.vertices[point]
+        return np.stack([point, self.vertex_to_simplex[vertex], vertex], axis=1)
+
+    @cached_property
+    def vertex_neighbor_vertices(self) -> Tuple[np.ndarray, np.ndarray]:
+        """(indptr, indices): the vertices that share an edge with point i, ascending, are
+        indices[indptr[i]:indptr[i + 1]]."""
+        return _core.adjacent_vertices(self.simplices, self.npoints, self._threads)
+
+    def find_simplex(self, xi: Any, bruteforce: bool = False, tol: Optional[float] = None, *,
+                     threads: Optional[int] = 1) -> np.ndarray:
+        """Return the numbers of the tetrahedra that contain the points `xi`, of shape (…, 3); -1 outside.
+
+        Exact: facets and edges belong to a tetrahedron, and of several the one with the smallest number is meant.
+        `bruteforce` and `tol` are there for SciPy's callers, and change nothing. The points are sorted by space, and
+        each is looked for from the one before.
+
+        Raises ValueError if a coordinate is not a finite number, or the points of the triangulation lie in a plane.
+        """
+        self._needs_space("find_simplex")
+        xi, shape = self._rows_of(xi)
+        return _core.find_simplex(self.points, self.simplices, self.neighbors, xi,
+                                  number_of_threads(threads)).reshape(shape)
+
+    @cached_property
+    def transform(self) -> np.ndarray:
+        """(m, 4, 3) float64, as SciPy has it: transform[i, :3] @ (x - transform[i, 3]) are the first three
+        barycentric coordinates of x in simplex i. 96 bytes each; `barycentric` needs none."""
+        self._needs_space("transform")
+        return self._transform(slice(None))
+
+    def barycentric(self, xi: Any, simplex: Optional[np.ndarray] = None, *, threads: Optional[int] = 1) -> np.ndarray:
+        """Return the barycentric coordinates of the points `xi`, of shape (…, 3), in their simplices: (…, 4).
+
+        `simplex` is what `find_simplex(xi)` returns, which is called if it is left out. Outside they are NaN.
+        """
+        self._needs_space("barycentric")
+        if simplex is None:
+            simplex = self.find_simplex(xi, threads=threads)
+        xi, shape = self._rows_of(xi)
+        simplex = np.asarray(simplex).reshape(-1)
+        result = np.full((len(xi), 4), np.nan)
+        inside = simplex >= 0
+        transform = self._transform(simplex[inside])
+        result[inside, :3] = np.einsum("ijk,ik->ij", transform[:, :3], xi[inside] - transform[:, 3])
+        result[:, 3] = 1 - result[:, :3].sum(axis=1)
+        return result.reshape(*shape, 4)
+
+    @cached_property
+    def volumes(self) -> np.ndarray:
+        """(m,) float64: the volumes of the tetrahedra."""
+        self._needs_space("volumes")
+        return _core.volumes(self.points, self.simplices, self._threads)
+
+    @cached_property
+    def _circumspheres(self) -> Tuple[np.ndarray, np.ndarray]:
+        self._needs_space("circumspheres")
+        return _core.circumspheres(self.points, self.simplices, self._threads)
+
+    @property
+    def circumcenters(self) -> np.ndarray:
+        """(m, 3) float64: the centres of the spheres through the corners, Voronoi's vertices."""
+        return self._circumspheres[0]
+
+    @property
+    def circumradii(self) -> np.ndarray:
+        """(m,) float64: the radii of these spheres."""
+        return self._circumspheres[1]
+
+    @cached_property
+    def voronoi_volumes(self) -> np.ndarray:
+        """(n,) float64: the volume of each point's Voronoi cell; -1 where it is unbounded, as on the convex hull.
+        Equal points have the cell of their vertex."""
+        self._needs_space("voronoi_volumes")
+        volumes = _core.voronoi_volumes(self.points, self.simplices)
+        volumes[self.convex_hull] = -1
+        return volumes[self.vertices]
+
+    def alpha_complex(self, alpha: float) -> AlphaComplex:
+        """Return the simplices that have an empty ball of radius `alpha` or less through their corners, with all
+        their faces. In floating point.
+
+        Its tetrahedra are those with a circumradius of at most `alpha`. `alpha` is a radius, not a square.
+        """
+        self._needs_space("alpha_complex")
+        if not alpha >= 0:
+            raise ValueError(f"alpha_complex: expected a radius, got {alpha}")
+        points = np.asarray(self.points, dtype=float)
+        triangles, radii_of_triangles = self._triangles(points)
+        edges, radii_of_edges = self._edges(points, triangles, radii_of_triangles)
+        return AlphaComplex(np.flatnonzero(self.circumradii <= alpha), triangles[radii_of_triangles <= alpha],
+                            edges[radii_of_edges <= alpha])
+
+    def minimum_spanning_tree(self) -> np.ndarray:
+        """Return a Euclidean minimum spanning tree of the vertices: (k, 2) int32, from the shortest edge to the longest.
+
+        Lengths are compared as they are computed; among equal ones smaller indices come first.
+        """
+        return _core.minimum_spanning_tree(self.points, *self.vertex_neighbor_vertices)
+
+    def check(self, level: str = "delaunay") -> bool:
+        """Return whether this is the Delaunay triangulation of its points, as far as the level goes.
+
+        Each level includes those before it: "links" (simplices share facets in pairs, oriented alike), "euler" (around
+        each vertex there is a sphere), "orientation" (all are positive), "delaunay" (no sphere contains the vertex
+        across a facet; ties are decided as CGAL does). The last two by exact arithmetic.
+        """
+        if level not in LEVELS:
+            raise ValueError(f"check: expected one of {', '.join(LEVELS)}, got {level!r}")
+        return _core.is_valid(self.points, self.simplices, self.vertices, self.dimension, LEVELS.index(level),
+                              self._threads)
+
+    def to_pyvista(self) -> Any:
+        """Return a pyvista.UnstructuredGrid of the simplices."""
+        import pyvista
+        kind = {3: pyvista.CellType.TETRA, 2: pyvista.CellType.TRIANGLE, 1: pyvista.CellType.LINE}
+        if self.dimension not in kind:
+            return pyvista.UnstructuredGrid()
+        return pyvista.UnstructuredGrid({kind[self.dimension]: np.ascontiguousarray(self.simplices)}, self.points)
+
+    def to_meshio(self) -> Any:
+        """Return a meshio.Mesh of the simplices."""
+        import meshio
+        kind = {3: "tetra", 2: "triangle", 1: "line"}.get(self.dimension, "vertex")
+        return meshio.Mesh(self.points, [(kind, np.ascontiguousarray(self.simplices))])
+
+    def _needs_space(self, name: str) -> None:
+        if self.dimension < 3:
+            raise ValueError(f"{name}: there are no tetrahedra, the points have dimension {self.dimension}")
+
+    @staticmethod
+    def _rows_of(xi: Any) -> Tuple[np.ndarray, Tuple[int, ...]]:
+        shape = np.shape(xi)
+        if len(shape) == 0 or shape[-1] != 3:
+            return _core.array_of_points(xi, "xi"), (0,)
+        array = xi if len(shape) == 2 else np.reshape(xi, (-1, 3))
+        if isinstance(xi, np.ma.MaskedArray):
+            array = xi
+        return _core.array_of_points(array, "xi"), shape[:-1]
+
+    def _transform(self, which: Any) -> np.ndarray:
+        corners = np.asarray(self.points, dtype=float)[self.simplices[which]]
+        a, b, c = (corners[:, k] - corners[:, 3] for k in range(3))
+        rows = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b), corners[:, 3]], axis=1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            rows[:, :3] /= np.einsum("ij,ij->i", a, rows[:, 0])[:, None, None]
+        return rows
+
+    def _triangles(self, points: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+        """Each triangle once, and the radius of its smallest ball that is empty."""
+        simplex = np.repeat(np.arange(self.nsimplex), 4)
+        corner = np.tile(np.arange(4), self.nsimplex)
+        across = np.asarray(self.neighbors).reshape(-1)
+        once = across < simplex
+        simplex, corner, across = simplex[once], corner[once], across[once]
+        others = np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])
+        triangles = np.sort(self.simplices[simplex[:, None], others[corner]], axis=1)
+        u, w = (points[triangles[:, k]] - points[triangles[:, 0]] for k in (1, 2))
+        uu, uw, ww = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w)))
+        twice = 2 * (uu * ww - uw * uw)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            offset = (ww * (uu - uw) / twice)[:, None] * u + (uu * (ww - uw) / twice)[:, None] * w
+        radii = np.linalg.norm(offset, axis=1)
+        center = points[triangles[:, 0]] + offset
+        radii_of_simplices = np.append(self.circumradii, np.inf)
+        larger = np.minimum(radii_of_simplices[simplex], radii_of_simplices[across])
+        apex = self.simplices[simplex, corner]
+        back = np.argmax(self.neighbors[across] == simplex[:, None], axis=1)
+        beyond = self.simplices[across, back]
+        is_free = np.linalg.norm(points[apex] - center, axis=1) >= radii
+        is_free &= (across < 0) | (np.linalg.norm(points[beyond] - center, axis=1) >= radii)
+        return triangles, np.where(is_free, radii, larger)
+
+    @staticmethod
+    def _edges(points: np.ndarray, triangles: np.ndarray, radii: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+        """The same for edges."""
+        pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [0, 2]], triangles[:, [1, 2]]])
+        third = np.concatenate([triangles[:, 2], triangles[:, 1], triangles[:, 0]])
+        codes = pairs[:, 0].astype(np.int64) * len(points) + pairs[:, 1]
+        order = np.argsort(codes, kind="stable")
+        first = np.flatnonzero(np.append(True, codes[order][1:] != codes[order][:-1]))
+        edges = pairs[order[first]]
+        middle, half = points[pairs].mean(axis=1), np.linalg.norm(points[pairs[:, 1]] - points[pairs[:, 0]], axis=1) / 2
+        is_free = np.linalg.norm(points[third] - middle, axis=1) >= half
+        larger = np.minimum.reduceat(np.tile(radii, 3)[order], first)
+        is_free = np.logical_and.reduceat(is_free[order], first)
+        return edges, np.where(is_free, half[order[first]], larger)

@@ -1,0 +1,206 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The C interface of the core. scripts/amalgamate makes one file of this and of all that it includes.
+
+#include "delaunay_3.h"
+
+#include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
+#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/find_simplices.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Insert_by_workers.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace core = CGAL::Delaunay_from_surface_3::internal;
+
+struct delaunay_3
+{
+  core::Point_array points;
+  CGAL::Delaunay_3_arrays<std::int32_t> arrays;
+};
+
+namespace {
+
+using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
+
+// What makes a call end early.
+struct Refusal
+{
+  delaunay_3_status status;
+  std::size_t where;
+};
+
+// Calls f, and says what became of it.
+template <class F>
+delaunay_3_status status_of(std::size_t* where, const F& f)
+{
+  try {
+    const core::Rounding_to_nearest rounding;
+    f();
+    return DELAUNAY_3_OK;
+  } catch (const Refusal& refusal) {
+    if (where != nullptr)
+      *where = refusal.where;
+    return refusal.status;
+  } catch (const CGAL::Delaunay_from_surface_3::Too_few_ids&) {
+    return DELAUNAY_3_TOO_MANY;
+  } catch (const std::bad_alloc&) {
+    return DELAUNAY_3_NO_MEMORY;
+  } catch (...) {
+    return DELAUNAY_3_FAILED;
+  }
+}
+
+std::size_t checked_threads(int threads)
+{
+  if (threads <= 0)
+    throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
+  return (std::min)(std::size_t(threads), std::size_t(core::Lanes::most_workers));
+}
+
+core::Point_array checked_points(const double* points, std::size_t n)
+{
+  if (points == nullptr && n > 0)
+    throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
+  for (std::size_t i = 0; i < 3 * n; ++i)
+    if (!std::isfinite(points[i]))
+      throw Refusal{DELAUNAY_3_NOT_FINITE, i / 3};
+  return core::Point_array(points, n);
+}
+
+std::vector<std::array<std::int32_t, 3>> checked_faces(const std::int32_t* triangles,
+                                                       std::size_t number, std::size_t n)
+{
+  std::vector<std::array<std::int32_t, 3>> faces(triangles == nullptr ? 0 : number);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      faces[f][k] = triangles[3 * f + k];
+      if (faces[f][k] < 0 || std::size_t(faces[f][k]) >= n)
+        throw Refusal{DELAUNAY_3_BAD_INDEX, f};
+    }
+  return faces;
+}
+
+Arrays built_of(const core::Point_array& points,
+                const std::vector<std::array<std::int32_t, 3>>& faces,
+                const core::Executor& executor)
+{
+  core::Order_request request;
+  request.kind = faces.empty() ? core::Order_request::GEOMETRIC : core::Order_request::NETS;
+  core::Given_edges edges(std::move(core::soup_edges(faces, points.size(), executor).lower));
+  const auto orders = core::order_of_core(request, edges);
+  core::Given_points source(points);
+  core::Watcher nobody;
+  const auto build = executor.number_of_workers() > 1
+                         ? &core::build<std::uint32_t, core::Many_threads>
+                         : &core::build<std::uint32_t, core::One_thread>;
+  const auto built = build(source, *orders, {true, true}, nobody, executor);
+  return core::arrays_of_built<std::int32_t>(*built, source);
+}
+
+} // namespace
+
+delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t* triangles,
+                                   size_t number_of_triangles, int threads, delaunay_3** result,
+                                   size_t* where)
+{
+  *result = nullptr;
+  return status_of(where, [&] {
+    const core::Thread_executor executor(checked_threads(threads));
+    const core::Point_array checked = checked_points(points, n);
+    const auto faces = checked_faces(triangles, number_of_triangles, n);
+    auto made =
+        std::make_unique<delaunay_3>(delaunay_3{checked, built_of(checked, faces, executor)});
+    *result = made.release();
+  });
+}
+
+const char* delaunay_3_message(delaunay_3_status status)
+{
+  switch (status) {
+  case DELAUNAY_3_OK:
+    return "all is well";
+  case DELAUNAY_3_NOT_FINITE:
+    return "a coordinate is not a finite number";
+  case DELAUNAY_3_BAD_INDEX:
+    return "a triangle has an index that is not one of a point";
+  case DELAUNAY_3_BAD_ARGUMENT:
+    return "there is no such thread, level or array";
+  case DELAUNAY_3_TOO_MANY:
+    return "there are more cells than numbers of 32 bits can tell apart";
+  case DELAUNAY_3_NO_MEMORY:
+    return "there is not enough memory";
+  default:
+    return "the library has failed";
+  }
+}
+
+void delaunay_3_get(const delaunay_3* d, delaunay_3_cells* cells)
+{
+  const Arrays& arrays = d->arrays;
+  *cells = {arrays.dimension(),        arrays.number_of_simplices(),
+            arrays.number_of_cells(),  arrays.stride(),
+            arrays.vertices_data(),    arrays.neighbors_data(),
+            arrays.number_of_points(), arrays.vertices_of_points().data()};
+}
+
+void delaunay_3_free(delaunay_3* d)
+{
+  delete d;
+}
+
+delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, size_t n, int threads,
+                                  int32_t* found, size_t* where)
+{
+  return status_of(where, [&] {
+    const core::Thread_executor executor(checked_threads(threads));
+    const core::Point_array queries = checked_points(points, n);
+    const Arrays& arrays = d->arrays;
+    if (arrays.dimension() < 3) {
+      std::fill_n(found, n, -1);
+      return;
+    }
+    const core::Simplices_view<std::int32_t> view = {arrays.vertices_data(),
+                                                     arrays.stride(),
+                                                     arrays.neighbors_data(),
+                                                     arrays.stride(),
+                                                     arrays.number_of_simplices(),
+                                                     arrays.number_of_cells(),
+                                                     d->points.size()};
+    const auto point_of = [&](std::size_t i) {
+      const double* const p = d->points[i];
+      return std::array<double, 3>{p[0], p[1], p[2]};
+    };
+    core::find_simplices(view, point_of, queries, found, executor);
+  });
+}
+
+int delaunay_3_is_valid(const delaunay_3* d, int level)
+{
+  bool is_valid = false;
+  if (level >= 0 && level <= int(CGAL::Delaunay_validity_level::DELAUNAY))
+    status_of(nullptr, [&] {
+      checked_points(d->points.size() > 0 ? d->points[0] : nullptr, d->points.size());
+      is_valid = core::is_valid(d->arrays, d->points, CGAL::Delaunay_validity_level(level));
+    });
+  return is_valid;
+}

@@ -1,0 +1,126 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""What scripts/amalgamate makes includes no header of others, and serves a C program; its six functions one by one."""
+
+import ctypes
+import math
+import os
+import random
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "examples/Delaunay_from_surface_3/without_cgal/triangulate.c"
+OK, NOT_FINITE, BAD_INDEX, BAD_ARGUMENT = range(4)
+
+
+class Cells(ctypes.Structure):
+    _fields_ = [("dimension", ctypes.c_int), ("number", ctypes.c_size_t), ("number_with_infinite", ctypes.c_size_t),
+                ("stride", ctypes.c_size_t), ("vertices", ctypes.POINTER(ctypes.c_int32)),
+                ("neighbors", ctypes.POINTER(ctypes.c_int32)), ("number_of_points", ctypes.c_size_t),
+                ("vertex_of_point", ctypes.POINTER(ctypes.c_int32))]
+
+
+def array(kind, values):
+    return (kind * max(len(values), 1))(*values)
+
+
+class OneFile(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.path = Path(cls.folder.name)
+        subprocess.run([sys.executable, "-B", ROOT / "scripts/amalgamate", cls.path], check=True,
+                       stdout=subprocess.DEVNULL)
+        compiler = [*os.environ.get("CXX", "c++").split(), "-std=c++17", "-O1", "-Wall", "-Wextra", "-Werror"]
+        cls.headers = subprocess.run([*compiler, "-M", "delaunay_3.cpp"], cwd=cls.path, check=True, capture_output=True,
+                                     text=True).stdout
+        cls.library = cls.path / "libdelaunay_3.so"
+        subprocess.run([*compiler, "-shared", "-fPIC", "delaunay_3.cpp", "-o", cls.library, "-pthread"], cwd=cls.path,
+                       check=True)
+        cls.c = ctypes.CDLL(str(cls.library))
+        cls.c.delaunay_3_message.restype = ctypes.c_char_p
+
+    def build(self, points, triangles=(), threads=1):
+        """(status, triangulation, where)"""
+        self.points = array(ctypes.c_double, points)
+        d, where = ctypes.c_void_p(1), ctypes.c_size_t(99)
+        status = self.c.delaunay_3_build(self.points, ctypes.c_size_t(len(points) // 3),
+                                         array(ctypes.c_int32, triangles), ctypes.c_size_t(len(triangles) // 3),
+                                         threads, ctypes.byref(d), ctypes.byref(where))
+        return status, d, where.value
+
+    def test_needs_no_other_headers(self):
+        self.assertEqual(re.findall(r"\S*/(?:CGAL|boost|tbb)/\S*", self.headers), [])
+
+    def test_program(self):
+        program = self.path / "triangulate"
+        subprocess.run(["cc", "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", f"-I{self.path}", PROGRAM,
+                        self.library, "-o", program, f"-Wl,-rpath,{self.path}"], check=True)
+        done = subprocess.run([program], check=True, capture_output=True, text=True)
+        self.assertRegex(done.stdout, r"^valid: points \d+, \d+, \d+ and \d+ of 10000 are around the middle\n$")
+
+    def test_triangulations(self):
+        rng = random.Random(1)
+        cube = [rng.random() for _ in range(3000)]
+        lattice = [float(x) for i in range(5) for j in range(5) for k in range(5) for x in (i, j, k)]
+        plane = [x for i in range(5) for j in range(5) for x in (i, j, i + j)]
+        for points, dimension in ((cube, 3), (lattice, 3), (lattice * 2, 3), (plane, 2), ([0, 0, 0, 1, 2, 3], 1),
+                                  ([1, 1, 1] * 2, 0), ([], -1)):
+            for triangles in ((), (0, 1, 0, 1, 1, 1) if len(points) > 3 else ()):
+                for threads in (1, 2, 100):
+                    status, d, _ = self.build(points, triangles, threads)
+                    self.assertEqual(status, OK)
+                    cells = Cells()
+                    self.c.delaunay_3_get(d, ctypes.byref(cells))
+                    self.assertEqual((cells.dimension, cells.number_of_points), (dimension, len(points) // 3))
+                    self.assertEqual([self.c.delaunay_3_is_valid(d, level) for level in range(-1, 5)],
+                                     [0, 1, 1, 1, 1, 0])
+                    self.check_find(d, cells, points, threads)
+                    self.c.delaunay_3_free(d)
+        self.c.delaunay_3_free(None)
+
+    def check_find(self, d, cells, points, threads):
+        """Points are in the first cell that has them as a corner."""
+        found = array(ctypes.c_int32, [7] * (len(points) // 3))
+        status = self.c.delaunay_3_find(d, self.points, ctypes.c_size_t(len(points) // 3), threads, found, None)
+        self.assertEqual(status, OK)
+        first = {}
+        for c in range(cells.number):
+            for k in range(cells.dimension + 1):
+                first.setdefault(cells.vertices[c * cells.stride + k], c)
+        for i in range(len(points) // 3):
+            self.assertEqual(found[i], first[cells.vertex_of_point[i]] if cells.dimension == 3 else -1)
+        beyond = array(ctypes.c_double, [-9.] * 3)
+        self.c.delaunay_3_find(d, beyond, ctypes.c_size_t(1), threads, found, None)
+        self.assertEqual(found[0], -1)
+
+    def test_refusals(self):
+        points = [float(i * i % 7) for i in range(30)]
+        for wrong in (math.nan, math.inf):
+            self.assertEqual(self.build(points[:16] + [wrong] + points[17:])[::2], (NOT_FINITE, 5))
+        for wrong in (-1, 10):
+            status, d, where = self.build(points, [0, 1, 2, 3, wrong, 4])
+            self.assertEqual((status, d.value, where), (BAD_INDEX, None, 1))
+        for threads in (0, -3):
+            self.assertEqual(self.build(points, threads=threads)[0], BAD_ARGUMENT)
+        _, d, _ = self.build(points)
+        where = ctypes.c_size_t()
+        found = array(ctypes.c_int32, [0, 0])
+        queries = array(ctypes.c_double, [0, 0, 0, 0, math.nan, 0])
+        status = self.c.delaunay_3_find(d, queries, ctypes.c_size_t(2), 1, found, ctypes.byref(where))
+        self.assertEqual((status, where.value), (NOT_FINITE, 1))
+        self.c.delaunay_3_free(d)
+        messages = [self.c.delaunay_3_message(status) for status in range(7)]
+        self.assertEqual(len(set(messages)), 7)
+
+
+if __name__ == "__main__":
+    unittest.main()
