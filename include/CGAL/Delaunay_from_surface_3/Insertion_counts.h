@@ -38,6 +38,7 @@ machine. Most of the time goes into what `cells_destroyed` and `sphere_tests` co
 struct Insertion_counts
 {
   /// makes them 0.
+  // NOLINTNEXTLINE(modernize-use-equals-default)
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Insertion_counts() {}
 
   /// cells looked at until one in conflict was found, that one included (Fig.\ 1, line 2b).

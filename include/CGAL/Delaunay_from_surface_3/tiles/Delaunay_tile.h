@@ -208,15 +208,16 @@ private:
     for_each_cell([&](const Compact_cell<Id>& cell) { // new edges are those of new vertices
       if (*std::max_element(cell.v, cell.v + 4) < m_first_untold)
         return;
-      for (unsigned k = 0; k < 4; ++k)
-        for (unsigned l = 0; l < 4; ++l)
-          if (const std::uint32_t to = m_owners[cell.v[l]];
-              to != m_owners[cell.v[k]] && to != m_number && to != nobody && cell.v[k] != 0 &&
-              m_told.insert({m_points[cell.v[k]].id, to}).second)
-            told[to].push_back(m_points[cell.v[k]]);
+      for (const Id v : cell.v)
+        for (const Id w : cell.v)
+          if (const std::uint32_t to = m_owners[w]; to != m_owners[v] && to != m_number &&
+                                                    to != nobody && v != Complex::infinite &&
+                                                    m_told.insert({m_points[v].id, to}).second)
+            told[to].push_back(m_points[v]);
     });
     m_first_untold = m_points.size();
     std::vector<Tile_message> messages;
+    messages.reserve(told.size());
     for (auto& [to, points] : told)
       messages.push_back({m_number, to, std::move(points)});
     return messages;

@@ -25,6 +25,8 @@ constexpr std::size_t large_cluster = 32;
 struct Order_request
 {
   // The default: nets.
+  // Not "= default", which may be a function of its own.
+  // NOLINTNEXTLINE(modernize-use-equals-default)
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Order_request() {}
 
   // By nets of their graph, as Surface_net_rounds; without a graph, as Spaced_rounds; or by random

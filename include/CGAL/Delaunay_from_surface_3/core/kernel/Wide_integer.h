@@ -89,9 +89,11 @@ public:
   }
   CGAL_DELAUNAY_FROM_SURFACE_3_APART Wide_integer& operator=(const Wide_integer& other)
   {
-    m_size = other.m_size;
-    m_is_negative = other.m_is_negative;
-    std::copy_n(other.m_digits, m_size, m_digits);
+    if (this != &other) {
+      m_size = other.m_size;
+      m_is_negative = other.m_is_negative;
+      std::copy_n(other.m_digits, m_size, m_digits);
+    }
     return *this;
   }
 

@@ -78,10 +78,9 @@ inline double power_to_60_bits(const double* a, const double* b)
 template <int N>
 struct Balancing_scales
 {
-  double rows[N], w;
+  double rows[N], w = 0x1p1000;
 
   explicit Balancing_scales(const Shortest_tree<N>& tree)
-    : w(0x1p1000)
   {
     for (int k = 0; k < N; ++k) {
       rows[k] = power_to_60_bits(tree.point(k), tree.parent(k));

@@ -224,8 +224,10 @@ inline bool is_net(const Lists_view<std::uint32_t>& lower,
     for (const std::uint32_t *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
       if (*u != v && center[v] == v && center[*u] == *u)
         return false;
-      is_beside_center[v] |= char(center[v] == *u);
-      is_beside_center[*u] |= char(center[*u] == v);
+      if (center[v] == *u)
+        is_beside_center[v] = 1;
+      if (center[*u] == v)
+        is_beside_center[*u] = 1;
     }
   for (std::size_t v = 0; v < lower.size(); ++v)
     if (center[center[v]] != center[v] || (center[v] != v && !is_beside_center[v]))
