@@ -693,6 +693,14 @@ class Surfaces(unittest.TestCase):
             self.assertEqual(scipy.sparse.csgraph.connected_components(graph, directed=False)[0], 1)
             self.assertEqual(len(ends) if is_tree else min(len(ends), edges), edges)
 
+    def test_orientation_does_not_matter(self):
+        points, faces = torus()
+        faces[::3] = faces[::3, ::-1]
+        self.assertEqual(dfs.surface_topology(faces)[0][:6], (960, 2880, 1920, 0, 0, 1))
+        band, = dfs.surface_topology([[i, (i + 1) % 5, (i + 2) % 5] for i in range(5)])
+        self.assertEqual((band.is_orientable, band.genus, band.number_of_boundary_loops), (False, 1, 1))
+        self.assertTrue(dfs.surface_topology(faces)[0].is_orientable)
+
     def test_components_and_refusals(self):
         triangle = [[0, 1, 2]]
         component, = dfs.surface_topology(triangle, 5)
