@@ -143,7 +143,7 @@ bool match_facets(const Corners_view<Index>& simplices, std::size_t n, const Set
         }
       }
     }
-    has_pairs_only[b] = table.has_pairs_only();
+    has_pairs_only[b] = char(table.has_pairs_only());
   });
   return std::find(has_pairs_only.begin(), has_pairs_only.end(), 0) == has_pairs_only.end();
 }
