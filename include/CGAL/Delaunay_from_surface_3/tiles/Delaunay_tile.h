@@ -92,9 +92,6 @@ public:
     return tell();
   }
 
-  // Before the first offers.
-  std::vector<Tile_message> begin(const std::vector<Tile_point>& sample) { return absorb(sample); }
-
   // When nobody has anything to tell.
   Tile_certificate certificate(std::uint64_t seed) const
   {
@@ -182,17 +179,12 @@ private:
     if (!wants(p)) {
       m_inserter.zone.revive(m_complex);
       m_complex.drop_last_vertex();
-      m_previous = first_finite_vertex(m_complex.cell(location.cell));
+      m_previous = Complex::first_vertex(m_complex.cell(location.cell)); // the infinite one is last
       return;
     }
     m_inserter.fill(p);
     note_vertex(point);
     m_previous = p;
-  }
-
-  static Id first_finite_vertex(const Compact_cell<Id>& cell)
-  {
-    return Complex::first_vertex(cell);
   }
 
   void note_vertex(const Tile_point& p)
