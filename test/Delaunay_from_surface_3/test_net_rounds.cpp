@@ -22,7 +22,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
-#include <CGAL/Delaunay_from_surface_3/internal/plan/lower_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/internal/plan/Edges_of_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/plan/Surface_net_rounds.h>

@@ -18,7 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/internal/driver/build_aside.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/give_to_vertices.h>
-#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_few_points.h>
+#include <CGAL/Delaunay_from_surface_3/internal/driver/insert_through_cgal.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/insert_with_traces.h>
 #include <CGAL/Delaunay_from_surface_3/internal/driver/visitor_of_caller.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
