@@ -20,10 +20,10 @@
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/is_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Edges_of_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/lower_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/paper/rounded_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_triangulation_3.h>

@@ -18,8 +18,8 @@
 #include <CGAL/Delaunay_from_surface_3/door/build_aside.h>
 #include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/door/give_to_vertices.h>
-#include <CGAL/Delaunay_from_surface_3/door/insert_few_points.h>
 #include <CGAL/Delaunay_from_surface_3/door/visitor_of_caller.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insert_through_cgal.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insert_with_traces.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

@@ -46,6 +46,24 @@ insert_through_cgal(Triangulation& tr, const std::vector<typename Triangulation:
   return inserted;
 }
 
+// So many points take the core as long as CGAL.
+constexpr std::size_t few_points = 30;
+
+// A few points, in their own order, into an empty triangulation: to order them, to build aside and to
+// export takes longer than to insert them. Of equal points the first one gives the vertex.
+template <class Triangulation>
+Inserted_points<typename Triangulation::Vertex_handle>
+insert_few_points(Triangulation& tr, const std::vector<typename Triangulation::Point>& points)
+{
+  Inserted_points<typename Triangulation::Vertex_handle> inserted;
+  inserted.vertices.reserve(points.size());
+  typename Triangulation::Vertex_handle v;
+  for (const auto& p : points)
+    inserted.vertices.push_back(v = tr.insert(p, v));
+  inserted.is_complete = true;
+  return inserted;
+}
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3

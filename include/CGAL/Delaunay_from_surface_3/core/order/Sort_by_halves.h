@@ -11,7 +11,7 @@
 // turn: in a box 1 : 1/100 : 1/100 it follows cells that are as long and thin as the box.
 //
 // Many points are halved six times at once: where, a sample of them tells, which is halved in their
-// place. Most points are then moved twice as often as they need be, and not twenty times.
+// place. Each point then moves once for six halvings.
 //
 // Cost: O(n log n).
 
