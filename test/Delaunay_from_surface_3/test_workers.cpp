@@ -93,22 +93,35 @@ BOOST_AUTO_TEST_CASE(any_number_of_workers)
   }
 }
 
+namespace {
+
 // There is no visitor here: go_further() ends the round, before whatever chunk the caller's worker
-// would take.
-BOOST_AUTO_TEST_CASE(stop_leaves_a_triangulation)
+// would take. Others may leave it none.
+template <class Executor>
+void check_stops(const Executor& executor, bool caller_has_its_chunks)
 {
   const auto points = tests::points_of("sphere", 2000, 3);
-  for (const int stops_at : {0, 1, 5}) { // fewer than the first chunk has, which nobody takes away
+  for (const int stops_at : {0, 1, 5}) {
     tests::Subject subject(points);
-    const tests::Thread_executor executor(4);
     CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Id> triangulation(
         subject.complex, executor, {30, 8, 8});
     const tests::Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
     int asked = 0;
     const auto go_further = [&](std::size_t) { return asked++ < stops_at; };
     triangulation.insert_round(0, 30, subject.vertex_of, hints, tests::Never_stop());
-    BOOST_TEST(!triangulation.insert_round(30, 2000, subject.vertex_of, hints, go_further));
+    const bool is_stopped =
+        !triangulation.insert_round(30, 2000, subject.vertex_of, hints, go_further);
+    BOOST_TEST(is_stopped == (asked > stops_at));
+    BOOST_TEST((is_stopped || !caller_has_its_chunks));
     triangulation.finish();
     BOOST_TEST(subject.complex.is_valid());
   }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(stop_leaves_a_triangulation)
+{
+  check_stops(tests::Caller_first(4), true);
+  check_stops(tests::Thread_executor(4), false);
 }

@@ -54,6 +54,19 @@ public:
   }
 };
 
+// The caller's first, before the others begin.
+class Caller_first : public Thread_executor
+{
+public:
+  using Thread_executor::Thread_executor;
+
+  void run(std::size_t number, const Task& task) const override
+  {
+    for (std::size_t t = 0; t < number; ++t)
+      task(t);
+  }
+};
+
 // Leaves the last one out, as no executor may.
 class Forgetful_executor : public Thread_executor
 {
