@@ -26,8 +26,10 @@ if(DELAUNAY_FROM_SURFACE_3_INSTALL_COMPILED)
 endif()
 install(EXPORT Delaunay_from_surface_3Targets
   NAMESPACE Delaunay_from_surface_3:: DESTINATION "${package_config_dir}")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/Delaunay_from_surface_3Config.cmake.in"
+  "${PROJECT_BINARY_DIR}/Delaunay_from_surface_3Config.cmake" @ONLY)
 install(FILES
-  "${PROJECT_SOURCE_DIR}/cmake/Delaunay_from_surface_3Config.cmake"
+  "${PROJECT_BINARY_DIR}/Delaunay_from_surface_3Config.cmake"
   "${PROJECT_BINARY_DIR}/Delaunay_from_surface_3ConfigVersion.cmake"
   DESTINATION "${package_config_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/LICENSE.LGPL" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -105,7 +105,7 @@ Arrays built_of(const core::Point_array& points,
                 const core::Executor& executor)
 {
   core::Order_request request;
-  request.kind = faces.empty() ? core::Order_request::GEOMETRIC : core::Order_request::NETS;
+  request.kind = faces.empty() ? core::Order_request::SPACED : core::Order_request::NETS;
   core::Given_edges edges(std::move(core::soup_edges(faces, points.size(), executor).lower));
   const auto orders = core::order_of_core(request, edges);
   core::Given_points source(points);
@@ -114,7 +114,7 @@ Arrays built_of(const core::Point_array& points,
                          ? &core::build<std::uint32_t, core::Many_threads>
                          : &core::build<std::uint32_t, core::One_thread>;
   const auto built = build(source, *orders, {true, true}, nobody, executor);
-  return core::arrays_of_built<std::int32_t>(*built, source);
+  return core::arrays_of_built<std::int32_t>(*built, source, executor);
 }
 
 } // namespace

@@ -11,9 +11,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 
 #include <cstddef>
-#include <iterator>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 
@@ -33,6 +31,12 @@ pairs with equal points the first gives the vertex its info, as `insert_points_3
 template <class Gt, class Tds = Default, class Lp = Default, class Slds = Default>
 class Delaunay_from_points_3 : public Delaunay_triangulation_3<Gt, Tds, Lp, Slds>
 {
+  template <class Iterator>
+  static constexpr bool is_range_of =
+      Delaunay_from_surface_3::internal::Is_iterator<Iterator>::value &&
+      !std::is_convertible<Iterator,
+                           typename Delaunay_triangulation_3<Gt, Tds, Lp, Slds>::Point>::value;
+
 public:
   /// the triangulation that this is.
   using Base = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
@@ -66,39 +70,24 @@ public:
   }
   /// \endcond
 
-  /*!
-  inserts. Two iterators of one type are a range: its points, or pairs of a point and an info, are
-  inserted by `insert_points_3()`, and the number of vertices gained is returned. All else is what
-  `Delaunay_triangulation_3::insert()` takes, does and returns.
-  */
-  template <class First, class... Rest>
-  auto insert(First&& first, Rest&&... rest)
+  /// inserts the points in the range [`first`, `last`), or the pairs of a point and an info, by
+  /// `insert_points_3()`. Returns the number of vertices gained.
+  template <class InputIterator>
+#ifdef DOXYGEN_RUNNING
+  std::ptrdiff_t
+#else
+  std::enable_if_t<is_range_of<InputIterator>, std::ptrdiff_t>
+#endif
+  insert(InputIterator first, InputIterator last)
   {
-    if constexpr (is_range<First, Rest...>())
-      return insert_points_3(static_cast<Base&>(*this), first, rest...);
-    else
-      return Base::insert(std::forward<First>(first), std::forward<Rest>(rest)...);
+    return insert_points_3(static_cast<Base&>(*this), first, last);
   }
 
-private:
-  template <class Iterator, class = void>
-  struct Is_iterator : std::false_type
+  /// inserts one point, as `Delaunay_triangulation_3::insert()` does: `rest` is what that takes.
+  template <class... Rest>
+  typename Base::Vertex_handle insert(const typename Base::Point& p, const Rest&... rest)
   {
-  };
-  template <class Iterator>
-  struct Is_iterator<Iterator,
-                     std::void_t<typename std::iterator_traits<Iterator>::iterator_category>>
-    : std::negation<std::disjunction<std::is_same<Iterator, typename Base::Cell_handle>,
-                                     std::is_same<Iterator, typename Base::Vertex_handle>>>
-  {
-  };
-
-  template <class First, class... Rest>
-  static constexpr bool is_range()
-  {
-    using Iterator = std::decay_t<First>;
-    return sizeof...(Rest) == 1 && (std::is_same<Iterator, std::decay_t<Rest>>::value && ...) &&
-           Is_iterator<Iterator>::value;
+    return Base::insert(p, rest...);
   }
 };
 

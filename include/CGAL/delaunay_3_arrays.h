@@ -56,6 +56,10 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
   using parameters::get_parameter;
   using Point = Exact_predicates_inexact_constructions_kernel::Point_3;
   using Id = std::make_unsigned_t<Index>;
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
+  static_assert(std::is_same<Id, std::uint32_t>::value || std::is_same<Id, std::uint64_t>::value,
+                "the compiled core has indices std::int32_t and std::int64_t");
+#endif
   check_named_parameters<internal_np::point_t, internal_np::random_seed_t, internal_np::visitor_t>(
       np);
   auto&& visitor = visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
@@ -183,7 +187,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
   Soup_graph soup = soup_graph(faces, read.size(), executor);
   Given_edges edges(soup.graph.take_lists());
   const auto kind =
-      std::begin(faces) == std::end(faces) ? Order_request::GEOMETRIC : Order_request::NETS;
+      std::begin(faces) == std::end(faces) ? Order_request::SPACED : Order_request::NETS;
   const auto orders = order_of_core(order_of_arrays(kind, np), edges);
   return insert_into_arrays<Index>(read, *orders, soup.irregularity, executor, np);
 }

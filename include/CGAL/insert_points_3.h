@@ -20,6 +20,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 
@@ -125,9 +126,14 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
 /// does the same for the points in the range [`first`, `last`) of a model of `InputIterator`.
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
           class InputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator first,
-                               InputIterator last,
-                               const CGAL_NP_CLASS& np = parameters::default_values())
+#ifdef DOXYGEN_RUNNING
+std::ptrdiff_t
+#else
+std::enable_if_t<Delaunay_from_surface_3::internal::Is_iterator<InputIterator>::value,
+                 std::ptrdiff_t>
+#endif
+insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator first,
+                InputIterator last, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;

@@ -94,6 +94,7 @@ BOOST_AUTO_TEST_CASE(constructors_and_ranges)
   BOOST_TEST((v->point() == center));
   BOOST_TEST((ours.insert(other, v)->point() == other));
   BOOST_TEST((ours.insert(third, v->cell())->point() == third));
+  BOOST_TEST((ours.insert({0., 0.1, 0.})->point() == third));
   const std::array<Point, 2> more = {Point(3, 0, 0), center};
   BOOST_TEST(ours.insert(more.begin(), more.end()) == 1);
   Plain expected = plain;

@@ -378,6 +378,10 @@ BOOST_AUTO_TEST_CASE(coordinates_without_a_point)
   BOOST_TEST((with_faces == torus().stock));
   CGAL::insert_points_3(from_floats, floats);
   BOOST_TEST(from_floats.number_of_vertices() > 0u);
+  const std::vector<std::array<int, 3>> integers = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+  const std::vector<std::array<int, 3>> triangles = {{0, 1, 2}, {0, 1, 3}}; // of the same type
+  Triangulation from_integers;
+  BOOST_TEST(CGAL::insert_points_3(from_integers, integers, triangles) == 4);
   const double corners[5][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
   BOOST_TEST(CGAL::insert_points_3(from_c_array, corners) == 5);
 }

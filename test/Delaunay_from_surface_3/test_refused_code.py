@@ -24,7 +24,7 @@ class RefusedCode(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertGreater(len(expected), 0)
         for message in expected:
-            self.assertEqual(sum(message in line for line in errors), 1, "\n".join([message, *errors]))
+            self.assertEqual(sum(message in line for line in errors), expected.count(message), "\n".join([message, *errors]))
         self.assertEqual(len(errors), len(expected), "\n".join(errors))
 
 

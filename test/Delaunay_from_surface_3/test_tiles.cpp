@@ -133,6 +133,14 @@ BOOST_AUTO_TEST_CASE(zeros_with_a_sign_and_numbers_of_all_sizes)
   check_tiles(points, "zeros");
 }
 
+BOOST_AUTO_TEST_CASE(a_hull_vertex_with_many_facets)
+{
+  Points points = {{0, 0, 5}, {0, 0, 1}};
+  for (int k = 0; k < 600; ++k)
+    points.push_back({std::cos(k * 0.0104719), std::sin(k * 0.0104719), 0});
+  check_tiles(points, "cone");
+}
+
 BOOST_AUTO_TEST_CASE(messages_that_are_lost_doubled_and_out_of_order)
 {
   std::mt19937 random(1);

@@ -16,6 +16,7 @@
 #include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -74,6 +75,8 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   CGAL::insert_points_3(weighted, points);
   // expected: points are those of a kernel, or have coordinates p[0], p[1] and p[2]
   CGAL::insert_points_3(without_info, infos);
+  // expected: points are those of a kernel, or have coordinates p[0], p[1] and p[2]
+  CGAL::insert_points_3(without_info, std::vector<std::array<double, 2>>());
   // expected: behind the points come faces, ranges of indices, or named parameters
   CGAL::insert_points_3(without_info, points, 0);
   // expected: delaunay_3_arrays() leaves no point out

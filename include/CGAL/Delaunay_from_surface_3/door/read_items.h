@@ -56,6 +56,17 @@ struct Point_and_info<boost::tuples::tuple<Point, Info_>> : Point_and_info<Cons<
 {
 };
 
+template <class Iterator, class = void>
+struct Is_iterator : std::false_type
+{
+};
+template <class Iterator>
+struct Is_iterator<Iterator,
+                   std::void_t<typename std::iterator_traits<Iterator>::iterator_category>>
+  : std::true_type
+{
+};
+
 // Makes room for all items, if it can be seen how many there are.
 template <class T, class Range>
 void reserve_for(const Range& items, std::vector<T>& into)

@@ -22,6 +22,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -31,6 +32,35 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
+// Is it a number of C++ that counts or measures?
+template <class Number>
+constexpr bool is_number = std::is_arithmetic<Number>::value && sizeof(Number) > 1;
+
+// So many coordinates has it, as far as its type says; else there are enough.
+template <class Item, class = void>
+struct Number_of_coordinates : std::integral_constant<std::size_t, 3>
+{
+};
+template <class Item>
+struct Number_of_coordinates<Item, std::void_t<decltype(std::tuple_size<Item>::value)>>
+  : std::integral_constant<std::size_t, std::tuple_size<Item>::value>
+{
+};
+template <class Number, std::size_t n>
+struct Number_of_coordinates<Number[n]> : std::integral_constant<std::size_t, n>
+{
+};
+
+// Is it of a kernel: a point, or something else?
+template <class Item, class = void>
+struct Is_of_kernel : std::false_type
+{
+};
+template <class Item>
+struct Is_of_kernel<Item, std::void_t<typename Item::R>> : std::true_type
+{
+};
+
 // Has it coordinates [0], [1] and [2] that are numbers of C++? So have arrays, pointers, and vectors
 // of other libraries.
 template <class Item, class = void>
@@ -39,7 +69,8 @@ struct Has_coordinates : std::false_type
 };
 template <class Item>
 struct Has_coordinates<Item, std::void_t<decltype(std::declval<const Item&>()[0])>>
-  : std::is_arithmetic<std::decay_t<decltype(std::declval<const Item&>()[0])>>
+  : std::bool_constant<is_number<std::decay_t<decltype(std::declval<const Item&>()[0])>> &&
+                       Number_of_coordinates<Item>::value == 3 && !Is_of_kernel<Item>::value>
 {
 };
 

@@ -53,7 +53,6 @@ the records before it, and 16 bytes per point at most.
 
 \cgalModels{InsertionHints_3}
 
-\sa `History_hints_3`
 */
 template <class Target, class Subgraph>
 class Conflict_history_hints_3

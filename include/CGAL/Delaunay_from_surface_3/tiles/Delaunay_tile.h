@@ -102,8 +102,10 @@ public:
       std::array<std::uint32_t, 4> owners;
       for (unsigned k = 0; k < 4; ++k) {
         owners[k] = m_owners[cell.v[k]];
-        if (Complex::is_infinite(cell) && owners[k] == m_number && !is_on_hull[cell.v[k]]++)
+        if (Complex::is_infinite(cell) && owners[k] == m_number && is_on_hull[cell.v[k]] == 0) {
+          is_on_hull[cell.v[k]] = 1;
           ++result.hull_vertices;
+        }
       }
       if (std::find(owners.begin(), owners.end(), m_number) == owners.end())
         return;

@@ -64,7 +64,7 @@ struct Tile_certificate
   std::uint64_t hull_facets = 0;            // whose smallest vertex is its own
 };
 
-// Do all tiles together have the Delaunay triangulation of all points? By tile.
+// Do all tiles together have the Delaunay triangulation of all points? By tile, of all tiles.
 inline bool is_certified(const std::vector<Tile_certificate>& tiles)
 {
   std::uint64_t vertices = 0, facets = 0;
@@ -72,6 +72,8 @@ inline bool is_certified(const std::vector<Tile_certificate>& tiles)
     vertices += a.hull_vertices;
     facets += a.hull_facets;
     for (const auto& [partner, sum] : a.common) {
+      if (partner >= tiles.size() || tiles[partner].tile != partner)
+        return false;
       const auto& theirs = tiles[partner].common;
       const auto found = theirs.find(a.tile); // it need not have listed this one
       if (found == theirs.end() || !(found->second == sum))

@@ -6,11 +6,12 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_HERE_H
 
 // An engine for tiles that are all in this process: for tests, and the one that others are compared
-// with. Three verbs: begin, exchange, gather.
+// with. Two verbs: exchange, gather.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
@@ -40,6 +41,7 @@ public:
   Tiles_here(const Point_array& points, std::uint32_t number_of_tiles, std::size_t sample_share = 8)
     : m_tiling(tiling_of(points, number_of_tiles, sample_share, m_sample))
   {
+    const Rounding_to_nearest rounding;
     std::vector<std::vector<Tile_point>> own(number_of_tiles);
     for (std::size_t i = 0; i < points.size(); ++i)
       own[m_tiling.tree.owner(points[i])].push_back(tile_point(points, i));
@@ -59,6 +61,7 @@ public:
   template <class Post>
   std::size_t exchange(const Post& post)
   {
+    const Rounding_to_nearest rounding;
     std::vector<std::vector<Tile_point>> inboxes(m_tiles.size());
     std::size_t told = 0;
     for (std::size_t t = 0; t < m_tiles.size(); ++t) {
@@ -81,6 +84,8 @@ public:
     return certificates;
   }
 
+  Tiles_here(const Tiles_here&) = delete; // tiles refer to what all know
+
   const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles; }
 
 private:
@@ -93,6 +98,7 @@ private:
   static Tiling tiling_of(const Point_array& points, std::uint32_t number_of_tiles,
                           std::size_t sample_share, std::vector<Tile_point>& sample)
   {
+    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(number_of_tiles > 0 && sample_share > 0);
     const std::size_t share = sample_share * number_of_tiles;
     double largest = 0, least = (std::numeric_limits<double>::max)();
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -15,7 +15,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// Where the edges of a surface come from. They may be asked for again after they were given up.
+// Where the edges of a surface come from.
 class Edge_source
 {
 public:
@@ -25,7 +25,7 @@ public:
   // all, if there are no edges or too many for numbers of 32 bits.
   virtual Lists_view<std::uint32_t> edges() = 0;
 
-  // For a long time nobody will ask: what can be had again need not be kept.
+  // Nobody will ask again, but for another order, which may then have none.
   virtual void give_up() {}
 };
 

@@ -167,8 +167,9 @@ std::size_t keep_one_of_each(Lists<Index>& lists, const Executor& executor)
   Index end = 0;
   std::size_t more_than_twice = 0;
   for (const Kept_items<Index>& items : kept) { // close the gaps
-    std::copy(lists.items.begin() + items.begin, lists.items.begin() + items.end,
-              lists.items.begin() + end);
+    if (items.begin != end)
+      std::copy(lists.items.begin() + items.begin, lists.items.begin() + items.end,
+                lists.items.begin() + end);
     for (std::size_t v = items.first; v < items.last; ++v)
       lists.first[v] -= Index(items.begin - end);
     end += items.end - items.begin;
