@@ -131,7 +131,8 @@ below
     \cgalParamDefault{the items themselves}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order; it decides the numbers of the cells, too}
+    \cgalParamDescription{the seed of the insertion order; it decides the numbers of the cells, too. That
+      of points alone is random only where its budget is exceeded.}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd

@@ -66,7 +66,8 @@ below; any other does not compile
     \cgalParamDefault{`CGAL::Identity_property_map`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions}
+    \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions. That
+      of points alone is random only where its budget is exceeded.}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd

@@ -137,7 +137,7 @@ class Standalone(unittest.TestCase):
         places = [text.index(f'"group__PkgDelaunayFromSurface3{name}.html"')
                   for name in ("Mesh", "Soup", "Points", "Graph", "Traits", "Concepts")]
         self.assertEqual(places, sorted(places))
-        for call in ("insert__surface__vertices__3", "insert__surface__points__3", "insert__points__3",
+        for call in ("insert__surface__vertices__3", "insert__points__3",
                      "insert__points__along__graph__3"):
             self.assertTrue(call.replace("__", "_") in text, call)
         self.assertIn('"Reference", "modules.html"', self.page("navtreedata.js"))

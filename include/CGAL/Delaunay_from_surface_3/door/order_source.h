@@ -13,7 +13,6 @@
 #include <CGAL/Delaunay_from_surface_3/core/interface/Edge_source.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Order_source.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Has_budget.h>
 #include <CGAL/Delaunay_from_surface_3/paper/check_plan.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -21,6 +20,7 @@
 #include <cstddef>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +41,18 @@ struct Planned_points
 template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
 Planned_points(const std::vector<Point>&, const GeomTraits&, const Graph&, VertexIndexMap)
     -> Planned_points<Point, GeomTraits, Graph, VertexIndexMap>;
+
+// Does a plan name a budget, and another plan for when it is exceeded?
+template <class Plan, class = void>
+struct Has_budget : std::false_type
+{
+};
+template <class Plan>
+struct Has_budget<Plan, std::void_t<decltype(Plan::cells_per_point),
+                                    decltype(std::declval<const Plan&>().fallback_plan())>>
+  : std::true_type
+{
+};
 
 // Can the core carry the plan out? Not one that a caller has derived from one of the core's.
 template <class Plan, class = void>

@@ -10,7 +10,7 @@
 // It triangulates them, and then *tells*: of each edge between points of two tiles the owner of each end
 // is told of the other. What it is told it *offers* to its triangulation, where a point that would get no
 // neighbour of the tile's own is refused. When nobody has anything to tell, the star of each own point is
-// that in the triangulation of all points (Brédif, Caraffa, Yirci, Memari 2020 tell without refusal);
+// that in the triangulation of all points (Brédif et al. 2020 tell without refusal);
 // Tile_certificate.h asks whether it is so.
 //
 // Refusal is for ever: an edge of the triangulation of all points is one in that of any subset that has
