@@ -24,6 +24,22 @@ def gains(report, other, title):
                  [[cell(v) for v in row] for row in rows])
 
 
+def python_table(report):
+    rows = [[r["consumer"], f'{r["points"]:,}'.replace(",", " "), f'{r["median_scipy_cpu"]:.3f}',
+             f'{r["median_ours_cpu"]:.3f}', f'{r["median_ratio"]:.2f}',
+             f'{r["median_speedup"]:.2f}' if "median_speedup" in r else None]
+            for r in report["results"] + report.get("queries", [])]
+    return table(["what is done", "points", "SciPy, CPU s", "this package, CPU s", "gain",
+                  "one thread / two, by the wall clock"], [[cell(v) for v in row] for row in rows])
+
+
+def vtk_table(report):
+    rows = [[f'{r["points"]:,}'.replace(",", " "), f'{r["median_vtk_cpu"]:.3f}', f'{r["median_ours_cpu"]:.3f}',
+             r["tetrahedra_of_vtk"], r["tetrahedra"]] for r in report.get("vtk", [])]
+    return table(["points", "VTK, CPU s", "this package, CPU s", "tetrahedra, VTK", "this package"],
+                 [[cell(v) for v in row] for row in rows], left=0)
+
+
 def thinning_table(report):
     number = "{:,}".format
     rows = [[r["consumer"], number(r["points"]).replace(",", " "), number(r["plain_vertices"]).replace(",", " "),
@@ -46,7 +62,8 @@ def all_blocks(reports):
             "thinning_machine": f'{machine_of(thinning)}. Load average before the run: '
                                 f'{thinning["machine"]["load_before"]:.1f}.',
             "thinning_command": commands_of(thinning),
-            "python": gains(python, "scipy", "SciPy"),
+            "python": python_table(python),
+            "vtk": vtk_table(python),
             "python_versions": f'Python {python["python"]}, NumPy {python["numpy"]}, SciPy {python["scipy"]}.',
             "python_command": commands_of(python)}
 

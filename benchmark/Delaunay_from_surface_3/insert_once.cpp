@@ -31,6 +31,10 @@
 #include <string>
 #include <vector>
 
+#if defined(CGAL_LINKED_WITH_TBB)
+#include <tbb/global_control.h>
+#endif
+
 #include <sys/mman.h>
 #include <sys/resource.h>
 
@@ -96,21 +100,42 @@ Json what_it_takes(const std::function<std::size_t()>& call)
           {"bytes_at_peak", memory("VmHWM")}};
 }
 
-Json call_once(const std::string& method, const files::Polygon_soup& soup)
+using Methods = std::map<std::string, std::function<std::size_t()>>;
+
+template <class Concurrency_tag>
+Methods methods(Triangulation& tr, const files::Polygon_soup& soup)
 {
-  auto& tr = *new Triangulation;
-  const std::map<std::string, std::function<std::size_t()>> methods = {
-      {"plain", [&] { return insert_once_by_plain_cgal(tr, soup), tr.number_of_cells(); }},
-      {"default", [&] { return insert_once_by_default(tr, soup), tr.number_of_cells(); }},
-      {"points", [&] { return CGAL::insert_points_3(tr, soup.points), tr.number_of_cells(); }},
+  using CGAL::insert_points_3;
+  const auto& points = soup.points;
+  const auto& faces = soup.faces;
+  return {
+      {"default",
+       [&] { return insert_points_3<Concurrency_tag>(tr, points, faces), tr.number_of_cells(); }},
+      {"points",
+       [&] { return insert_points_3<Concurrency_tag>(tr, points), tr.number_of_cells(); }},
       {"arrays",
        [&] {
-         return (new auto(CGAL::delaunay_3_arrays(soup.points, soup.faces)))->number_of_cells();
+         return (new auto(CGAL::delaunay_3_arrays<std::int32_t, Concurrency_tag>(points, faces)))
+             ->number_of_cells();
        }},
   };
-  const auto found = methods.find(method);
-  if (found == methods.end())
+}
+
+Json call_once(const std::string& method, std::size_t threads, const files::Polygon_soup& soup)
+{
+  auto& tr = *new Triangulation;
+  Methods all = threads == 1 ? methods<CGAL::Sequential_tag>(tr, soup)
+                             : methods<CGAL::Parallel_if_available_tag>(tr, soup);
+  all["plain"] = [&] { return insert_once_by_plain_cgal(tr, soup), tr.number_of_cells(); };
+  const auto found = all.find(method);
+  if (found == all.end())
     throw std::runtime_error("no method " + method + ": plain, default, points or arrays");
+#if defined(CGAL_LINKED_WITH_TBB)
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+#else
+  if (threads != 1)
+    throw std::runtime_error("built without TBB, so with one thread");
+#endif
   Json report = what_it_takes(found->second);
   report["points"] = soup.points.size();
   return report;
@@ -159,9 +184,9 @@ Json touch_all(std::size_t bytes)
 int main(int argc, char** argv)
 try {
   const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.empty() || words.size() > 2 || words[0] == "--help") {
+  if (words.empty() || words.size() > 3 || words[0] == "--help") {
     std::cerr << "usage: insert_once MESH\n"
-                 "       insert_once MESH plain|default|points|arrays\n"
+                 "       insert_once MESH plain|default|points|arrays [THREADS]\n"
                  "       insert_once --touch BYTES\n";
     return words.size() == 1 ? EXIT_SUCCESS : EXIT_FAILURE;
   }
@@ -170,8 +195,9 @@ try {
     return EXIT_SUCCESS;
   }
   const files::Polygon_soup soup = files::read_polygon_soup(words[0]);
-  if (words.size() == 2) {
-    std::cout << call_once(words[1], soup) << "\n";
+  if (words.size() >= 2) {
+    const std::size_t threads = words.size() == 2 ? 1 : std::stoul(words[2]);
+    std::cout << call_once(words[1], threads, soup) << "\n";
     return EXIT_SUCCESS;
   }
   Triangulation expected, tr;

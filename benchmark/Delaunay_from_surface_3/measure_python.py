@@ -2,13 +2,14 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Compares the Python module with scipy.spatial.Delaunay, in turns, and writes JSON.
+"""Compares the Python module with scipy.spatial.Delaunay and vtkDelaunay3D, in turns, and writes JSON.
 
     python3 measure_python.py [--points N] [--queries N] [--repetitions N] [--output FILE]
 
 Triangulations, with neighbours, of N points; and with --queries so many searches in as many points.
 
-Run it with a Python into which the module is installed. Times are of the process, on all processors.
+Run it with a Python into which the module is installed. Times are of the process, on all processors; those of one
+and two threads of the module by the clock on the wall. VTK is left out where it is not found.
 """
 
 import argparse
@@ -53,7 +54,55 @@ def line(name, points, faces, repetitions):
             raise RuntimeError(f"{name}: {len(expected.simplices)} tetrahedra by SciPy, {len(found.simplices)} by us")
         scipy_times.append(time_of_scipy)
         our_times.append(our_time)
-    return as_line(name, len(points), scipy_times, our_times)
+    return {**as_line(name, len(points), scipy_times, our_times), **by_threads(points, faces, repetitions)}
+
+
+def by_threads(points, faces, repetitions):
+    """Medians by the clock on the wall, one and two threads in turns."""
+    times = {1: [], 2: []}
+    for _ in range(repetitions):
+        for threads, of_threads in times.items():
+            begin = time.perf_counter()
+            dfs.delaunay3(points, faces, neighbors=True, threads=threads)
+            of_threads.append(time.perf_counter() - begin)
+    one, two = (statistics.median(of_threads) for of_threads in times.values())
+    return {"median_wall_1_thread": round(one, 4), "median_wall_2_threads": round(two, 4),
+            "median_speedup": round(one / two, 3)}
+
+
+def bumpy_sphere(n):
+    directions = np.random.default_rng(3).normal(size=(n, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, np.newaxis]
+    return directions * (1 + .1 * np.sin(9 * directions[:, :1]) * np.sin(7 * directions[:, 1:2]))
+
+
+def lines_of_vtk(repetitions):
+    """Times and tetrahedra of vtkDelaunay3D, on points of which it loses some tetrahedra."""
+    try:
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+        from vtkmodules.vtkCommonCore import vtkPoints
+        from vtkmodules.vtkCommonDataModel import vtkPolyData
+        from vtkmodules.vtkFiltersCore import vtkDelaunay3D
+    except ImportError:
+        print("skipped: VTK was not found")
+        return []
+    points = bumpy_sphere(20000)
+    times, our_times = [], []
+    for _ in range(repetitions):
+        def work():
+            data, of_vtk, triangulation = vtkPolyData(), vtkPoints(), vtkDelaunay3D()
+            of_vtk.SetData(numpy_to_vtk(points, deep=True))
+            data.SetPoints(of_vtk)
+            triangulation.SetInputData(data)
+            triangulation.Update()
+            return triangulation.GetOutput().GetNumberOfCells()
+        time_of_vtk, number = seconds(work)
+        our_time, found = seconds(lambda: dfs.delaunay3(points))
+        times.append(time_of_vtk)
+        our_times.append(our_time)
+    return [{"points": len(points), "median_vtk_cpu": round(statistics.median(times), 4),
+             "median_ours_cpu": round(statistics.median(our_times), 4), "tetrahedra_of_vtk": number,
+             "tetrahedra": len(found.simplices)}]
 
 
 def plate(points):
@@ -106,10 +155,11 @@ def main():
     if options.queries:
         report["results"].insert(1, line("some of them in a lattice on a plane", plate(cube), None, options.repetitions))
         report["queries"] = [line_of_queries(options.queries, options.repetitions)]
+    report["vtk"] = lines_of_vtk(options.repetitions)
     with open(options.output, "w", encoding="utf-8") as file:
         json.dump(report, file, indent=1)
         file.write("\n")
-    for result in report["results"] + report.get("queries", []):
+    for result in report["results"] + report.get("queries", []) + report["vtk"]:
         print(json.dumps(result))
 
 

@@ -33,7 +33,8 @@ def output_of(*command):
 
 
 def call(program, mesh, method):
-    result = output_of(program, str(mesh), method)
+    """`method` may end with a colon and a number of threads."""
+    result = output_of(program, str(mesh), *method.split(":"))
     result["cpu"] = result["user"] + result["system"]
     result["bytes_above"] = result["bytes_at_peak"] - result["bytes_before"]
     return result
@@ -74,7 +75,7 @@ def main():
     parser.add_argument("meshes", type=Path, nargs="+", metavar="MESH")
     parser.add_argument("--program", default="./insert_once", help="insert_once")
     parser.add_argument("--other", default=[], nargs="+", metavar="NAME=PROGRAM", help="insert_once of other revisions")
-    parser.add_argument("--methods", default=["default"], nargs="+", help="beside plain: default, points, arrays")
+    parser.add_argument("--methods", default=["default"], nargs="+", help="beside plain: default, points, arrays, default:2 by two threads, …")
     parser.add_argument("--repetitions", type=int, default=21, metavar="N")
     parser.add_argument("--rest", type=float, default=[0, 4], nargs="+", metavar="SECONDS", help="before each call")
     parser.add_argument("--output", type=Path, default=Path("single_calls.json"), metavar="FILE")

@@ -154,6 +154,26 @@ def blocks_of_single_calls(report):
     return {"single": table(titles, [[cell(v) for v in row] for row in rows]), "single_command": commands_of(report)}
 
 
+LARGE_CALLS = {"default": "faces", "points": "points alone", "arrays": "arrays", "default:2": "faces, 2 threads",
+               "arrays:2": "arrays, 2 threads"}
+
+
+def blocks_of_large_calls(report):
+    """Time of plain CGAL / time of the call, by wall clock."""
+    names = [name for name in LARGE_CALLS if name in report["results"][0]["calls"]]
+    rows = []
+    for result in report["results"]:
+        plain = result["calls"]["plain"]
+        rows.append([plain["median_wall"] / result["calls"][name]["median_wall"] for name in names] +
+                    [result["calls"]["default"]["median_bytes_above"] / plain["median_bytes_above"]])
+    lines = [[result["mesh"].split("_")[0], f'{result["calls"]["plain"]["median_wall"]:.2f}', *map("{:.2f}".format, row)]
+             for result, row in zip(report["results"], rows)]
+    lines.append(["geometric mean", ""] + [f"{geometric_mean(column):.2f}" for column in zip(*rows)])
+    size = "1M" if report["results"][0]["points"] > 600000 else "256k"
+    titles = ["surface", "s, plain CGAL", *(LARGE_CALLS[name] for name in names), "peak, faces / plain CGAL"]
+    return {f"calls_{size}": table(titles, lines), f"calls_{size}_command": commands_of(report)}
+
+
 def all_blocks(reports):
     """{name: text} of all that the manual shows."""
     blocks = blocks_of_orders([r for r in reports if "repetitions" in r and not r.get("walks")], (3000, 20000, 200000))
@@ -169,7 +189,8 @@ def all_blocks(reports):
         if "instructions" in report:
             blocks.update(blocks_of_instructions(report))
         if report.get("program") == "measure_single_calls.py":
-            blocks.update(blocks_of_single_calls(report))
+            of_large = "arrays" in report["results"][0]["calls"]
+            blocks.update((blocks_of_large_calls if of_large else blocks_of_single_calls)(report))
     return blocks
 
 

@@ -69,7 +69,12 @@ class Manual_tables(unittest.TestCase):
 
     def test_orders(self):
         self.check(["Orders.txt"], "order_tables.py", "orders*.json", "flat_and_far.json", "nets_*.json", "*_meshes.json",
-                   "single_calls.json")
+                   "single_calls.json", "calls_*.json")
+
+    def test_where_results_come_from(self):
+        sources = (HERE / "measure_all").read_text() + (HERE / "README.md").read_text()
+        for path in (HERE / "results").glob("*.json"):
+            self.assertIn(path.stem, sources)
 
     def test_threads(self):
         self.check(["Threads.txt"], "thread_tables.py", "threads*.json")

@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Citations in the manual and in comments name entries of the bibliography, briefly, and each entry is cited."""
+"""Citations in the manual and in comments name entries of the bibliography, and each entry is cited."""
 
 import re
 import subprocess
@@ -42,24 +42,10 @@ class Bibliography(unittest.TestCase):
         done = subprocess.run([sys.executable, "-B", MANUAL / "bibliography.py", "--check"], check=False)
         self.assertEqual(done.returncode, 0, "run doc/Delaunay_from_surface_3/bibliography.py")
 
-    def test_citations_are_short(self):
-        self.assertGreater(len(self.headings), 30)
-        self.assertEqual([text for text in self.headings.values() if len(text) > 40], [])
-
-    def test_sorted(self):
-        headings = [text.casefold() for text in self.headings.values()]
-        self.assertEqual(headings, sorted(headings))
-        self.assertEqual(len(headings), len(set(headings)), "two entries print the same")
-
     def test_what_is_cited_exists(self):
         self.assertEqual(self.cited_keys - set(self.headings), set())
         self.assertIn("Choi 2002", self.cited_names)
         self.assertEqual(self.cited_names - set(self.headings.values()), set())
-
-    def test_no_colon_after_a_citation(self):
-        """In a tree of CGAL it would be taken for a part of the key."""
-        for text in texts("include", "doc"):
-            self.assertNotRegex(text, r"\\cgalCite\{[^}]*\}[:\w-]")
 
     def test_what_exists_is_cited(self):
         self.assertEqual({key for key, heading in self.headings.items()
