@@ -8,8 +8,8 @@
 #include "numpy_ranges.h"
 
 #include <CGAL/Delaunay_from_surface_3/surface/Face_reader.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Find_topology.h>
-#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
 
 #include <pybind11/stl.h>
 
@@ -24,11 +24,10 @@
 #include <vector>
 
 namespace py = pybind11;
-namespace internal = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
-// Calls f(reader) without the lock: the triangles, with vertices 0, …, n - 1.
+// Calls f(surface) without the lock: the triangles, with vertices 0, …, n - 1.
 template <class F>
 auto with_triangles(const py::object& faces, std::optional<std::size_t> number_of_vertices,
                     const F& f)
@@ -47,8 +46,10 @@ auto with_triangles(const py::object& faces, std::optional<std::size_t> number_o
       ++i;
     }
     const py::gil_scoped_release unlocked;
-    using Rows = std::decay_t<decltype(rows)>;
-    return f(internal::Face_reader<Rows>(rows, number_of_vertices.value_or(n)));
+    using Reader =
+        CGAL::Delaunay_from_surface_3::internal::Face_reader<std::decay_t<decltype(rows)>>;
+    return f(CGAL::Delaunay_from_surface_3::Triangulated_surface<Reader>(
+        Reader(rows, number_of_vertices.value_or(n))));
   });
 }
 
@@ -83,22 +84,18 @@ private:
 py::array subgraph(const py::object& faces, std::optional<std::size_t> number_of_vertices,
                    bool is_tree)
 {
-  using Kind = internal::Subgraph_kind;
   std::vector<std::int32_t> ends;
-  with_triangles(faces, number_of_vertices, [&](const auto& reader) {
-    return internal::write_bounded_degree_subgraph(reader, is_tree ? Kind::TREE : Kind::SUBGRAPH,
-                                                   Append_ends(ends));
+  with_triangles(faces, number_of_vertices, [&](const auto& surface) {
+    return is_tree ? CGAL::bounded_degree_spanning_tree(surface, Append_ends(ends))
+                   : CGAL::bounded_degree_spanning_subgraph(surface, Append_ends(ends));
   });
   return py::array_t<std::int32_t>({py::ssize_t(ends.size() / 2), py::ssize_t(2)}, ends.data());
 }
 
 py::list surface_topology(const py::object& faces, std::optional<std::size_t> number_of_vertices)
 {
-  const auto topology = with_triangles(faces, number_of_vertices, [](const auto& reader) {
-    return internal::with_rotation_system(reader, [](auto& surface) {
-      using Index = typename std::decay_t<decltype(surface)>::Index;
-      return internal::Find_topology<Index>(surface)();
-    });
+  const auto topology = with_triangles(faces, number_of_vertices, [](const auto& surface) {
+    return CGAL::Delaunay_from_surface_3::surface_topology(surface);
   });
   py::list result;
   for (const auto& c : topology.components)

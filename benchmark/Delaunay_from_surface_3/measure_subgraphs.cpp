@@ -16,12 +16,13 @@
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
+#include <Delaunay_from_surface_3_meters/system_of_loops.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/surface_of.h>
 #include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
-#include <CGAL/Delaunay_from_surface_3/surface/system_of_loops.h>
 
 #include <boost/program_options.hpp>
 
@@ -90,7 +91,7 @@ ordered_json measured(const Mesh& mesh, std::size_t repetitions, const Function&
   Edges edges;
   edges.reserve(2 * num_vertices(mesh));
   function(std::back_inserter(edges));
-  const auto certificate = CGAL::certify_spanning_subgraph(mesh, edges);
+  const auto certificate = CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), edges);
   if (!certificate.is_spanning())
     throw std::runtime_error("what should span the surface does not");
   return {{"nanoseconds_per_vertex", nanoseconds_per_vertex(mesh, repetitions, function)},
@@ -106,12 +107,14 @@ ordered_json measure_times(const std::string& name, const std::string& order,
   const Mesh mesh = surfaces::to_mesh<Mesh>(surface);
   std::cerr << name << ", " << order << ", " << num_vertices(mesh) << " vertices\n";
   ordered_json result = {{"surface", name}, {"order", order}, {"vertices", num_vertices(mesh)}};
-  result["subgraph"] = measured(
-      mesh, repetitions, [&](auto out) { CGAL::bounded_degree_spanning_subgraph(mesh, out); });
-  result["tree"] =
-      measured(mesh, repetitions, [&](auto out) { CGAL::bounded_degree_spanning_tree(mesh, out); });
-  result["cut_graph"]["nanoseconds_per_vertex"] =
-      nanoseconds_per_vertex(mesh, repetitions, [&](auto out) { DFS::cut_graph(mesh, out); });
+  result["subgraph"] = measured(mesh, repetitions, [&](auto out) {
+    CGAL::bounded_degree_spanning_subgraph(CGAL::surface_of(mesh), out);
+  });
+  result["tree"] = measured(mesh, repetitions, [&](auto out) {
+    CGAL::bounded_degree_spanning_tree(CGAL::surface_of(mesh), out);
+  });
+  result["cut_graph"]["nanoseconds_per_vertex"] = nanoseconds_per_vertex(
+      mesh, repetitions, [&](auto out) { DFS::cut_graph(CGAL::surface_of(mesh), out); });
   if (num_vertices(mesh) > options.largest_for_others)
     return result;
   result["minimum_spanning_tree"] =
@@ -131,7 +134,7 @@ Edges subgraph_by_loops(const Mesh& mesh, internal::Subgraph_kind kind)
   const Reader reader(mesh, get(boost::vertex_index, mesh));
   internal::Rotation_system<std::uint32_t> surface;
   reader.read(surface);
-  internal::Find_loops<std::uint32_t> find_loops(surface);
+  meters::Find_loops<std::uint32_t> find_loops(surface);
   auto cut = find_loops.as_cut_candidate(find_loops());
   internal::Prune_cut<std::uint32_t>(surface, cut)();
   Edges edges;
@@ -143,8 +146,8 @@ Edges subgraph_by_loops(const Mesh& mesh, internal::Subgraph_kind kind)
 
 ordered_json degrees(const Mesh& mesh, const Edges& subgraph, const Edges& tree)
 {
-  const auto found = CGAL::certify_spanning_subgraph(mesh, subgraph);
-  const auto found_of_tree = CGAL::certify_spanning_subgraph(mesh, tree);
+  const auto found = CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), subgraph);
+  const auto found_of_tree = CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), tree);
   if (!found.is_valid_subgraph() || !found_of_tree.is_valid_tree())
     throw std::runtime_error("a subgraph does not keep what it promises");
   std::size_t above_3 = 0;
@@ -163,9 +166,9 @@ ordered_json measure_degrees(std::size_t genus, std::size_t n)
   const Mesh mesh = surfaces::to_mesh<Mesh>(surfaces::genus_surface(genus, n, 0.05, 1));
   std::cerr << "genus " << genus << ", " << num_vertices(mesh) << " vertices\n";
   Edges subgraph, tree, cut;
-  CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
-  CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
-  DFS::cut_graph(mesh, std::back_inserter(cut));
+  CGAL::bounded_degree_spanning_subgraph(CGAL::surface_of(mesh), std::back_inserter(subgraph));
+  CGAL::bounded_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(tree));
+  DFS::cut_graph(CGAL::surface_of(mesh), std::back_inserter(cut));
   ordered_json result = {{"genus", genus},
                          {"vertices", num_vertices(mesh)},
                          {"bound_of_the_paper", genus == 0 ? 3 : 12 * genus},
@@ -175,7 +178,7 @@ ordered_json measure_degrees(std::size_t genus, std::size_t n)
   result["cut_graph"]["cut_edges"] = cut.size();
   if (genus > 0) {
     std::vector<Edges> loops;
-    DFS::system_of_loops(mesh, std::back_inserter(loops));
+    meters::system_of_loops(CGAL::surface_of(mesh), std::back_inserter(loops));
     std::vector<Mesh::Edge_index> on_loops;
     for (const Edges& loop : loops)
       on_loops.insert(on_loops.end(), loop.begin(), loop.end());

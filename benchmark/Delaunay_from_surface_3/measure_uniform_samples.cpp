@@ -10,6 +10,7 @@
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_uniform/Hilbert_sorted_nets.h>
 #include <Delaunay_from_surface_3_uniform/Uniform_rounds.h>
 #include <Delaunay_from_surface_3_uniform/samples.h>
 #include <Delaunay_from_surface_3_uniform/surface_degrees.h>
@@ -21,7 +22,6 @@
 #include <Delaunay_from_surface_3_surfaces/simplify.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
-#include <CGAL/Delaunay_from_surface_3/paper/Hilbert_sorted_rounds.h>
 #include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_3.h>
@@ -87,7 +87,7 @@ Json measure_sample(const uniform::Sample& sample, const std::vector<double>& fa
 
 // Each point is located from the one before it.
 template <class Plan>
-using With_plan = CGAL::Surface_insertion_policies_3<DFS::Full_graph, Plan, DFS::Previous_hint_3>;
+using With_plan = CGAL::Surface_insertion_policies_3<DFS::No_subgraph, Plan, DFS::Previous_hint_3>;
 
 template <class Traits>
 Json destroyed(const Indexed_surface& surface, const Traits& traits)
@@ -95,7 +95,7 @@ Json destroyed(const Indexed_surface& surface, const Traits& traits)
   Triangulation tr;
   comparison::Take_counts counts;
   CGAL::insert_points_3(tr, surface.points, surface.faces, traits,
-                                CGAL::parameters::visitor(std::ref(counts)));
+                        CGAL::parameters::visitor(std::ref(counts)));
   return {{"cells_destroyed",
            rounded(double(counts.kernel.cells_destroyed) / double(surface.points.size()), 1e2)},
           {"order_was_replaced", counts.order_was_replaced}};
@@ -109,8 +109,7 @@ Json measure_levels(const std::string& name, const Indexed_surface& surface)
           {"points", surface.points.size()},
           {"rounds", ends.size()},
           {"nets", destroyed(surface, CGAL::Surface_insertion_traits_3())},
-          {"sorted_nets",
-           destroyed(surface, With_plan<DFS::Hilbert_sorted_rounds<DFS::Surface_net_rounds>>())},
+          {"sorted_nets", destroyed(surface, With_plan<uniform::Hilbert_sorted_nets>())},
           {"uniform", destroyed(surface, With_plan<uniform::Uniform_rounds>())},
           {"random_rounds", destroyed(surface, CGAL::Point_insertion_traits_3())}};
 }

@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(the_laboratory_builds_plain_triangulation_and_counts_all)
   const theory::Counted_triangulation plain(surface.points.begin(), surface.points.end());
   BOOST_TEST((laboratory.triangulation() == plain));
 
-  const auto ends = CGAL::Delaunay_from_surface_3::Random_log_star_rounds::round_ends(n);
+  const auto ends = CGAL::Delaunay_from_surface_3::Log_star_rounds::round_ends(n);
   BOOST_TEST_REQUIRE(rounds.size() == ends.size());
   std::size_t begin = 0;
   for (std::size_t h = 0; h < rounds.size(); ++h) {

@@ -7,6 +7,7 @@
 
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/surface_of.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -46,7 +47,8 @@ struct Is_in_subgraph
 // Prints what there is to say; returns whether the subgraph is what it should be.
 bool certified_subgraph(Mesh& mesh)
 {
-  const DFS::Surface_topology topology = DFS::surface_topology(mesh);
+  const auto surface = CGAL::surface_of(mesh);
+  const DFS::Surface_topology topology = DFS::surface_topology(surface);
   for (const auto& component : topology.components)
     std::cout << "genus " << component.genus() << ", " << component.number_of_boundary_loops
               << " boundary loops: degree at most " << component.subgraph_degree_bound() << "\n";
@@ -56,12 +58,12 @@ bool certified_subgraph(Mesh& mesh)
       mesh.add_property_map<Mesh::Edge_index, bool>("e:subgraph", false).first;
   std::vector<Mesh::Edge_index> edges;
   CGAL::bounded_degree_spanning_subgraph(
-      mesh, boost::make_function_output_iterator([&](Mesh::Edge_index e) {
+      surface, boost::make_function_output_iterator([&](Mesh::Edge_index e) {
         put(is_in_subgraph, e, true);
         edges.push_back(e);
       }));
 
-  const auto certificate = CGAL::certify_spanning_subgraph(mesh, edges);
+  const auto certificate = CGAL::certify_spanning_subgraph(surface, edges);
   std::cout << certificate.number_of_edges << " of " << num_edges(mesh) << " edges, degree "
             << certificate.maximum_degree << ", "
             << (certificate.is_valid_subgraph() ? "certified" : "not certified") << "\n";

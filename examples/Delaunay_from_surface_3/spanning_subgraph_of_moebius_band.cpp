@@ -7,6 +7,7 @@
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/surface_of.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -46,15 +47,15 @@ int main()
   const auto boundary =
       boost::make_iterator_property_map(is_boundary.begin(), get(boost::edge_index, graph));
 
-  const auto topology =
-      CGAL::Delaunay_from_surface_3::surface_topology(graph, embedding, index, boundary);
+  const auto surface = CGAL::surface_of(graph, embedding, index, boundary);
+  const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(surface);
   std::cout << (topology.is_orientable() ? "orientable" : "not orientable") << ", "
             << topology.number_of_boundary_loops() << " boundary loop, Euler characteristic "
             << topology.euler_characteristic() << "\n";
 
   std::vector<Edge> tree;
-  CGAL::bounded_degree_spanning_tree(graph, embedding, std::back_inserter(tree), index, boundary);
-  const auto certificate = CGAL::certify_spanning_subgraph(graph, tree, topology, index);
+  CGAL::bounded_degree_spanning_tree(surface, std::back_inserter(tree));
+  const auto certificate = CGAL::certify_spanning_subgraph(surface, tree);
   std::cout << "a spanning tree of " << certificate.number_of_edges << " edges and degree "
             << certificate.maximum_degree << "\n";
   return certificate.is_valid_tree() ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -7,6 +7,7 @@
 // the surface, 1 for the subgraph, 2 for the cut graph.
 
 #include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/surface_of.h>
 #include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -77,8 +78,9 @@ int main(int argc, char** argv)
 
   Edges cut, subgraph;
   try {
-    CGAL::Delaunay_from_surface_3::cut_graph(mesh, std::back_inserter(cut));
-    CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
+    const auto surface = CGAL::surface_of(mesh);
+    CGAL::Delaunay_from_surface_3::cut_graph(surface, std::back_inserter(cut));
+    CGAL::bounded_degree_spanning_subgraph(surface, std::back_inserter(subgraph));
   } catch (const CGAL::Surface_input_error& error) {
     std::cerr << surface << ": " << error.what() << '\n';
     return EXIT_FAILURE; // a face that is no triangle, say

@@ -33,7 +33,7 @@ class Delaunay_from_points_3 : public Delaunay_triangulation_3<Gt, Tds, Lp, Slds
 {
   template <class Iterator>
   static constexpr bool is_range_of =
-      Delaunay_from_surface_3::internal::Is_iterator<Iterator>::value &&
+      Delaunay_from_surface_3::internal::is_iterator<Iterator> &&
       !std::is_convertible<Iterator,
                            typename Delaunay_triangulation_3<Gt, Tds, Lp, Slds>::Point>::value;
 

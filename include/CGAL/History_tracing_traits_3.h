@@ -6,7 +6,7 @@
 #define CGAL_HISTORY_TRACING_TRAITS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
@@ -31,9 +31,14 @@ faces, get a `Spanning_forest`, whose degree has no bound, and the visitor is to
 */
 struct History_tracing_traits_3
   : Surface_insertion_policies_3<Delaunay_from_surface_3::Bounded_degree_subgraph,
-                                 Delaunay_from_surface_3::Random_log_star_rounds,
+                                 Delaunay_from_surface_3::Log_star_rounds,
                                  Delaunay_from_surface_3::Conflict_history_hints_3>
 {
+  /// returns the paper's own plan: no round is sorted.
+  Insertion_plan insertion_plan_object(unsigned int seed) const
+  {
+    return Insertion_plan(seed, Insertion_plan::NO_ROUND);
+  }
 };
 
 } // namespace CGAL

@@ -7,7 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 namespace CGAL {
@@ -25,7 +25,7 @@ Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions t
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Plain_insertion_traits_3
-  : Surface_insertion_policies_3<Delaunay_from_surface_3::Full_graph,
+  : Surface_insertion_policies_3<Delaunay_from_surface_3::No_subgraph,
                                  Delaunay_from_surface_3::Spatial_sort_order,
                                  Delaunay_from_surface_3::Previous_hint_3>
 {

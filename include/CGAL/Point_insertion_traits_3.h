@@ -9,7 +9,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 namespace CGAL {
@@ -26,7 +26,7 @@ Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions t
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Point_insertion_traits_3
-  : Surface_insertion_policies_3<Delaunay_from_surface_3::Full_graph,
+  : Surface_insertion_policies_3<Delaunay_from_surface_3::No_subgraph,
                                  Delaunay_from_surface_3::Spaced_rounds,
                                  Delaunay_from_surface_3::Planned_hints_3>
 {

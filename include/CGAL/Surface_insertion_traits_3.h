@@ -7,7 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 namespace CGAL {
@@ -25,7 +25,7 @@ measured (`Delaunay_from_surface_3::Surface_net_rounds`), plus what the insertio
 \cgalModels{SurfaceInsertionTraits_3}
 */
 struct Surface_insertion_traits_3
-  : Surface_insertion_policies_3<Delaunay_from_surface_3::Full_graph,
+  : Surface_insertion_policies_3<Delaunay_from_surface_3::No_subgraph,
                                  Delaunay_from_surface_3::Surface_net_rounds,
                                  Delaunay_from_surface_3::Planned_hints_3>
 {

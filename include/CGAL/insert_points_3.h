@@ -130,8 +130,7 @@ template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class S
 #ifdef DOXYGEN_RUNNING
 std::ptrdiff_t
 #else
-std::enable_if_t<Delaunay_from_surface_3::internal::Is_iterator<InputIterator>::value,
-                 std::ptrdiff_t>
+std::enable_if_t<Delaunay_from_surface_3::internal::is_iterator<InputIterator>, std::ptrdiff_t>
 #endif
 insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator first,
                 InputIterator last, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -175,49 +174,9 @@ if its iterators have random access
 \param faces the faces: for each the indices of its points in order
 \param traits order, subgraph and starting cells; `Surface_insertion_traits_3` if left
 out
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below; any other does not compile
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{point_map}
-    \cgalParamDescription{the points of the items of `points`}
-    \cgalParamType{a model of `ReadablePropertyMap` from the items to the points of `tr`, to a type
-      convertible to it, or to the points of another kernel, which are converted as
-      `insert_surface_vertices_3()` does it}
-    \cgalParamDefault{`CGAL::Identity_property_map`}
-  \cgalParamNEnd
-  \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions}
-    \cgalParamType{unsigned int}
-    \cgalParamDefault{0}
-  \cgalParamNEnd
-  \cgalParamNBegin{preserve_order}
-    \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
-      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
-      that can go through the core, and traits that do (`through_core`).}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it; if it has a function `accept()`
-      it leaves points out. It is copied unless it is passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
-      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by
-      returning `false`}
-    \cgalParamDefault{`Default_surface_insertion_visitor_3`}
-  \cgalParamNEnd
-  \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
-      `tr`, in ascending order of the indices. It is otherwise that of
-      `insert_surface_vertices_3()`.}
-    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or a
-      callable with such a pair, or with an index and a handle}
-    \cgalParamDefault{`Emptyset_iterator`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
-
-The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
-`Delaunay_from_surface_3::vertex_info_range()`, with which the sequence then begins.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the form
+without faces. The seed always counts, and `preserve_order` also needs traits that go through the core
+(`through_core`).
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
@@ -237,9 +196,9 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
-  static_assert(Are_faces<FaceRange>::value, "behind the points come faces, ranges of indices, or "
-                                             "named parameters");
-  if constexpr (Are_faces<FaceRange>::value) {
+  static_assert(are_faces<FaceRange>, "behind the points come faces, ranges of indices, or "
+                                      "named parameters");
+  if constexpr (are_faces<FaceRange>) {
     const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
         points, faces, np, Executor(), least_points_for_core<SurfaceInsertionTraits>(tr, np));
     return insert_surface<Executor, internal_np::point_t>(tr, read.input(), traits, np);
@@ -259,9 +218,9 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
-  static_assert(Are_faces<FaceRange>::value, "behind the points come faces, ranges of indices, or "
-                                             "named parameters");
-  if constexpr (Are_faces<FaceRange>::value) {
+  static_assert(are_faces<FaceRange>, "behind the points come faces, ranges of indices, or "
+                                      "named parameters");
+  if constexpr (are_faces<FaceRange>) {
     const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
         points, faces, np, Executor(), least_points_for_core<Surface_insertion_traits_3>(tr, np));
     return insert_surface<Executor, internal_np::point_t>(tr, read.input(),

@@ -83,55 +83,17 @@ edges does not matter, nor do loops and multiple edges
 result.
 \param traits order, subgraph and starting cells; `Surface_insertion_traits_3` if left
 out
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below; any other does not compile
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+`insert_points_3()` with faces, and the one below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{point_map}
-    \cgalParamDescription{the points of the items of `points`}
-    \cgalParamType{a model of `ReadablePropertyMap` from the items to the points of `tr`, to a type
-      convertible to it, or to the points of another kernel, which are converted as
-      `insert_surface_vertices_3()` does it}
-    \cgalParamDefault{`CGAL::Identity_property_map`}
-  \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{the indices of the vertices of `graph`: 0, …, n-1}
     \cgalParamType{a model of `ReadablePropertyMap` from
       `boost::graph_traits<Graph>::%vertex_descriptor` to an integer type}
     \cgalParamDefault{`boost::get(boost::vertex_index, graph)`}
   \cgalParamNEnd
-  \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions}
-    \cgalParamType{unsigned int}
-    \cgalParamDefault{0}
-  \cgalParamNEnd
-  \cgalParamNBegin{preserve_order}
-    \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
-      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
-      that can go through the core, and traits that do (`through_core`).}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it; if it has a function `accept()`
-      it leaves points out. It is copied unless it is passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
-      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by
-      returning `false`}
-    \cgalParamDefault{`Default_surface_insertion_visitor_3`}
-  \cgalParamNEnd
-  \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
-      `tr`, in ascending order of the indices. It is otherwise that of
-      `insert_surface_vertices_3()`.}
-    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or a
-      callable with such a pair, or with an index and a handle}
-    \cgalParamDefault{`Emptyset_iterator`}
-  \cgalParamNEnd
 \cgalNamedParamsEnd
-
-The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
-`Delaunay_from_surface_3::vertex_info_range()`, with which the sequence then begins.
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 

@@ -5,14 +5,14 @@
 #ifndef CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 #define CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Minimum_degree_witness.h>
-#include <CGAL/Delaunay_from_surface_3/surface/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
 #include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/iterator.h>
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,74 +34,36 @@ It is the tree of `bounded_degree_spanning_tree()`, of which edges are exchanged
 largest degree is 4 or more and an exchange of \cgalCite{fr-amdst-94} makes a vertex of this degree
 lighter.
 
-\param g the surface
+\tparam WitnessOutputIterator a model of `OutputIterator` that holds
+`Delaunay_from_surface_3::Minimum_degree_witness`
+
+\param surface the surface, from `surface_of()`
 \param out where the edges of the trees go, each once, in no particular order
 \param witnesses gets, for every component whose tree has a vertex of degree 4 or more, a set of
 vertices that shows what degree every spanning tree of it must have: its
 `Minimum_degree_witness::least_degree()` is the tree's degree or one less
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_index_map`,
-as for `bounded_degree_spanning_subgraph()`
 
-The preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
+\return the output iterator `out`
+
+\throws Surface_input_error as `surface_of()` says
 
 Complexity: that of `bounded_degree_spanning_tree()` if its tree has no vertex of degree 4; else
 nearly linear time for the exchanges near heavy vertices and for each phase of the general search.
 Exchanges and phases that succeed are at most \f$n \ln K\f$, with K the largest degree of that tree;
 how many there are in practice is in the user manual.
 */
-template <class HalfedgeGraph, class EdgeOutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class Reader, class EdgeOutputIterator, class WitnessOutputIterator = Emptyset_iterator>
 EdgeOutputIterator near_minimum_degree_spanning_tree(
-    const HalfedgeGraph& g, EdgeOutputIterator out,
-    std::vector<Delaunay_from_surface_3::Minimum_degree_witness>& witnesses,
-    const NamedParameters& np = parameters::default_values())
+    const Delaunay_from_surface_3::Triangulated_surface<Reader>& surface, EdgeOutputIterator out,
+    WitnessOutputIterator witnesses = WitnessOutputIterator())
 {
-  namespace internal = Delaunay_from_surface_3::internal;
-  out = internal::with_halfedge_graph_reader(g, np, [&](const auto& reader) {
-    return internal::write_near_minimum_degree_tree(reader, out, witnesses);
-  });
-  CGAL_postcondition(std::all_of(witnesses.begin(), witnesses.end(),
-                                 [](const auto& witness) { return witness.is_within_one(); }));
-  return out;
-}
-
-/*!
-\ingroup PkgDelaunayFromSurface3Subgraphs
-
-does the same without witnesses.
-*/
-template <class HalfedgeGraph, class EdgeOutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
-EdgeOutputIterator
-near_minimum_degree_spanning_tree(const HalfedgeGraph& g, EdgeOutputIterator out,
-                                  const NamedParameters& np = parameters::default_values())
-{
-  std::vector<Delaunay_from_surface_3::Minimum_degree_witness> witnesses;
-  return near_minimum_degree_spanning_tree(g, out, witnesses, np);
-}
-
-/*!
-\ingroup PkgDelaunayFromSurface3Subgraphs
-
-does the same for a triangulated surface that is given as a graph with the cyclic order of the edges
-around every vertex, orientable or not.
-
-The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()` for
-an embedded graph, and `witnesses` as above.
-*/
-template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
-          class EdgeIsBoundaryMap>
-EdgeOutputIterator near_minimum_degree_spanning_tree(
-    const Graph& graph, Embedding embedding, EdgeOutputIterator out,
-    VertexIndexMap vertex_index_map, EdgeIsBoundaryMap edge_is_boundary_map,
-    std::vector<Delaunay_from_surface_3::Minimum_degree_witness>& witnesses)
-{
-  namespace internal = Delaunay_from_surface_3::internal;
-  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
-  out = internal::write_near_minimum_degree_tree(
-      Reader(graph, embedding, vertex_index_map, edge_is_boundary_map), out, witnesses);
-  CGAL_postcondition(std::all_of(witnesses.begin(), witnesses.end(),
-                                 [](const auto& witness) { return witness.is_within_one(); }));
+  std::vector<Delaunay_from_surface_3::Minimum_degree_witness> found;
+  out = Delaunay_from_surface_3::internal::write_near_minimum_degree_tree(surface.reader(), out,
+                                                                          found);
+  for (auto& witness : found) {
+    CGAL_postcondition(witness.is_within_one());
+    *witnesses++ = std::move(witness);
+  }
   return out;
 }
 

@@ -8,15 +8,16 @@
 #include "check_insertion.h"
 #include "insertion_ways.h"
 
+#include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
+#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
@@ -73,12 +74,12 @@ using Core = Surface_insertion_policies_3<Full_graph, Plan, Hints>;
 
 using Random_core = Core<Random_plan, Planned_hints_3>;
 using Geometric_core = Core<Geometric_rounds, Planned_hints_3>;
-using Started_core = Core<Neighbor_started_rounds<Random_plan>, Planned_hints_3>;
+using Started_core = Core<meters::Neighbor_started_rounds<Random_plan>, Planned_hints_3>;
 using Spatial_core = Core<Spatial_sort_order, Previous_hint_3>;
 // Enough for 2^6 cells, so that CGAL's insertion takes over on the way.
 using Random_with_8_bits = tests::Traits_with_ids<std::uint8_t, Random_plan, Previous_hint_3>;
 using Hilbert_with_64_bits =
-    tests::Traits_with_ids<std::uint64_t, Hilbert_sorted_rounds<Log_star_rounds>, Previous_hint_3>;
+    tests::Traits_with_ids<std::uint64_t, meters::Hilbert_log_star_rounds, Previous_hint_3>;
 using Nets_through_cgal =
     Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Neighbor_hints_3>;
 using Planned_through_cgal = tests::Round_the_core<Random_core>;

@@ -47,15 +47,11 @@ struct Degrees
 Degrees certified_degrees(const Embedded_graph& g)
 {
   Edges subgraph, tree;
-  CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
-                                         g.index_map(), g.boundary_map());
-  CGAL::bounded_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(tree),
-                                     g.index_map(), g.boundary_map());
-  const auto topology =
-      DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
-  const auto of_subgraph =
-      CGAL::certify_spanning_subgraph(g.graph, subgraph, topology, g.index_map());
-  const auto of_tree = CGAL::certify_spanning_subgraph(g.graph, tree, topology, g.index_map());
+  CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
+  CGAL::bounded_degree_spanning_tree(g.surface(), std::back_inserter(tree));
+  const auto topology = DFS::surface_topology(g.surface());
+  const auto of_subgraph = CGAL::certify_spanning_subgraph(g.surface(), subgraph);
+  const auto of_tree = CGAL::certify_spanning_subgraph(g.surface(), tree);
   BOOST_TEST(of_subgraph.is_valid_subgraph());
   BOOST_TEST(of_tree.is_valid_tree());
   return {of_subgraph.maximum_degree, of_tree.maximum_degree, of_subgraph.largest_degree_bound};
@@ -343,8 +339,7 @@ BOOST_AUTO_TEST_CASE(the_loop_does_what_the_recursion_does)
 
     const Embedded_graph g = embed(disc, random);
     Edges subgraph;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
-                                           g.index_map(), g.boundary_map());
+    CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
     BOOST_TEST(subgraph.size() == by_recursion.size());
     for (const auto& e : subgraph) // both contain the rim
       if (g.is_boundary[get(boost::edge_index, g.graph, e)])

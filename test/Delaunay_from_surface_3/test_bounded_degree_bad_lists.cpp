@@ -35,8 +35,7 @@ std::string refusal(const Embedded_graph& g)
 {
   std::vector<Embedded_graph::Edge> edges;
   try {
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(edges),
-                                           g.index_map(), g.boundary_map());
+    CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(edges));
   } catch (const CGAL::Surface_input_error& e) {
     BOOST_TEST(edges.empty());
     return e.what();
@@ -195,12 +194,9 @@ BOOST_AUTO_TEST_CASE(random_damage_never_goes_unnoticed)
       continue;
     }
     std::vector<Embedded_graph::Edge> edges;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(edges),
-                                           g.index_map(), g.boundary_map());
-    const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(
-        g.graph, g.embedding(), g.index_map(), g.boundary_map());
-    BOOST_REQUIRE(CGAL::certify_spanning_subgraph(g.graph, edges, topology, g.index_map())
-                      .is_valid_subgraph());
+    CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(edges));
+    const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(g.surface());
+    BOOST_REQUIRE(CGAL::certify_spanning_subgraph(g.surface(), edges).is_valid_subgraph());
   }
   BOOST_TEST(refused > 1500);
 }

@@ -10,12 +10,14 @@
 
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
+#include <Delaunay_from_surface_3_meters/system_of_loops.h>
 #include "include/halfedge_mesh.h"
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/surface_of.h>
 #include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
@@ -26,7 +28,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/OFF.h>
-#include <CGAL/Delaunay_from_surface_3/surface/system_of_loops.h>
 
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/filtered_graph.hpp>
@@ -57,7 +58,7 @@ template <class Mesh>
 Edges<Mesh> subgraph_of(const Mesh& mesh)
 {
   Edges<Mesh> edges;
-  CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(edges));
+  CGAL::bounded_degree_spanning_subgraph(CGAL::surface_of(mesh), std::back_inserter(edges));
   return edges;
 }
 
@@ -65,12 +66,13 @@ template <class Mesh>
 std::string check_mesh(const Mesh& mesh)
 {
   Edges<Mesh> tree, cut;
-  if (!CGAL::certify_spanning_subgraph(mesh, subgraph_of(mesh)).is_valid_subgraph())
+  if (!CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), subgraph_of(mesh))
+           .is_valid_subgraph())
     return "the subgraph is not certified";
-  CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
-  if (!CGAL::certify_spanning_subgraph(mesh, tree).is_valid_tree())
+  CGAL::bounded_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(tree));
+  if (!CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), tree).is_valid_tree())
     return "the tree is not certified";
-  DFS::cut_graph(mesh, std::back_inserter(cut));
+  DFS::cut_graph(CGAL::surface_of(mesh), std::back_inserter(cut));
   for (const auto& e : cut)
     if (is_border(e, mesh))
       return "a boundary edge is in the cut";
@@ -103,7 +105,7 @@ void check_refused(const Mesh& mesh, const std::vector<std::string>& words)
   Edges<Mesh> edges;
   std::string message;
   try {
-    CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(edges));
+    CGAL::bounded_degree_spanning_subgraph(CGAL::surface_of(mesh), std::back_inserter(edges));
   } catch (const CGAL::Surface_input_error& e) {
     message = e.what();
   }
@@ -199,8 +201,7 @@ BOOST_AUTO_TEST_CASE(both_forms_agree)
         g.lists[v].push_back(twin[edge(i, mesh)]);
     }
     std::vector<Embedded_graph::Edge> expected, found;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(expected),
-                                           g.index_map(), g.boundary_map());
+    CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(expected));
     for (auto e : subgraph_of(mesh))
       found.push_back(twin[e]);
     std::sort(found.begin(), found.end());
@@ -215,9 +216,10 @@ BOOST_AUTO_TEST_CASE(functors_are_surface_subgraphs)
   const auto index = get(boost::vertex_index, mesh);
   Edges<Surface_mesh> subgraph, tree;
   DFS::Bounded_degree_subgraph()(mesh, index, std::back_inserter(subgraph));
-  DFS::Bounded_degree_tree()(mesh, index, std::back_inserter(tree));
+  DFS::Bounded_degree_subgraph(DFS::Bounded_degree_subgraph::TREE)(mesh, index,
+                                                                   std::back_inserter(tree));
   BOOST_TEST((subgraph == subgraph_of(mesh)));
-  BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, tree).is_valid_tree());
+  BOOST_TEST(CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), tree).is_valid_tree());
 }
 
 BOOST_AUTO_TEST_CASE(a_user_s_index_map_is_used)
@@ -230,10 +232,9 @@ BOOST_AUTO_TEST_CASE(a_user_s_index_map_is_used)
   const auto map =
       boost::make_iterator_property_map(reversed.begin(), get(boost::vertex_index, mesh));
   Edges<Surface_mesh> edges;
-  CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(edges),
-                                         CGAL::parameters::vertex_index_map(map));
-  BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, edges, CGAL::parameters::vertex_index_map(map))
-                 .is_valid_subgraph());
+  const auto surface = CGAL::surface_of(mesh, CGAL::parameters::vertex_index_map(map));
+  CGAL::bounded_degree_spanning_subgraph(surface, std::back_inserter(edges));
+  BOOST_TEST(CGAL::certify_spanning_subgraph(surface, edges).is_valid_subgraph());
   reversed[3] = reversed[4];
   BOOST_CHECK_THROW(DFS::Bounded_degree_subgraph()(mesh, map, std::back_inserter(edges)),
                     CGAL::Surface_input_error);
@@ -271,7 +272,8 @@ BOOST_AUTO_TEST_CASE(topology_of_known_surfaces)
     std::size_t loops = 0;
     while (loops < 5 && puncture(s, random))
       ++loops;
-    const auto topology = DFS::surface_topology(to_halfedge_mesh<Surface_mesh>(s));
+    const auto topology =
+        DFS::surface_topology(CGAL::surface_of(to_halfedge_mesh<Surface_mesh>(s)));
     BOOST_REQUIRE(topology.components.size() == 1);
     BOOST_TEST(topology.components[0].genus() == genus);
     BOOST_TEST(topology.components[0].number_of_boundary_loops == loops);
@@ -288,7 +290,7 @@ BOOST_AUTO_TEST_CASE(a_system_of_loops_cuts_as_well)
       recipe.field = {0, 0, genus, 0, 60, 100, 0, 0, 0, seed};
       const Surface_mesh mesh = to_halfedge_mesh<Surface_mesh>(cook(recipe));
       std::vector<Edges<Surface_mesh>> loops;
-      DFS::system_of_loops(mesh, std::back_inserter(loops));
+      meters::system_of_loops(CGAL::surface_of(mesh), std::back_inserter(loops));
       BOOST_REQUIRE(loops.size() == std::size_t(2 * genus));
       std::set<Surface_mesh::Edge_index> cut;
       for (const auto& loop : loops) {
@@ -310,7 +312,8 @@ BOOST_AUTO_TEST_CASE(a_system_of_loops_cuts_as_well)
       BOOST_TEST(characteristic == (genus == 0 ? 2 : 1));
     }
   BOOST_CHECK_THROW(
-      DFS::system_of_loops(to_halfedge_mesh<Surface_mesh>(fan(4)), CGAL::Emptyset_iterator()),
+      meters::system_of_loops(CGAL::surface_of(to_halfedge_mesh<Surface_mesh>(fan(4))),
+                              CGAL::Emptyset_iterator()),
       CGAL::Surface_input_error);
 }
 
@@ -321,7 +324,8 @@ BOOST_AUTO_TEST_CASE(empty_and_isolated)
   mesh.add_vertex();
   mesh.add_vertex();
   BOOST_TEST(subgraph_of(mesh).empty());
-  const auto certificate = CGAL::certify_spanning_subgraph(mesh, Edges<Surface_mesh>());
+  const auto certificate =
+      CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), Edges<Surface_mesh>());
   BOOST_TEST(certificate.is_valid_tree());
   BOOST_TEST(certificate.number_of_graph_components == 2u);
 }

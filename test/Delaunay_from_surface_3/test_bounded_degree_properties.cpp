@@ -160,8 +160,7 @@ std::string check_surface(const Surface_recipe& recipe)
   std::mt19937 random(unsigned(recipe.field[Surface_recipe::SEED]));
   const Embedded_graph g = embed(s, random);
   try {
-    const auto topology =
-        DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    const auto topology = DFS::surface_topology(g.surface());
     const Counted counted = count(s);
     if (topology.euler_characteristic() != counted.characteristic ||
         topology.components.size() != counted.components ||
@@ -169,19 +168,15 @@ std::string check_surface(const Surface_recipe& recipe)
       return "the topology is wrong";
 
     Edges subgraph, tree, cut;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
-                                           g.index_map(), g.boundary_map());
-    const auto certificate =
-        CGAL::certify_spanning_subgraph(g.graph, subgraph, topology, g.index_map());
+    CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
+    const auto certificate = CGAL::certify_spanning_subgraph(g.surface(), subgraph);
     if (!certificate.is_valid_subgraph())
       return "the subgraph is not certified";
-    CGAL::bounded_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(tree),
-                                       g.index_map(), g.boundary_map());
-    if (!CGAL::certify_spanning_subgraph(g.graph, tree, topology, g.index_map()).is_valid_tree())
+    CGAL::bounded_degree_spanning_tree(g.surface(), std::back_inserter(tree));
+    if (!CGAL::certify_spanning_subgraph(g.surface(), tree).is_valid_tree())
       return "the tree is not certified";
 
-    DFS::cut_graph(g.graph, g.embedding(), std::back_inserter(cut), g.index_map(),
-                   g.boundary_map());
+    DFS::cut_graph(g.surface(), std::back_inserter(cut));
     std::size_t spheres = 0, cycles = 0;
     for (const auto& component : topology.components) {
       const bool is_sphere = component.euler_characteristic() == 2;
@@ -276,15 +271,12 @@ BOOST_AUTO_TEST_CASE(bounds_are_met_and_never_exceeded)
     const Triangle_list s = cook(r);
     std::mt19937 random(1);
     const Embedded_graph g = embed(s, random);
-    const auto topology =
-        DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    const auto topology = DFS::surface_topology(g.surface());
     Edges subgraph, tree;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
-                                           g.index_map(), g.boundary_map());
-    CGAL::bounded_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(tree),
-                                       g.index_map(), g.boundary_map());
-    const auto found = CGAL::certify_spanning_subgraph(g.graph, subgraph, topology, g.index_map());
-    const auto of_tree = CGAL::certify_spanning_subgraph(g.graph, tree, topology, g.index_map());
+    CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
+    CGAL::bounded_degree_spanning_tree(g.surface(), std::back_inserter(tree));
+    const auto found = CGAL::certify_spanning_subgraph(g.surface(), subgraph);
+    const auto of_tree = CGAL::certify_spanning_subgraph(g.surface(), tree);
     BOOST_TEST_REQUIRE((found.is_valid_subgraph() && of_tree.is_valid_tree()));
     Degrees& most = largest[shape];
     most.subgraph = (std::max)(most.subgraph, found.maximum_degree);

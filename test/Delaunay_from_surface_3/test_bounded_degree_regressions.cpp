@@ -138,12 +138,8 @@ DFS::Spanning_subgraph_certificate certified_subgraph(const Triangle_list& s)
   std::mt19937 random(1);
   const Embedded_graph g = embed(s, random);
   std::vector<Embedded_graph::Edge> subgraph;
-  CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
-                                         g.index_map(), g.boundary_map());
-  return CGAL::certify_spanning_subgraph(
-      g.graph, subgraph,
-      DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map()),
-      g.index_map());
+  CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
+  return CGAL::certify_spanning_subgraph(g.surface(), subgraph);
 }
 
 // Only the ears 1, 3 and 5 have no chord; peeling an ear makes a chord an edge of the cycle, which
@@ -239,11 +235,10 @@ BOOST_AUTO_TEST_CASE(smallest_surfaces)
       boost::make_iterator_property_map(lists.begin(), get(boost::vertex_index, g));
   const auto never = boost::make_static_property_map<Embedded_graph::Edge>(false);
   std::vector<Embedded_graph::Edge> subgraph;
-  CGAL::bounded_degree_spanning_subgraph(g, embedding, std::back_inserter(subgraph),
-                                         get(boost::vertex_index, g), never);
+  const auto surface = CGAL::surface_of(g, embedding, get(boost::vertex_index, g), never);
+  CGAL::bounded_degree_spanning_subgraph(surface, std::back_inserter(subgraph));
   BOOST_TEST(subgraph.size() == 3u);
-  BOOST_TEST(DFS::surface_topology(g, embedding, get(boost::vertex_index, g), never)
-                 .euler_characteristic() == 2);
+  BOOST_TEST(DFS::surface_topology(surface).euler_characteristic() == 2);
 }
 
 // The index type for more edges than 32 bits can number, on a surface that has far fewer.

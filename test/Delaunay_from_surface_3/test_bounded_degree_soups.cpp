@@ -15,10 +15,11 @@
 
 #include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Near_minimum_degree_tree.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/surface_of.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
@@ -38,15 +39,21 @@ namespace {
 using Mesh = CGAL::Surface_mesh<surfaces::Indexed_surface::Point_3>;
 using Pair = std::pair<std::size_t, std::size_t>;
 
-template <class Subgraph, class FaceRange>
-std::set<Pair> edges_of_soup(const FaceRange& faces, std::size_t n)
+using Kind = DFS::Bounded_degree_subgraph::Kind;
+constexpr Kind SUBGRAPH = DFS::Bounded_degree_subgraph::SUBGRAPH;
+constexpr Kind TREE = DFS::Bounded_degree_subgraph::TREE;
+constexpr Kind NEAR_MINIMUM_TREE = DFS::Bounded_degree_subgraph::NEAR_MINIMUM_TREE;
+
+template <class FaceRange>
+std::set<Pair> edges_of_soup(Kind kind, const FaceRange& faces, std::size_t n)
 {
   namespace internal = DFS::internal;
   const internal::Graph_of_faces<FaceRange> graph(internal::soup_graph(faces, n).graph, faces);
   std::set<Pair> result;
-  Subgraph()(graph, internal::Identity_index_map(),
-             boost::make_function_output_iterator(
-                 [&](const Pair& e) { result.insert(std::minmax(e.first, e.second)); }));
+  const DFS::Bounded_degree_subgraph subgraph(kind);
+  subgraph(graph, internal::Identity_index_map(),
+           boost::make_function_output_iterator(
+               [&](const Pair& e) { result.insert(std::minmax(e.first, e.second)); }));
   return result;
 }
 
@@ -62,15 +69,15 @@ Mesh mesh_of(const surfaces::Indexed_surface& surface)
   return mesh;
 }
 
-template <class Subgraph>
-std::set<Pair> edges_of_mesh(const Mesh& mesh)
+std::set<Pair> edges_of_mesh(Kind kind, const Mesh& mesh)
 {
   std::set<Pair> result;
-  Subgraph()(mesh, get(boost::vertex_index, mesh),
-             boost::make_function_output_iterator([&](Mesh::Edge_index e) {
-               result.insert(
-                   std::minmax(std::size_t(mesh.vertex(e, 0)), std::size_t(mesh.vertex(e, 1))));
-             }));
+  const DFS::Bounded_degree_subgraph subgraph(kind);
+  subgraph(mesh, get(boost::vertex_index, mesh),
+           boost::make_function_output_iterator([&](Mesh::Edge_index e) {
+             result.insert(
+                 std::minmax(std::size_t(mesh.vertex(e, 0)), std::size_t(mesh.vertex(e, 1))));
+           }));
   return result;
 }
 
@@ -83,22 +90,30 @@ BOOST_AUTO_TEST_CASE(the_same_edges_as_with_halfedges)
     {
       const Mesh mesh = mesh_of(named.surface);
       const std::size_t n = named.surface.points.size();
-      BOOST_TEST((edges_of_soup<DFS::Bounded_degree_subgraph>(named.surface.faces, n) ==
-                  edges_of_mesh<DFS::Bounded_degree_subgraph>(mesh)));
-      BOOST_TEST((edges_of_soup<DFS::Bounded_degree_tree>(named.surface.faces, n) ==
-                  edges_of_mesh<DFS::Bounded_degree_tree>(mesh)));
+      BOOST_TEST(
+          (edges_of_soup(SUBGRAPH, named.surface.faces, n) == edges_of_mesh(SUBGRAPH, mesh)));
+      BOOST_TEST((edges_of_soup(TREE, named.surface.faces, n) == edges_of_mesh(TREE, mesh)));
 
       // Faces oriented at random.
       std::mt19937 random(1);
       for (auto& face : named.surface.faces)
         if (random() % 2)
           std::swap(face[0], face[1]);
-      const auto soup = edges_of_soup<DFS::Bounded_degree_subgraph>(named.surface.faces, n);
+      const auto soup = edges_of_soup(SUBGRAPH, named.surface.faces, n);
+      std::vector<Pair> directly;
+      CGAL::bounded_degree_spanning_subgraph(CGAL::surface_of(n, named.surface.faces),
+                                             std::back_inserter(directly));
+      BOOST_TEST(directly.size() == soup.size());
+      for (const Pair& e : directly)
+        BOOST_TEST(soup.count(std::minmax(e.first, e.second)) == 1u);
+      BOOST_TEST(CGAL::certify_spanning_subgraph(CGAL::surface_of(n, named.surface.faces), directly)
+                     .is_valid_subgraph());
       std::vector<Mesh::Edge_index> edges;
       for (const Pair& e : soup)
         edges.push_back(mesh.edge(mesh.halfedge(Mesh::Vertex_index(Mesh::size_type(e.first)),
                                                 Mesh::Vertex_index(Mesh::size_type(e.second)))));
-      BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, edges).is_valid_subgraph());
+      BOOST_TEST(
+          CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), edges).is_valid_subgraph());
     }
 }
 
@@ -110,18 +125,16 @@ BOOST_AUTO_TEST_CASE(soups_of_any_surface)
   for (int seed = 0; seed < 400; ++seed) {
     const Triangle_list s = cook(random_recipe(seed, seed % 2 == 0));
     const Embedded_graph g = embed(s, random);
-    const auto topology =
-        DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    const auto topology = DFS::surface_topology(g.surface());
     const auto certify = [&](const std::set<Pair>& pairs) {
       std::vector<Embedded_graph::Edge> edges;
       for (const Pair& e : pairs)
         edges.push_back(edge(e.first, e.second, g.graph).first);
-      return CGAL::certify_spanning_subgraph(g.graph, edges, topology, g.index_map());
+      return CGAL::certify_spanning_subgraph(g.surface(), edges);
     };
     const std::size_t n = std::size_t(s.n);
+    BOOST_TEST(certify(edges_of_soup(SUBGRAPH, s.triangles, n)).is_valid_subgraph());
     BOOST_TEST(
-        certify(edges_of_soup<DFS::Bounded_degree_subgraph>(s.triangles, n)).is_valid_subgraph());
-    BOOST_TEST(certify(edges_of_soup<DFS::Near_minimum_degree_tree>(s.triangles, n))
-                   .is_valid_near_minimum_tree());
+        certify(edges_of_soup(NEAR_MINIMUM_TREE, s.triangles, n)).is_valid_near_minimum_tree());
   }
 }

@@ -6,6 +6,8 @@
 // given; and what it does where it cannot serve.
 
 #define BOOST_TEST_MODULE test_compact_kernel
+#include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
+
 #include <boost/test/included/unit_test.hpp>
 
 #include "core_traits.h"
@@ -21,7 +23,6 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
@@ -189,7 +190,7 @@ BOOST_AUTO_TEST_CASE(wrong_graph)
   for (int i = 0; i < 6000; ++i)
     add_edge(std::size_t(random.get_int(0, 2000)), std::size_t(random.get_int(0, 2000)), graph);
   check_equal<Triangulation, DFS::Surface_net_rounds>(points, graph);
-  check_equal<Triangulation, DFS::Neighbor_started_rounds<DFS::Geometric_rounds>>(points, graph);
+  check_equal<Triangulation, meters::Neighbor_started_rounds<DFS::Geometric_rounds>>(points, graph);
 }
 
 BOOST_AUTO_TEST_CASE(upper_levels_are_filled)
@@ -245,7 +246,8 @@ BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
     DFS::internal::Compact_triangulation<std::uint32_t> triangulation(complex);
     triangulation.insert(5, triangulation.locate(5, 0).cell);
     spoil(complex);
-    BOOST_TEST(DFS::internal::is_delaunay(complex) == DFS::internal::is_valid(complex, Level(3)));
+    BOOST_TEST((complex.is_valid() && DFS::internal::is_delaunay(complex)) ==
+               DFS::internal::is_valid(complex, Level(3)));
     int level = 0;
     while (level < 4 && DFS::internal::is_valid(complex, Level(level)))
       ++level;

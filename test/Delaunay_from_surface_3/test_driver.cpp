@@ -86,7 +86,7 @@ struct Starved_nets : DFS::Surface_net_rounds
 };
 
 using Starved_traits =
-    CGAL::Surface_insertion_policies_3<DFS::Full_graph, Starved_nets, DFS::Planned_hints_3>;
+    CGAL::Surface_insertion_policies_3<DFS::No_subgraph, Starved_nets, DFS::Planned_hints_3>;
 
 struct Watch : CGAL::Default_surface_insertion_visitor_3
 {

@@ -19,7 +19,7 @@
 #include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
@@ -44,7 +44,7 @@ using namespace tests::history;
 using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Dag = meters::History_dag_3<Triangulation>;
 using Traits =
-    CGAL::Surface_insertion_policies_3<DFS::Bounded_degree_subgraph, DFS::Random_log_star_rounds,
+    CGAL::Surface_insertion_policies_3<DFS::Bounded_degree_subgraph, meters::Random_log_star_rounds,
                                        meters::History_hints_3>;
 
 namespace {

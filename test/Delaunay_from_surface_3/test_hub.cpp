@@ -16,7 +16,7 @@
 #include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -84,7 +84,7 @@ Calls calls(const Room& room)
   meters::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::insert_points_along_graph_3(
       tr, room.points, room.tree,
-      CGAL::Surface_insertion_policies_3<DFS::Full_graph, DFS::Random_log_star_rounds, Hints>(),
+      CGAL::Surface_insertion_policies_3<DFS::Full_graph, meters::Random_log_star_rounds, Hints>(),
       CGAL::parameters::visitor(std::ref(visitor)));
   const auto location = CGAL::Surface_insertion_phase::LOCATION;
   const double n = double(room.points.size()), all = double(visitor.total(location).all());

@@ -22,6 +22,7 @@
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 #include <CGAL/near_minimum_degree_spanning_tree.h>
+#include <CGAL/surface_of.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -106,19 +107,16 @@ Found find_trees(const Triangle_list& s)
 {
   std::mt19937 random(1);
   const Embedded_graph g = embed(s, random);
-  const auto topology =
-      DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+  const auto topology = DFS::surface_topology(g.surface());
   const auto certify = [&](const Edges& edges) {
-    return CGAL::certify_spanning_subgraph(g.graph, edges, topology, g.index_map());
+    return CGAL::certify_spanning_subgraph(g.surface(), edges);
   };
   Edges subgraph, tree, near_minimum;
   Witnesses witnesses;
-  CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
-                                         g.index_map(), g.boundary_map());
-  CGAL::bounded_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(tree),
-                                     g.index_map(), g.boundary_map());
-  CGAL::near_minimum_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(near_minimum),
-                                          g.index_map(), g.boundary_map(), witnesses);
+  CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
+  CGAL::bounded_degree_spanning_tree(g.surface(), std::back_inserter(tree));
+  CGAL::near_minimum_degree_spanning_tree(g.surface(), std::back_inserter(near_minimum),
+                                          std::back_inserter(witnesses));
   const auto certificate = certify(near_minimum);
   Found result{certify(subgraph).maximum_degree,
                certify(tree).maximum_degree,
@@ -201,8 +199,7 @@ Reduced reduce_search_tree(const Triangle_list& s, bool is_breadth_first)
     for (std::uint32_t dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
       if (marks[dart] && (++edges, !sets.unite(v, surface.neighbor[dart])))
         result.complaint = "a cycle";
-  const auto topology =
-      DFS::surface_topology(g.graph, g.embedding(), g.index_map(), g.boundary_map());
+  const auto topology = DFS::surface_topology(g.surface());
   if (edges + topology.components.size() + topology.number_of_isolated_vertices != std::size_t(s.n))
     result.complaint = "the tree does not span the surface";
   const std::string of_witnesses = check_witnesses(s, witnesses, result.after);
@@ -223,7 +220,8 @@ BOOST_AUTO_TEST_CASE(stacked_complete_graphs)
   for (const Expected e :
        {Expected{7, 1, 4, 3}, Expected{19, 20, 8, 7}, Expected{31, 63, 12, 11}}) {
     const Triangle_list s = stacked_complete_graph(e.n);
-    const auto topology = DFS::surface_topology(to_halfedge_mesh<Surface_mesh>(s));
+    const auto topology =
+        DFS::surface_topology(CGAL::surface_of(to_halfedge_mesh<Surface_mesh>(s)));
     BOOST_TEST_REQUIRE(topology.components.size() == 1u);
     BOOST_TEST(topology.components[0].genus() == e.genus);
     std::vector<std::size_t> x(std::size_t(e.n));
@@ -382,21 +380,25 @@ BOOST_AUTO_TEST_CASE(meshes_of_the_data_archive)
     std::vector<Surface_mesh::Edge_index> edges, tree;
     Witnesses witnesses;
     try {
-      CGAL::near_minimum_degree_spanning_tree(mesh, std::back_inserter(edges), witnesses);
+      CGAL::near_minimum_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(edges),
+                                              std::back_inserter(witnesses));
     } catch (const CGAL::Surface_input_error& e) {
       BOOST_TEST(edges.empty());
-      BOOST_CHECK_THROW(CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree)),
-                        CGAL::Surface_input_error);
+      BOOST_CHECK_THROW(
+          CGAL::bounded_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(tree)),
+          CGAL::Surface_input_error);
       ++refused;
       continue;
     }
-    CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
-    const auto found = CGAL::certify_spanning_subgraph(mesh, edges);
+    CGAL::bounded_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(tree));
+    const auto found = CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), edges);
     BOOST_TEST(found.is_valid_near_minimum_tree(), entry.path().string());
     for (const auto& witness : witnesses)
       BOOST_TEST(witness.is_within_one());
-    improved +=
-        found.maximum_degree < CGAL::certify_spanning_subgraph(mesh, tree).maximum_degree ? 1 : 0;
+    improved += found.maximum_degree <
+                        CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), tree).maximum_degree
+                    ? 1
+                    : 0;
     ++served;
   }
   BOOST_TEST_MESSAGE(served << " meshes, of which " << improved << " are better now; " << refused
@@ -409,11 +411,12 @@ BOOST_AUTO_TEST_CASE(what_needs_nothing_gets_the_tree_of_bounded_degree)
   for (const Triangle_list& s : {nested_triangles(50), double_wheel(30), fan(20)}) {
     const Surface_mesh mesh = to_halfedge_mesh<Surface_mesh>(s);
     std::vector<Surface_mesh::Edge_index> edges, tree;
-    CGAL::near_minimum_degree_spanning_tree(mesh, std::back_inserter(edges));
-    CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
+    CGAL::near_minimum_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(edges));
+    CGAL::bounded_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(tree));
     BOOST_TEST((edges == tree));
   }
   std::vector<Surface_mesh::Edge_index> edges;
-  CGAL::near_minimum_degree_spanning_tree(Surface_mesh(), std::back_inserter(edges));
+  CGAL::near_minimum_degree_spanning_tree(CGAL::surface_of(Surface_mesh()),
+                                          std::back_inserter(edges));
   BOOST_TEST(edges.empty());
 }

@@ -19,6 +19,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/surface_of.h>
 #include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
@@ -60,16 +61,17 @@ BOOST_AUTO_TEST_CASE(subgraph_tree_and_cut)
   for (std::size_t genus : {0, 1, 3})
     for (std::size_t holes : {0, 1, 3}) {
       const Mesh mesh = mesh_of_genus(genus, holes);
-      const auto topology = DFS::surface_topology(mesh);
+      const auto topology = DFS::surface_topology(CGAL::surface_of(mesh));
       BOOST_TEST_REQUIRE(topology.components.size() == 1u);
       BOOST_TEST(topology.components[0].genus() == genus);
       BOOST_TEST(topology.components[0].number_of_boundary_loops == holes);
       Edges subgraph, tree, cut;
-      CGAL::bounded_degree_spanning_subgraph(mesh, std::back_inserter(subgraph));
-      BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, subgraph).is_valid_subgraph());
-      CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
-      BOOST_TEST(CGAL::certify_spanning_subgraph(mesh, tree).is_valid_tree());
-      DFS::cut_graph(mesh, std::back_inserter(cut));
+      CGAL::bounded_degree_spanning_subgraph(CGAL::surface_of(mesh), std::back_inserter(subgraph));
+      BOOST_TEST(
+          CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), subgraph).is_valid_subgraph());
+      CGAL::bounded_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(tree));
+      BOOST_TEST(CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), tree).is_valid_tree());
+      DFS::cut_graph(CGAL::surface_of(mesh), std::back_inserter(cut));
       BOOST_TEST(cut.empty() == (genus == 0 && holes <= 1));
     }
 }

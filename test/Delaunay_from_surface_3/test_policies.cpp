@@ -5,6 +5,9 @@
 // Plans, subgraphs, hints and observers, one by one, with CGAL's expensive checks compiled in.
 
 #define BOOST_TEST_MODULE test_policies
+#include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
+#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
+
 #include <boost/test/included/unit_test.hpp>
 
 #include "check_equal.h"
@@ -17,13 +20,10 @@
 #include <CGAL/spatial_sort.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
@@ -192,13 +192,12 @@ BOOST_AUTO_TEST_CASE(geometric_round_ends)
 BOOST_AUTO_TEST_CASE(plans_are_permutations_with_increasing_rounds)
 {
   check_plan<DFS::Log_star_rounds>();
-  check_plan<DFS::Random_log_star_rounds>();
+  check_plan<meters::Random_log_star_rounds>();
   check_plan<DFS::Geometric_rounds>();
   check_plan<DFS::Spaced_rounds>();
   check_plan<DFS::Spatial_sort_order>();
-  check_plan<DFS::Hilbert_sorted_rounds<DFS::Log_star_rounds>>();
-  check_plan<DFS::Hilbert_sorted_rounds<DFS::Geometric_rounds>>();
-  check_plan<DFS::Neighbor_started_rounds<DFS::Geometric_rounds>>();
+  check_plan<meters::Hilbert_log_star_rounds>();
+  check_plan<meters::Neighbor_started_rounds<DFS::Geometric_rounds>>();
 }
 
 BOOST_AUTO_TEST_CASE(seeds_draw_the_order)
@@ -206,8 +205,8 @@ BOOST_AUTO_TEST_CASE(seeds_draw_the_order)
   const std::vector<Point> points = surfaces::sphere(500, 0.1).points;
   BOOST_TEST((order_by(DFS::Log_star_rounds(1), points).order !=
               order_by(DFS::Log_star_rounds(2), points).order));
-  BOOST_TEST((order_by(DFS::Random_log_star_rounds(1), points).order !=
-              order_by(DFS::Random_log_star_rounds(2), points).order));
+  BOOST_TEST((order_by(meters::Random_log_star_rounds(1), points).order !=
+              order_by(meters::Random_log_star_rounds(2), points).order));
   BOOST_TEST((order_by(DFS::Geometric_rounds(1), points).order !=
               order_by(DFS::Geometric_rounds(2), points).order));
   BOOST_TEST((order_by(DFS::Spaced_rounds(1), points).order ==
@@ -216,11 +215,11 @@ BOOST_AUTO_TEST_CASE(seeds_draw_the_order)
               order_by(DFS::Spatial_sort_order(2), points).order));
 }
 
-BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
+BOOST_AUTO_TEST_CASE(sorted_rounds_keep_the_sets)
 {
   const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
   const auto random = order_by(DFS::Log_star_rounds(5), points);
-  const auto sorted = order_by(DFS::Hilbert_sorted_rounds<DFS::Log_star_rounds>(5), points);
+  const auto sorted = order_by(meters::Hilbert_log_star_rounds(5), points);
   BOOST_TEST((sets_of_rounds(random) == sets_of_rounds(sorted)));
   BOOST_TEST(random.round_ends == sorted.round_ends, boost::test_tools::per_element());
   BOOST_TEST((random.order != sorted.order));
@@ -239,22 +238,13 @@ BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_keep_the_sets)
 BOOST_AUTO_TEST_CASE(only_the_first_of_the_papers_rounds_is_sorted)
 {
   const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
-  const auto random = order_by(DFS::Random_log_star_rounds(5), points);
+  const auto random = order_by(meters::Random_log_star_rounds(5), points);
   const auto sorted = order_by(DFS::Log_star_rounds(5), points);
   BOOST_TEST((sets_of_rounds(random) == sets_of_rounds(sorted)));
   const auto N_1 = std::ptrdiff_t(random.round_ends[0]);
   BOOST_TEST(!std::equal(random.order.begin(), random.order.begin() + N_1, sorted.order.begin()));
   BOOST_TEST(
       std::equal(random.order.begin() + N_1, random.order.end(), sorted.order.begin() + N_1));
-}
-
-// A starting point that comes later in the new order would be no start at all.
-BOOST_AUTO_TEST_CASE(hilbert_sorted_rounds_drop_starting_places)
-{
-  using Started = DFS::Neighbor_started_rounds<DFS::Log_star_rounds>;
-  const std::vector<Point> points = surfaces::sphere(500, 0.1).points;
-  BOOST_TEST(order_by(Started(5), points).starting_places.size() == points.size());
-  BOOST_TEST(order_by(DFS::Hilbert_sorted_rounds<Started>(5), points).starting_places.empty());
 }
 
 BOOST_AUTO_TEST_CASE(spatial_sort_order_is_that_of_spatial_sort)
@@ -289,7 +279,7 @@ BOOST_AUTO_TEST_CASE(starting_places_by_hand)
   for (const std::size_t i : {0, 1, 2})
     add_edge(i, i + 1, graph);
   add_edge(3, 3, graph);
-  const auto plan = DFS::Neighbor_started_rounds<Given_order>()(
+  const auto plan = meters::Neighbor_started_rounds<Given_order>()(
       std::vector<Point>(6), Kernel(), graph, get(boost::vertex_index, std::as_const(graph)));
   BOOST_TEST(plan.order == (Indices{4, 1, 3, 2, 5, 0}), boost::test_tools::per_element());
   BOOST_TEST(plan.round_ends == (Indices{2, 6}), boost::test_tools::per_element());
@@ -302,7 +292,7 @@ BOOST_AUTO_TEST_CASE(planned_starts_are_the_neighbors_inserted_last)
   using CGAL::Delaunay_from_surface_3::internal::Index_graph;
   for (const Named_surface& named : small_surfaces())
     insert_twice<Triangulation, tests::Checking_planned_hints, DFS::Full_graph,
-                 DFS::Neighbor_started_rounds<DFS::Geometric_rounds>>(named, 1);
+                 meters::Neighbor_started_rounds<DFS::Geometric_rounds>>(named, 1);
   using Hints =
       tests::Checking_planned_hints<DFS::Triangulation_target_3<Triangulation>, Index_graph>;
   BOOST_TEST(2 * Hints::number_of_neighbors > Hints::number_of_starts);

@@ -19,6 +19,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/surface_of.h>
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
@@ -96,7 +97,8 @@ inline std::vector<std::size_t> subgraph_of(const Surface& surface)
     return ends;
   try {
     CGAL::bounded_degree_spanning_subgraph(
-        surface.mesh, boost::make_function_output_iterator([&](Mesh::Edge_index e) {
+        CGAL::surface_of(surface.mesh),
+        boost::make_function_output_iterator([&](Mesh::Edge_index e) {
           ends.push_back(std::size_t(source(e, surface.mesh)));
           ends.push_back(std::size_t(target(e, surface.mesh)));
         }));

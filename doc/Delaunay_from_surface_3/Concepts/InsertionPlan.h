@@ -10,10 +10,7 @@ The triangulation is right for any order. A model knows nothing of cells.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Log_star_rounds}
-\cgalHasModels{CGAL::Delaunay_from_surface_3::Random_log_star_rounds}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Geometric_rounds}
-\cgalHasModels{CGAL::Delaunay_from_surface_3::Hilbert_sorted_rounds<Plan>}
-\cgalHasModels{CGAL::Delaunay_from_surface_3::Neighbor_started_rounds<Plan>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Spaced_rounds}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Spatial_sort_order}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Surface_net_rounds}

@@ -14,11 +14,10 @@ A model knows nothing of triangulations: it sees a graph, and what its construct
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Bounded_degree_subgraph}
-\cgalHasModels{CGAL::Delaunay_from_surface_3::Bounded_degree_tree}
-\cgalHasModels{CGAL::Delaunay_from_surface_3::Near_minimum_degree_tree}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Spanning_forest}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Minimum_spanning_forest<Point>}
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Full_graph}
+\cgalHasModels{CGAL::Delaunay_from_surface_3::No_subgraph}
 \cgalHasModelsEnd
 
 \sa `SurfaceInsertionTraits_3`

@@ -11,14 +11,9 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 
-/*!
-\ingroup PkgDelaunayFromSurface3Insertion
-
-is thrown by `delaunay_3_arrays()` if there are more cells than its indices can number.
-*/
+// Thrown where there are more cells than ids can number. Users know it as a std::length_error.
 struct Too_few_ids : std::length_error
 {
-  /// has numbers of `bits` bits.
   explicit Too_few_ids(int bits)
     : std::length_error("ids of " + std::to_string(bits) + " bits are too few for its cells")
   {

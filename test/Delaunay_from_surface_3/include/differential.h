@@ -11,9 +11,10 @@
 #include "core_traits.h"
 #include "check_equal.h"
 
+#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
+
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
@@ -50,8 +51,7 @@ void check_all_plans_and_hints(const Case& stock_case)
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Log_star_rounds>(stock_case);
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Geometric_rounds>(stock_case);
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Spatial_sort_order>(stock_case);
-  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Hilbert_sorted_rounds<
-                                CGAL::Delaunay_from_surface_3::Log_star_rounds>>(stock_case);
+  check_all_hints<Subgraph, meters::Hilbert_log_star_rounds>(stock_case);
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Surface_net_rounds>(stock_case);
 }
 

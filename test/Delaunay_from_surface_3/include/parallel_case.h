@@ -164,8 +164,8 @@ Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
     triangulation.insert_round(first, last, subject.vertex_of, hints, go_further);
   }
   triangulation.finish();
-  return {DFS::internal::is_delaunay(subject.complex), subject.cells(),
-          triangulation.counts().clashes, triangulation.counts().put_off};
+  return {subject.complex.is_valid() && DFS::internal::is_delaunay(subject.complex),
+          subject.cells(), triangulation.counts().clashes, triangulation.counts().put_off};
 }
 
 } // namespace tests

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,7 +55,7 @@ struct Old_traits
 void call(Without_info& without_info, With_info& with_info, const std::vector<Point>& points,
           const std::vector<std::pair<Point, int>>& numbered,
           const std::vector<std::pair<Point, std::string>>& named, const std::vector<int>& infos,
-          CGAL::Regular_triangulation_3<K>& weighted)
+          CGAL::Regular_triangulation_3<K>& weighted, std::string& text)
 {
   // expected: this function does not know that named parameter
   CGAL::insert_points_3(without_info, points, parameters::vertex_to_vertex_map(1));
@@ -67,6 +68,8 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
                         CGAL::Delaunay_from_surface_3::vertex_info_range(infos));
   // expected: a visitor is a model of SurfaceInsertionVisitor_3
   CGAL::insert_points_3(without_info, points, parameters::visitor(1));
+  // expected: a visitor is a model of SurfaceInsertionVisitor_3
+  CGAL::insert_points_3(without_info, points, parameters::visitor(std::ref(text)));
   // expected: the accept() of a visitor takes the numbers of two points and a point
   CGAL::insert_points_3(without_info, points, parameters::visitor(Wrong_visitor()));
   // expected: traits say by through_core who inserts

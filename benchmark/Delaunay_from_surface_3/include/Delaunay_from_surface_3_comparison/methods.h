@@ -12,13 +12,13 @@
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/phases.h>
 #include <Delaunay_from_surface_3_comparison/triangulations.h>
+#include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
+#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Hilbert_sorted_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_started_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
@@ -135,7 +135,7 @@ inline std::vector<Method> all_methods()
       surface_method<Plain_insertion_traits_3>(
           "plain-order", "Plain_insertion_traits_3: plain CGAL's insertions, our loop"),
       surface_method<By_cgal<Surface_insertion_policies_3<
-          Full_graph, Neighbor_started_rounds<Geometric_rounds>, Planned_hints_3>>>(
+          Full_graph, meters::Neighbor_started_rounds<Geometric_rounds>, Planned_hints_3>>>(
           "geometric-started", "rounds that grow geometrically, neighbour inserted last before"),
       surface_method<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Neighbor_hints_3>>(
           "geometric-neighbor", "rounds that grow geometrically, nearest inserted neighbour"),
@@ -145,8 +145,8 @@ inline std::vector<Method> all_methods()
       surface_method<
           Surface_insertion_policies_3<Bounded_degree_subgraph, Geometric_rounds, Traced_hints_3>>(
           "geometric-traced", "rounds that grow geometrically, traces"),
-      surface_method<Surface_insertion_policies_3<
-          Bounded_degree_subgraph, Hilbert_sorted_rounds<Log_star_rounds>, Traced_hints_3>>(
+      surface_method<Surface_insertion_policies_3<Bounded_degree_subgraph,
+                                                  meters::Hilbert_log_star_rounds, Traced_hints_3>>(
           "tracing-hilbert", "the paper's rounds and traces, rounds sorted along a Hilbert curve"),
       surface_method<Tracing_traits_3>("tracing",
                                        "Tracing_traits_3: the paper's random order and traces"),

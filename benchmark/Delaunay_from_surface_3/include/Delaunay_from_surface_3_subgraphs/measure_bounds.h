@@ -119,19 +119,15 @@ inline nlohmann::ordered_json measure_bounds(const Named_recipe& named, int tria
       throw std::logic_error("the recipe for " + named.name + " makes other surfaces");
     std::mt19937 random(static_cast<unsigned>(seed));
     const Embedded_graph g = embed(random_triangulation(named, seed), random);
-    const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(
-        g.graph, g.embedding(), g.index_map(), g.boundary_map());
+    const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(g.surface());
     if (!has_topology(named, topology))
       continue;
     ++made;
     std::vector<Embedded_graph::Edge> subgraph, tree;
-    CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
-                                           g.index_map(), g.boundary_map());
-    CGAL::bounded_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(tree),
-                                       g.index_map(), g.boundary_map());
-    const auto found = CGAL::certify_spanning_subgraph(g.graph, subgraph, topology, g.index_map());
-    const auto found_of_tree =
-        CGAL::certify_spanning_subgraph(g.graph, tree, topology, g.index_map());
+    CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
+    CGAL::bounded_degree_spanning_tree(g.surface(), std::back_inserter(tree));
+    const auto found = CGAL::certify_spanning_subgraph(g.surface(), subgraph);
+    const auto found_of_tree = CGAL::certify_spanning_subgraph(g.surface(), tree);
     if (!found.is_valid_subgraph() || !found_of_tree.is_valid_tree())
       throw std::runtime_error("a subgraph of " + named.name + " does not keep what it promises");
     for (const auto& component : topology.components) {

@@ -18,6 +18,7 @@
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 #include <CGAL/near_minimum_degree_spanning_tree.h>
+#include <CGAL/surface_of.h>
 
 #include <CGAL/boost/graph/IO/OFF.h>
 
@@ -52,18 +53,15 @@ inline nlohmann::ordered_json measure_near_minimum(const std::string& name,
 {
   std::mt19937 random(1);
   const triangle_lists::Embedded_graph g = embed(s, random);
-  const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(
-      g.graph, g.embedding(), g.index_map(), g.boundary_map());
+  const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(g.surface());
   std::vector<triangle_lists::Embedded_graph::Edge> subgraph, tree, near_minimum;
   Witnesses witnesses;
-  CGAL::bounded_degree_spanning_subgraph(g.graph, g.embedding(), std::back_inserter(subgraph),
-                                         g.index_map(), g.boundary_map());
-  CGAL::bounded_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(tree),
-                                     g.index_map(), g.boundary_map());
-  CGAL::near_minimum_degree_spanning_tree(g.graph, g.embedding(), std::back_inserter(near_minimum),
-                                          g.index_map(), g.boundary_map(), witnesses);
+  CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
+  CGAL::bounded_degree_spanning_tree(g.surface(), std::back_inserter(tree));
+  CGAL::near_minimum_degree_spanning_tree(g.surface(), std::back_inserter(near_minimum),
+                                          std::back_inserter(witnesses));
   const auto certify = [&](const auto& edges) {
-    return CGAL::certify_spanning_subgraph(g.graph, edges, topology, g.index_map());
+    return CGAL::certify_spanning_subgraph(g.surface(), edges);
   };
   const auto found = certify(near_minimum);
   if (!found.is_valid_near_minimum_tree())
@@ -179,17 +177,18 @@ nlohmann::ordered_json measure_near_minimum_meshes(const std::string& folder)
     }
     std::vector<typename Mesh::Edge_index> tree, near_minimum;
     try {
-      CGAL::bounded_degree_spanning_tree(mesh, std::back_inserter(tree));
-      CGAL::near_minimum_degree_spanning_tree(mesh, std::back_inserter(near_minimum));
+      CGAL::bounded_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(tree));
+      CGAL::near_minimum_degree_spanning_tree(CGAL::surface_of(mesh),
+                                              std::back_inserter(near_minimum));
     } catch (const CGAL::Surface_input_error&) {
       ++refused;
       continue;
     }
-    const auto found = CGAL::certify_spanning_subgraph(mesh, near_minimum);
+    const auto found = CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), near_minimum);
     if (!found.is_valid_near_minimum_tree())
       throw std::runtime_error(path.string() + ": the tree does not keep what it promises");
     ++(CGAL::is_closed(mesh) ? closed : with_boundary);
-    count(before, CGAL::certify_spanning_subgraph(mesh, tree).maximum_degree);
+    count(before, CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), tree).maximum_degree);
     count(after, found.maximum_degree);
   }
   return {{"closed", closed},

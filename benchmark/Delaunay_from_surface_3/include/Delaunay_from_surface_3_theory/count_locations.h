@@ -19,7 +19,7 @@
 #include <Delaunay_from_surface_3_meters/History_dag_3.h>
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 
@@ -77,7 +77,8 @@ public:
   // which takes 3 kB per point, is kept up to 2^17 points.
   Laboratory(const std::vector<comparison::Kernel::Point_3>& points, const Edges& surface,
              const Edges& subgraph, unsigned int seed)
-    : m_plan(CGAL::Delaunay_from_surface_3::Random_log_star_rounds(seed)(
+    : m_plan(CGAL::Delaunay_from_surface_3::Log_star_rounds(
+          seed, CGAL::Delaunay_from_surface_3::Log_star_rounds::NO_ROUND)(
           points, comparison::Kernel(), surface, 0))
     , m_numbers(CGAL::Delaunay_from_surface_3::internal::inverse(m_plan.order))
     , m_points(CGAL::Delaunay_from_surface_3::internal::permuted(points, m_plan.order))

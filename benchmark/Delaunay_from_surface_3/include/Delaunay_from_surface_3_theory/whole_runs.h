@@ -15,10 +15,10 @@
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Random_log_star_rounds.h>
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
@@ -85,8 +85,8 @@ private:
 
 template <template <class, class> class Hints,
           class Subgraph = CGAL::Delaunay_from_surface_3::Full_graph>
-using Random_order_traits = CGAL::Surface_insertion_policies_3<
-    Subgraph, CGAL::Delaunay_from_surface_3::Random_log_star_rounds, Hints>;
+using Random_order_traits =
+    CGAL::Surface_insertion_policies_3<Subgraph, meters::Random_log_star_rounds, Hints>;
 
 template <class Traits, class Triangulation, class Visitor>
 void insert(Triangulation& tr, const Mesh& mesh, unsigned int seed, Visitor& visitor)

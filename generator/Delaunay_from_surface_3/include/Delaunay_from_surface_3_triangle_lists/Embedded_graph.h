@@ -10,6 +10,8 @@
 
 #include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 
+#include <CGAL/surface_of.h>
+
 #include <boost/graph/adjacency_list.hpp>
 
 #include <map>
@@ -38,6 +40,7 @@ struct Embedded_graph
     return boost::make_iterator_property_map(is_boundary.begin(), get(boost::edge_index, graph));
   }
   auto index_map() const { return get(boost::vertex_index, graph); }
+  auto surface() const { return CGAL::surface_of(graph, embedding(), index_map(), boundary_map()); }
 };
 
 template <class Random>

@@ -36,8 +36,8 @@ public:
   {
   }
 
-  // Are vertices points, each the first of those at its place, and all of them in cells; and do
-  // neighbours lead back?
+  // Whether vertices are points, each the first of those at its place and in a cell, and neighbours
+  // lead back.
   bool are_valid() const
   {
     std::vector<char> is_in_cell(m_arrays.number_of_points());
@@ -67,7 +67,7 @@ public:
         there.begin());
   }
 
-  // Around each vertex, if links are valid; and is all connected?
+  // Around each vertex, if links are valid; and whether all is connected.
   bool are_spheres() const
   {
     const std::size_t cells = m_arrays.number_of_cells(), n = m_arrays.number_of_vertices() + 1;

@@ -120,7 +120,7 @@ private:
   bool m_is_turned = false; // triangles are seen from the other side than the apex
 };
 
-// On a line: are the segments those between neighbours?
+// On a line: whether the segments are those between neighbours.
 template <class Index>
 bool is_line_of_segments(const Delaunay_3_arrays<Index>& arrays, const Point_array& points)
 {

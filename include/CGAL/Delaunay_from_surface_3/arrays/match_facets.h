@@ -94,7 +94,7 @@ public:
     return none;
   }
 
-  // Was there never a third one?
+  // Whether there never was a third one.
   bool has_pairs_only() const { return m_has_pairs_only; }
 
 private:

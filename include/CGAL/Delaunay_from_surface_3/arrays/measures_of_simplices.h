@@ -44,7 +44,7 @@ public:
     m_determinant = dot(m_edges[0], cross(m_edges[1], m_edges[2]));
   }
 
-  // Has the determinant lost most of its digits?
+  // Whether the determinant has lost most of its digits.
   bool is_flat() const
   {
     Number product = 1;

@@ -29,11 +29,11 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 // What is asked of the core beyond points and order.
 struct Request
 {
-  // Shall points in one plane get an apex off it? The cells at it are then their triangles, with the
+  // Whether points in one plane get an apex off it. The cells at it are then their triangles, with the
   // same perturbation. Else nothing is done with them.
   bool adds_apex;
 
-  // Do points start where the order says? Else each starts from the one before.
+  // Whether points start where the order says. Else each starts from the one before.
   bool uses_starting_places;
 };
 

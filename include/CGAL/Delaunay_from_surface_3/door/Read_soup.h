@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_from_surface_3/door/read_items.h>
 #include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -29,16 +30,13 @@ bool are_all_equal(const std::vector<Point>& points)
   return std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points[0]; });
 }
 
-// Are faces ranges of integers, which number points?
-template <class FaceRange, class = void>
-struct Are_faces : std::false_type
-{
-};
+// Whether these are ranges of integers, which number points.
 template <class FaceRange>
-struct Are_faces<FaceRange, std::void_t<decltype(std::size_t(*std::begin(
-                                *std::begin(std::declval<const FaceRange&>()))))>> : std::true_type
-{
-};
+using Index_in_face =
+    decltype(std::size_t(*std::begin(*std::begin(std::declval<const FaceRange&>()))));
+
+template <class FaceRange>
+constexpr bool are_faces = is_detected<Index_in_face, FaceRange>;
 
 // The points and faces of a polygon soup, read and checked.
 template <class Triangulation, class PointRange, class FaceRange, class NamedParameters>
@@ -64,7 +62,7 @@ public:
   }
 
 private:
-  // Are the edges used, or is a visitor told what the faces are like?
+  // Whether edges are used, or a visitor is told what the faces are like.
   static bool is_looked_at(const std::vector<typename Triangulation::Point>& points)
   {
     return is_given<NamedParameters, internal_np::visitor_t> || !are_all_equal(points);

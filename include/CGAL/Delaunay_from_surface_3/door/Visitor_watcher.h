@@ -7,10 +7,11 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
-#include <CGAL/Delaunay_from_surface_3/door/accepts_points.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -22,31 +23,48 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Is there a phase_begins() that is not that of the default visitor? Whoever has one is told of every
-// point.
-template <class Visitor, class = void>
-struct Follows_points : std::true_type
-{
-};
+template <class Visitor, class Point>
+using Accept = decltype(std::declval<Visitor&>().accept(std::size_t(), std::size_t(),
+                                                        std::declval<const Point&>()));
+template <class Visitor, class Point>
+using Accept_with_corners =
+    decltype(std::declval<Visitor&>().accept(std::size_t(), std::size_t(),
+                                             std::declval<const Point&>(),
+                                             std::declval<const std::array<std::size_t, 4>&>()));
 template <class Visitor>
-struct Follows_points<Visitor, std::void_t<decltype(&Visitor::phase_begins)>>
-  : std::bool_constant<
-        !std::is_same<decltype(&Visitor::phase_begins),
-                      decltype(&Default_surface_insertion_visitor_3::phase_begins)>::value>
-{
-};
+using Accept_of_any_arguments = decltype(&Visitor::accept); // if it is no template and the only one
 
-// Does it want to know how many points are inserted?
-template <class Visitor, class = void>
-struct Counts_points : std::false_type
+// Whether there is one that looks at the corners, too.
+template <class Visitor, class Point>
+constexpr bool has_accept_with_corners = is_detected<Accept_with_corners, Visitor, Point>;
+
+// Whether a visitor leaves points out. One that has accept() is asked, in the order of insertion, what
+// it says of a point and the vertex nearest to it.
+template <class Visitor, class Point>
+constexpr bool accepts_points()
 {
-};
+  constexpr bool has_accept =
+      is_detected<Accept, Visitor, Point> || has_accept_with_corners<Visitor, Point>;
+  static_assert(has_accept || !is_detected<Accept_of_any_arguments, Visitor>,
+                "the accept() of a visitor takes the numbers of two points and a point");
+  return has_accept;
+}
+
+// Whether phase_begins() is another than that of the default visitor: it is then told of every point.
 template <class Visitor>
-struct Counts_points<Visitor,
-                     std::void_t<decltype(std::declval<Visitor&>().go_further(std::size_t()))>>
-  : std::true_type
-{
-};
+using Phase_begins = decltype(&Visitor::phase_begins);
+
+template <class Visitor>
+constexpr bool follows_all_points =
+    !std::is_same<detected_or_t<void, Phase_begins, Visitor>,
+                  Phase_begins<Default_surface_insertion_visitor_3>>::value;
+
+// Whether it wants to know how many points are inserted.
+template <class Visitor>
+using Go_further_with_number = decltype(std::declval<Visitor&>().go_further(std::size_t()));
+
+template <class Visitor>
+constexpr bool counts_points = is_detected<Go_further_with_number, Visitor>;
 
 // What a visitor gets in place of target and hints where the core inserts.
 struct Core_target
@@ -100,14 +118,14 @@ public:
   }
   bool go_further(std::size_t inserted) override
   {
-    if constexpr (Counts_points<Visitor>::value)
+    if constexpr (counts_points<Visitor>)
       return m_rounding.in_mode_of_caller([&] { return m_visitor.go_further(inserted); });
     else
       return go_further();
   }
-  bool follows_points() const override { return Follows_points<Visitor>::value; }
+  bool follows_points() const override { return follows_all_points<Visitor>; }
   bool leaves_points_out() const override { return is_asked; }
-  bool looks_at_corners() const override { return Has_accept_with_corners<Visitor, Point>::value; }
+  bool looks_at_corners() const override { return has_accept_with_corners<Visitor, Point>; }
   bool accepts(std::size_t i, std::size_t nearest, const Corners& corners) override
   {
     return accepts(i, nearest, m_points[nearest], corners);
@@ -160,7 +178,7 @@ private:
 
   auto answer(std::size_t i, std::size_t nearest, const Point& point, const Corners& corners)
   {
-    if constexpr (Has_accept_with_corners<Visitor, Point>::value)
+    if constexpr (has_accept_with_corners<Visitor, Point>)
       return m_visitor.accept(i, nearest, point, corners);
     else
       return m_visitor.accept(i, nearest, point);

@@ -18,6 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insert_through_cgal.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <cstdint>
 #include <memory>
@@ -38,15 +39,12 @@ struct Id_of_core
   using type = std::uint32_t;
 };
 
-template <class Traits, class = void>
-struct Uses_starting_places : std::true_type
-{
-};
 template <class Traits>
-struct Uses_starting_places<Traits, std::void_t<decltype(Traits::uses_starting_places)>>
-  : std::bool_constant<Traits::uses_starting_places>
-{
-};
+using Says_of_starting_places = std::bool_constant<Traits::uses_starting_places>;
+
+template <class Traits>
+constexpr bool uses_starting_places =
+    detected_or_t<std::true_type, Says_of_starting_places, Traits>::value;
 
 // What a caller asks of the order.
 struct Order_options
@@ -80,11 +78,11 @@ public:
   {
   }
 
-  // May build() be called?
+  // Whether build() may be called.
   bool is_open() const { return m_obstacle.empty(); }
   Point_source& points() { return m_doubles; }
   Order_source& orders() { return *m_orders; }
-  Request request() const { return {false, Uses_starting_places<Traits>::value}; }
+  Request request() const { return {false, uses_starting_places<Traits>}; }
 
   // What build() made becomes the triangulation, or leads round the core.
   void take(Built<Id>& built)
@@ -120,7 +118,7 @@ private:
     if (!m_order) {
       m_watcher.phase_begins(Phase::PLAN);
       m_order = copy_of(m_orders->make(m_doubles.points(), m_executor));
-      if (!Uses_starting_places<Traits>::value)
+      if (!uses_starting_places<Traits>)
         m_order->starting_places.clear();
       m_watcher.phase_begins(Phase::SUBGRAPH);
     }

@@ -43,7 +43,7 @@ template <class Vertex>
 void move_content(Vertex& from, Vertex& to)
 {
   const auto cell = to.cell();
-  if constexpr (Has_time_stamp<Vertex>::value) {
+  if constexpr (has_time_stamp<Vertex>) {
     const auto time_stamp = to.time_stamp();
     to = std::move(from);
     to.set_time_stamp(time_stamp);

@@ -47,7 +47,7 @@ constexpr bool check_named_parameters(const NamedParameters&)
   return Named_parameters_are_known<NamedParameters, Known...>::value;
 }
 
-// Is the parameter with that tag given?
+// Whether the parameter with that tag is given.
 template <class NamedParameters, class Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 

@@ -8,6 +8,7 @@
 // Coordinates of any number type, as doubles where they are doubles.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <CGAL/number_utils.h>
 
@@ -26,19 +27,15 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 using Coordinate_intervals = std::array<std::pair<double, double>, 3>;
 
-// Does a point hold intervals around its coordinates? Points of lazy kernels do; to ask these for a
-// coordinate would make a number of it first.
-template <class Point, class = void>
-struct Has_intervals : std::false_type
-{
-};
+// Whether a point holds intervals around its coordinates. Points of lazy kernels do; to ask these for
+// a coordinate would make a number of it first.
 template <class Point>
-struct Has_intervals<Point, std::void_t<decltype(std::declval<const Point&>().approx().x().pair())>>
-  : std::true_type
-{
-};
+using Interval_of_x = decltype(std::declval<const Point&>().approx().x().pair());
 
-// Is every number of the type a double?
+template <class Point>
+constexpr bool has_intervals = is_detected<Interval_of_x, Point>;
+
+// Whether every number of the type is a double.
 template <class FT>
 constexpr bool is_at_most_double = std::is_floating_point<FT>::value &&
                                    sizeof(FT) <= sizeof(double);
@@ -47,7 +44,7 @@ constexpr bool is_at_most_double = std::is_floating_point<FT>::value &&
 template <class Point>
 Coordinate_intervals coordinate_intervals(const Point& p)
 {
-  if constexpr (Has_intervals<Point>::value) {
+  if constexpr (has_intervals<Point>) {
     const auto q = p.approx();
     return {q.x().pair(), q.y().pair(), q.z().pair()};
   } else {

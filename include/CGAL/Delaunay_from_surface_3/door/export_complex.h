@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 
 #include <CGAL/Triangulation_hierarchy_3.h>
@@ -35,22 +36,17 @@ std::true_type has_upper_levels(const Triangulation_hierarchy_3<Tr>*);
 std::false_type has_upper_levels(const void*);
 
 // Elements of CGAL's containers that bear a time stamp are made one after the other.
-template <class Element, class = void>
-struct Has_time_stamp : std::false_type
-{
-};
 template <class Element>
-struct Has_time_stamp<Element, std::void_t<typename Element::Has_timestamp>>
-  : std::bool_constant<Element::Has_timestamp::value>
-{
-};
+using Says_of_time_stamp = std::bool_constant<Element::Has_timestamp::value>;
+
+template <class Element>
+constexpr bool has_time_stamp = detected_or_t<std::false_type, Says_of_time_stamp, Element>::value;
 
 template <class Range>
 std::size_t blocks_of_export(const Executor& executor, std::size_t n)
 {
   constexpr std::size_t least = 4096;
-  return Has_time_stamp<typename Range::value_type>::value ? 1
-                                                           : number_of_blocks(executor, n, least);
+  return has_time_stamp<typename Range::value_type> ? 1 : number_of_blocks(executor, n, least);
 }
 
 // Calls body(begin, end) for portions of first, …, last - 1, in ascending order.

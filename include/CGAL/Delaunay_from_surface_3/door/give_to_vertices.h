@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 #include <CGAL/Delaunay_from_surface_3/vertex_info.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -90,24 +91,21 @@ auto infos_of_caller(const NamedParameters& np, const NameOf& name_of, const Inf
   }
 }
 
-template <class Vertex, class = void>
-struct Has_info : std::false_type
-{
-};
 template <class Vertex>
-struct Has_info<Vertex, std::void_t<decltype(std::declval<Vertex&>().info())>> : std::true_type
-{
-};
+using Info_of = decltype(std::declval<Vertex&>().info());
 
-// Can vertices get these infos? If not, that is one error.
+template <class Vertex>
+constexpr bool has_info = is_detected<Info_of, Vertex>;
+
+// Whether vertices can get these infos. If not, that is one error.
 template <class Vertex, class Infos>
 constexpr bool check_infos()
 {
   if constexpr (std::is_same<Infos, No_infos>::value) {
     return false;
-  } else if constexpr (!Has_info<Vertex>::value) {
+  } else if constexpr (!has_info<Vertex>) {
     static_assert(
-        Has_info<Vertex>::value,
+        has_info<Vertex>,
         "infos need a vertex base with info, as Triangulation_vertex_base_with_info_3; for pairs "
         "whose second item is no info, give a point_map");
     return false;

@@ -8,6 +8,7 @@
 // What the filters of the compact kernel rely on at compile time.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/tags.h>
@@ -41,22 +42,18 @@ constexpr bool has_predicates_of_kernel()
 }
 
 // Whether the predicates are exact: filtered, or on exact numbers.
-template <class GeomTraits, class = void>
-struct Has_filtered_predicates : std::false_type
-{
-};
 template <class GeomTraits>
-struct Has_filtered_predicates<GeomTraits,
-                               std::void_t<typename GeomTraits::Has_filtered_predicates_tag>>
-  : std::bool_constant<GeomTraits::Has_filtered_predicates_tag::value>
-{
-};
+using Says_of_filters = std::bool_constant<GeomTraits::Has_filtered_predicates_tag::value>;
+
+template <class GeomTraits>
+constexpr bool has_filtered_predicates =
+    detected_or_t<std::false_type, Says_of_filters, GeomTraits>::value;
 
 template <class GeomTraits>
 constexpr bool has_exact_predicates()
 {
   using Is_exact = typename Algebraic_structure_traits<typename GeomTraits::FT>::Is_exact;
-  return Has_filtered_predicates<GeomTraits>::value || std::is_same<Is_exact, Tag_true>::value;
+  return has_filtered_predicates<GeomTraits> || std::is_same<Is_exact, Tag_true>::value;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

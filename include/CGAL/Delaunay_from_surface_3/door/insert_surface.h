@@ -23,6 +23,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/insert_with_traces.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/iterator.h>
@@ -48,23 +49,20 @@ Order_options order_options(const NamedParameters& np)
       choose_parameter(get_parameter(np, internal_np::preserve_order), false)};
 }
 
-// Do traits say who inserts?
-template <class Traits, class = void>
-struct Names_way : std::false_type
-{
-};
+// Whether traits say who inserts.
 template <class Traits>
-struct Names_way<Traits, std::void_t<decltype(Traits::through_core)>> : std::true_type
-{
-};
+using Through_core = decltype(Traits::through_core);
+
+template <class Traits>
+constexpr bool names_way = is_detected<Through_core, Traits>;
 
 template <class Traits>
 constexpr bool goes_through_core()
 {
   static_assert(
-      Names_way<Traits>::value,
+      names_way<Traits>,
       "traits say by through_core who inserts: the core, in which nothing is traced, or CGAL");
-  if constexpr (Names_way<Traits>::value)
+  if constexpr (names_way<Traits>)
     return Traits::through_core;
   else
     return false;
@@ -77,7 +75,7 @@ std::size_t least_points_for_core(const Triangulation& tr, const NamedParameters
 {
   if constexpr (goes_through_core<Traits>() && !is_given<NamedParameters, internal_np::visitor_t>) {
     using Plan = std::decay_t<decltype(std::declval<const Traits&>().insertion_plan_object(0u))>;
-    if (Is_plan_of_core<Plan>::value && tr.number_of_vertices() == 0)
+    if (is_plan_of_core<Plan> && tr.number_of_vertices() == 0)
       return order_options(np).creates_in_input_order ? 0 : few_points;
   }
   (void)tr, (void)np;

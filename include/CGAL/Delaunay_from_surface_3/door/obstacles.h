@@ -26,7 +26,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Are the numbers and predicates of the triangulation those that the core knows? Traits that bring
+// Whether the core knows the numbers and predicates of the triangulation. Traits that bring
 // predicates of their own are not served: its filters would go past them.
 template <class Triangulation>
 constexpr bool serves_geom_traits()

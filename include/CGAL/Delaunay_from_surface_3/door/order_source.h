@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/check_plan.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <cstddef>
 #include <memory>
@@ -42,28 +43,20 @@ template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
 Planned_points(const std::vector<Point>&, const GeomTraits&, const Graph&, VertexIndexMap)
     -> Planned_points<Point, GeomTraits, Graph, VertexIndexMap>;
 
-// Does a plan name a budget, and another plan for when it is exceeded?
-template <class Plan, class = void>
-struct Has_budget : std::false_type
-{
-};
+// Whether a plan names a budget, and another plan for when it is exceeded.
 template <class Plan>
-struct Has_budget<Plan, std::void_t<decltype(Plan::cells_per_point),
-                                    decltype(std::declval<const Plan&>().fallback_plan())>>
-  : std::true_type
-{
-};
+using Budget = std::void_t<decltype(Plan::cells_per_point),
+                           decltype(std::declval<const Plan&>().fallback_plan())>;
 
-// Can the core carry the plan out? Not one that a caller has derived from one of the core's.
-template <class Plan, class = void>
-struct Is_plan_of_core : std::false_type
-{
-};
 template <class Plan>
-struct Is_plan_of_core<Plan, std::void_t<typename Plan::Plan_of_core>>
-  : std::is_same<Plan, typename Plan::Plan_of_core>
-{
-};
+constexpr bool has_budget = is_detected<Budget, Plan>;
+
+// Whether the core can carry the plan out: not one that a caller has derived from one of the core's.
+template <class Plan>
+using Plan_of_core = typename Plan::Plan_of_core;
+
+template <class Plan>
+constexpr bool is_plan_of_core = std::is_same<Plan, detected_or_t<void, Plan_of_core, Plan>>::value;
 
 template <class Plan, class Points>
 std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points,
@@ -95,7 +88,7 @@ public:
   {
     if (m_next)
       return m_next->cells_per_point();
-    if constexpr (Has_budget<Plan>::value)
+    if constexpr (has_budget<Plan>)
       return Plan::cells_per_point;
     else
       return any_number;
@@ -105,7 +98,7 @@ public:
     if (m_next)
       return m_next->go_on();
     m_order = Insertion_order(); // before there is another
-    if constexpr (Has_budget<Plan>::value)
+    if constexpr (has_budget<Plan>)
       m_next = order_source(m_plan.fallback_plan(), m_points, m_edges);
     return m_next != nullptr;
   }
@@ -123,7 +116,7 @@ template <class Plan, class Points>
 std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points,
                                            Edge_source& edges)
 {
-  if constexpr (Is_plan_of_core<Plan>::value)
+  if constexpr (is_plan_of_core<Plan>)
     return order_of_core(plan.order_request(), edges);
   else
     return std::make_unique<Order_of_plan<Plan, Points>>(points, edges, plan);

@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/door/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -56,16 +57,11 @@ struct Point_and_info<boost::tuples::tuple<Point, Info_>> : Point_and_info<Cons<
 {
 };
 
-template <class Iterator, class = void>
-struct Is_iterator : std::false_type
-{
-};
 template <class Iterator>
-struct Is_iterator<Iterator,
-                   std::void_t<typename std::iterator_traits<Iterator>::iterator_category>>
-  : std::true_type
-{
-};
+using Category_of_iterator = typename std::iterator_traits<Iterator>::iterator_category;
+
+template <class Iterator>
+constexpr bool is_iterator = is_detected<Category_of_iterator, Iterator>;
 
 // Makes room for all items, if it can be seen how many there are.
 template <class T, class Range>

@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/door/double_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Iterator_range.h>
@@ -32,58 +33,38 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Is it a number of C++ that counts or measures?
+// Whether it is a number of C++ that counts or measures.
 template <class Number>
 constexpr bool is_number = std::is_arithmetic<Number>::value && sizeof(Number) > 1;
 
 // So many coordinates has it, as far as its type says; else there are enough.
-template <class Item, class = void>
-struct Number_of_coordinates : std::integral_constant<std::size_t, 3>
-{
-};
 template <class Item>
-struct Number_of_coordinates<Item, std::void_t<decltype(std::tuple_size<Item>::value)>>
-  : std::integral_constant<std::size_t, std::tuple_size<Item>::value>
-{
-};
+using Size_of_tuple = std::integral_constant<std::size_t, std::tuple_size<Item>::value>;
+
+template <class Item>
+constexpr std::size_t number_of_coordinates =
+    detected_or_t<std::integral_constant<std::size_t, 3>, Size_of_tuple, Item>::value;
 template <class Number, std::size_t n>
-struct Number_of_coordinates<Number[n]> : std::integral_constant<std::size_t, n>
-{
-};
+constexpr std::size_t number_of_coordinates<Number[n]> = n;
 
-// Is it of a kernel: a point, or something else?
-template <class Item, class = void>
-struct Is_of_kernel : std::false_type
-{
-};
 template <class Item>
-struct Is_of_kernel<Item, std::void_t<typename Item::R>> : std::true_type
-{
-};
+using Kernel_of_item = typename Item::R;
+template <class Item>
+using Point_of_kernel_of = typename Item::R::Point_3;
+template <class Item>
+using First_coordinate = std::decay_t<decltype(std::declval<const Item&>()[0])>;
 
-// Has it coordinates [0], [1] and [2] that are numbers of C++? So have arrays, pointers, and vectors
-// of other libraries.
-template <class Item, class = void>
-struct Has_coordinates : std::false_type
-{
-};
+// Whether it has coordinates [0], [1] and [2] that are numbers of C++, as arrays, pointers, and vectors
+// of other libraries have. What is of a kernel is a point of it, or refused.
 template <class Item>
-struct Has_coordinates<Item, std::void_t<decltype(std::declval<const Item&>()[0])>>
-  : std::bool_constant<is_number<std::decay_t<decltype(std::declval<const Item&>()[0])>> &&
-                       Number_of_coordinates<Item>::value == 3 && !Is_of_kernel<Item>::value>
-{
-};
+constexpr bool has_coordinates =
+    is_number<detected_or_t<char, First_coordinate, Item>>&& number_of_coordinates<Item> == 3 &&
+    !is_detected<Kernel_of_item, Item>;
 
-// Is it a point of a kernel?
-template <class Item, class = void>
-struct Is_point_of_kernel : std::false_type
-{
-};
+// Whether it is a point of a kernel.
 template <class Item>
-struct Is_point_of_kernel<Item, std::void_t<typename Item::R::Point_3>>
-  : std::is_convertible<const Item&, typename Item::R::Point_3>
-{
-};
+constexpr bool is_point_of_kernel =
+    std::is_convertible<const Item&, detected_or_t<void, Point_of_kernel_of, Item>>::value;
 
 // The rule where the kernels differ: a point of the same or a convertible type is taken as it is;
 // any other goes through Cartesian_converter, exactly if the target's numbers can hold it, else by
@@ -92,13 +73,12 @@ template <class Point, class SourcePoint>
 Point converted_point(const SourcePoint& p)
 {
   constexpr bool is_served = std::is_convertible<const SourcePoint&, Point>::value ||
-                             Is_point_of_kernel<SourcePoint>::value ||
-                             Has_coordinates<SourcePoint>::value;
+                             is_point_of_kernel<SourcePoint> || has_coordinates<SourcePoint>;
   static_assert(is_served, "points are those of a kernel, or have coordinates p[0], p[1] and p[2]; "
                            "other items need a point_map, those of a Point_set_3 its own");
   if constexpr (std::is_convertible<const SourcePoint&, Point>::value)
     return p;
-  else if constexpr (Has_coordinates<SourcePoint>::value)
+  else if constexpr (has_coordinates<SourcePoint>)
     return Point(double(p[0]), double(p[1]), double(p[2]));
   else if constexpr (is_served)
     return Cartesian_converter<typename Kernel_traits<SourcePoint>::Kernel,

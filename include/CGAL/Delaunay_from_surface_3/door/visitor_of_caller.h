@@ -10,6 +10,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,15 +23,11 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-template <class Visitor, class = void>
-struct Is_visitor : std::false_type
-{
-};
 template <class Visitor>
-struct Is_visitor<Visitor, std::void_t<decltype(std::declval<Visitor&>().go_further())>>
-  : std::true_type
-{
-};
+using Go_further = decltype(std::declval<Visitor&>().go_further());
+
+template <class Visitor>
+constexpr bool is_visitor = is_detected<Go_further, Visitor>;
 
 // Calls `progress` with the share of the points that are inserted, before the first insertion,
 // every so often, and when all are. `false` stops the work; what returns nothing never does.
@@ -74,32 +71,38 @@ private:
   std::size_t m_asked = 0, m_told = 0;
 };
 
+template <class Progress>
+constexpr bool is_progress()
+{
+  constexpr bool is_callable = std::is_invocable<Progress&, double>::value;
+  static_assert(is_callable,
+                "a visitor is a model of SurfaceInsertionVisitor_3, or a callable with one double");
+  return is_callable;
+}
+
 // A visitor in std::ref() serves as it is. Any other is copied, since its functions may change it;
 // get_parameter_reference() gives a reference to what is gone by then.
 template <class Visitor>
 decltype(auto) visitor_of_caller(const Visitor& visitor, std::size_t number_of_points)
 {
-  if constexpr (Is_visitor<Visitor>::value) {
+  if constexpr (is_visitor<Visitor>)
     return Visitor(visitor);
-  } else {
-    static_assert(
-        std::is_invocable<Visitor&, double>::value,
-        "a visitor is a model of SurfaceInsertionVisitor_3, or a callable with one double");
-    if constexpr (std::is_invocable<Visitor&, double>::value)
-      return Progress_visitor<Visitor>(visitor, number_of_points);
-    else
-      return Default_surface_insertion_visitor_3();
-  }
+  else if constexpr (is_progress<Visitor>())
+    return Progress_visitor<Visitor>(visitor, number_of_points);
+  else
+    return Default_surface_insertion_visitor_3();
 }
 
 template <class Visitor>
 decltype(auto) visitor_of_caller(const std::reference_wrapper<Visitor>& visitor,
                                  std::size_t number_of_points)
 {
-  if constexpr (Is_visitor<Visitor>::value)
+  if constexpr (is_visitor<Visitor>)
     return visitor.get();
-  else
+  else if constexpr (is_progress<Visitor>())
     return Progress_visitor<std::reference_wrapper<Visitor>>(visitor, number_of_points);
+  else
+    return Default_surface_insertion_visitor_3();
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

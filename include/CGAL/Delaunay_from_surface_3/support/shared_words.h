@@ -19,7 +19,7 @@
 #include <cstddef>
 #include <type_traits>
 
-// Does ThreadSanitizer look on? It knows atomic words, and neither fences nor vectors.
+// ThreadSanitizer knows atomic words, and neither fences nor vectors.
 #if defined(__SANITIZE_THREAD__)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED
 #elif defined(__has_feature)

@@ -9,96 +9,89 @@
 
 #include <CGAL/Delaunay_from_surface_3/surface/Face_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Halfedge_graph_reader.h>
-#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// What reads the surface of a mesh, and what reads the graph that insert_points_3() makes of a soup.
+template <class Graph, class VertexIndexMap,
+          class = typename boost::graph_traits<Graph>::halfedge_descriptor>
+Halfedge_graph_reader<Graph, VertexIndexMap> reader_of(const Graph& graph, VertexIndexMap index_map)
+{
+  return {graph, index_map};
+}
+
+template <class GraphOfFaces, class VertexIndexMap>
+auto reader_of(const GraphOfFaces& graph, VertexIndexMap)
+    -> Face_reader<std::decay_t<decltype(graph.faces_of_soup())>>
+{
+  return {graph.faces_of_soup(), graph.number_of_vertices()};
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 writes the edges of `bounded_degree_spanning_subgraph()`: degree at most 3 on spheres and discs, and
-a bound that depends on the genus and the boundary elsewhere.
-
-Linear: \f$O(n + m)\f$ for n vertices and m edges.
+a bound that depends on the genus and the boundary elsewhere. Or those of one of the two trees, whose
+degree is less, and takes longer to find.
 
 \cgalModels{SurfaceSubgraph}
 */
 class Bounded_degree_subgraph
 {
 public:
+  /// what there is to choose from.
+  enum Kind {
+    SUBGRAPH,         ///< `bounded_degree_spanning_subgraph()`: linear time
+    TREE,             ///< `bounded_degree_spanning_tree()`: nearly linear time
+    NEAR_MINIMUM_TREE ///< `near_minimum_degree_spanning_tree()`
+  };
+
+  /// chooses.
+  explicit Bounded_degree_subgraph(Kind kind = SUBGRAPH)
+    : m_kind(kind)
+  {
+  }
+
   /*!
   writes edges of `graph` that span every component and are connected there.
 
-  \tparam Graph a model of `HalfedgeListGraph` and `FaceListGraph`
+  \tparam Graph a model of `HalfedgeListGraph` and `FaceListGraph`, or the graph that
+  `insert_points_3()` makes of a polygon soup: the cyclic order of the edges at each vertex is then
+  read from the faces, which may be oriented at random
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
   \tparam EdgeOutputIterator accepts edge descriptors of `graph`
 
   \throws Surface_input_error that names a vertex or an edge, if `graph` is not a simple
   triangulated surface. Nothing has been written then.
   */
-  template <class Graph, class VertexIndexMap, class EdgeOutputIterator,
-            class = typename boost::graph_traits<Graph>::halfedge_descriptor>
-  EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
-                                EdgeOutputIterator out) const
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
+  auto operator()(const Graph& graph, VertexIndexMap index_map, EdgeOutputIterator out) const
+      -> decltype(static_cast<void>(internal::reader_of(graph, index_map)), EdgeOutputIterator(out))
   {
+    const auto reader = internal::reader_of(graph, index_map);
+    if (m_kind == NEAR_MINIMUM_TREE) {
+      std::vector<Minimum_degree_witness> not_asked_for;
+      return internal::write_near_minimum_degree_tree(reader, out, not_asked_for);
+    }
+    using internal::Subgraph_kind;
     return internal::write_bounded_degree_subgraph(
-        internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
-        internal::Subgraph_kind::SUBGRAPH, out);
+        reader, m_kind == TREE ? Subgraph_kind::TREE : Subgraph_kind::SUBGRAPH, out);
   }
 
-  /// does the same for the graph that `insert_points_3()` makes of a polygon soup: the
-  /// cyclic order of the edges at each vertex is read from the faces, which may be oriented at
-  /// random.
-  template <class GraphOfFaces, class VertexIndexMap, class EdgeOutputIterator>
-  auto operator()(const GraphOfFaces& graph, VertexIndexMap, EdgeOutputIterator out) const
-      -> decltype(static_cast<void>(graph.faces_of_soup()), EdgeOutputIterator(out))
-  {
-    return internal::write_bounded_degree_subgraph(
-        internal::Face_reader<std::decay_t<decltype(graph.faces_of_soup())>>(
-            graph.faces_of_soup(), graph.number_of_vertices()),
-        internal::Subgraph_kind::SUBGRAPH, out);
-  }
-};
-
-/*!
-\ingroup PkgDelaunayFromSurface3Subgraphs
-
-writes the edges of `bounded_degree_spanning_tree()`: as `Bounded_degree_subgraph`, without cycles.
-
-Nearly linear: \f$O(n \alpha(n))\f$ for n vertices and edges.
-
-\cgalModels{SurfaceSubgraph}
-*/
-class Bounded_degree_tree
-{
-public:
-  /// writes edges of `graph` that are a spanning tree of every component. As
-  /// `Bounded_degree_subgraph::operator()()`.
-  template <class Graph, class VertexIndexMap, class EdgeOutputIterator,
-            class = typename boost::graph_traits<Graph>::halfedge_descriptor>
-  EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
-                                EdgeOutputIterator out) const
-  {
-    return internal::write_bounded_degree_subgraph(
-        internal::Halfedge_graph_reader<Graph, VertexIndexMap>(graph, index_map),
-        internal::Subgraph_kind::TREE, out);
-  }
-
-  /// does the same for the graph that `insert_points_3()` makes of a polygon soup.
-  template <class GraphOfFaces, class VertexIndexMap, class EdgeOutputIterator>
-  auto operator()(const GraphOfFaces& graph, VertexIndexMap, EdgeOutputIterator out) const
-      -> decltype(static_cast<void>(graph.faces_of_soup()), EdgeOutputIterator(out))
-  {
-    return internal::write_bounded_degree_subgraph(
-        internal::Face_reader<std::decay_t<decltype(graph.faces_of_soup())>>(
-            graph.faces_of_soup(), graph.number_of_vertices()),
-        internal::Subgraph_kind::TREE, out);
-  }
+private:
+  Kind m_kind;
 };
 
 } // namespace Delaunay_from_surface_3

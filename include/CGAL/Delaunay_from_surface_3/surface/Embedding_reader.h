@@ -40,6 +40,8 @@ class Embedding_reader
   using Vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
 
 public:
+  using Edge = typename boost::graph_traits<Graph>::edge_descriptor;
+
   Embedding_reader(const Graph& g, Embedding embedding, VertexIndexMap index,
                    EdgeIsBoundaryMap is_boundary)
     : m_graph(g)
@@ -50,6 +52,11 @@ public:
   }
 
   std::size_t number_of_darts() const { return 2 * std::size_t(num_edges(m_graph)); }
+
+  std::pair<std::size_t, std::size_t> ends(const Edge& e) const
+  {
+    return {get(m_index, source(e, m_graph)), get(m_index, target(e, m_graph))};
+  }
 
   template <class Index>
   void read(Rotation_system<Index>& surface) const

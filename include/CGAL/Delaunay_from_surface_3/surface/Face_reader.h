@@ -36,6 +36,8 @@ template <class FaceRange>
 class Face_reader
 {
 public:
+  using Edge = std::pair<std::size_t, std::size_t>;
+
   Face_reader(const FaceRange& faces, std::size_t number_of_vertices)
     : m_faces(faces)
     , m_number_of_vertices(number_of_vertices)
@@ -46,6 +48,8 @@ public:
   {
     return 6 * std::size_t(std::distance(std::begin(m_faces), std::end(m_faces)));
   }
+
+  static Edge ends(const Edge& e) { return e; }
 
   template <class Index>
   void read(Rotation_system<Index>& surface) const
@@ -79,7 +83,7 @@ public:
     for (Index v = 0; v < surface.number_of_vertices(); ++v)
       for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
         if (marks[dart])
-          function(dart, std::pair<std::size_t, std::size_t>(v, surface.neighbor[dart]));
+          function(dart, Edge(v, surface.neighbor[dart]));
   }
 
 private:

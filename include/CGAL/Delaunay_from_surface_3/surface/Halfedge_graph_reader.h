@@ -23,6 +23,7 @@
 #include <array>
 #include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +38,8 @@ class Halfedge_graph_reader
   using Halfedge = typename boost::graph_traits<Graph>::halfedge_descriptor;
 
 public:
+  using Edge = typename boost::graph_traits<Graph>::edge_descriptor;
+
   Halfedge_graph_reader(const Graph& g, VertexIndexMap index)
     : m_graph(g)
     , m_index(index)
@@ -44,6 +47,11 @@ public:
   }
 
   std::size_t number_of_darts() const { return num_halfedges(m_graph); } // or more
+
+  std::pair<std::size_t, std::size_t> ends(Edge e) const
+  {
+    return {get(m_index, source(e, m_graph)), get(m_index, target(e, m_graph))};
+  }
 
   template <class Index>
   void read(Rotation_system<Index>& surface) const

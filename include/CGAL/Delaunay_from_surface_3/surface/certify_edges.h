@@ -13,10 +13,6 @@
 #include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Surface_component_topology.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/graph/properties.hpp>
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -73,28 +69,18 @@ inline void certify_degrees(const std::vector<std::size_t>& degree,
   }
 }
 
-template <class Graph, class EdgeRange, class VertexIndexMap>
-Spanning_subgraph_certificate certify_edges(const Graph& graph, const EdgeRange& subgraph_edges,
-                                            const Surface_topology& topology,
-                                            VertexIndexMap vertex_index_map)
+template <class Reader, class EdgeRange>
+Spanning_subgraph_certificate certify_edges(const Reader& reader, const EdgeRange& subgraph_edges,
+                                            const Surface_topology& topology)
 {
   const std::size_t n = topology.component_of_vertex.size();
   Spanning_subgraph_certificate result;
-  const auto end_points = [&](const auto& e) {
-    return std::pair<std::size_t, std::size_t>(
-        std::minmax({std::size_t(get(vertex_index_map, source(e, graph))),
-                     std::size_t(get(vertex_index_map, target(e, graph)))}));
-  };
-
-  Component_count of_graph(n), of_subgraph(n);
-  const auto all_edges = edges(graph);
-  for (auto e = all_edges.first; e != all_edges.second; ++e)
-    of_graph.join(end_points(*e).first, end_points(*e).second);
-
+  Component_count of_subgraph(n);
   std::vector<std::size_t> degree(n, 0);
   std::vector<std::pair<std::size_t, std::size_t>> sorted;
   for (const auto& e : subgraph_edges) {
-    sorted.push_back(end_points(e));
+    const auto [v, w] = reader.ends(e);
+    sorted.push_back(std::minmax(v, w));
     of_subgraph.join(sorted.back().first, sorted.back().second);
     ++degree[sorted.back().first];
     ++degree[sorted.back().second];
@@ -103,7 +89,8 @@ Spanning_subgraph_certificate certify_edges(const Graph& graph, const EdgeRange&
   result.number_of_edges = sorted.size();
   result.number_of_repeated_edges =
       std::size_t(std::distance(std::unique(sorted.begin(), sorted.end()), sorted.end()));
-  result.number_of_graph_components = of_graph();
+  result.number_of_graph_components =
+      topology.components.size() + topology.number_of_isolated_vertices;
   result.number_of_subgraph_components = of_subgraph();
   result.number_of_independent_cycles = result.number_of_edges + of_subgraph() - n;
   certify_degrees(degree, topology, result);

@@ -5,8 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_CUT_GRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_CUT_GRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
-#include <CGAL/Delaunay_from_surface_3/surface/with_halfedge_graph_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
 #include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
 
 namespace CGAL {
@@ -24,36 +23,13 @@ with Euler characteristic χ that is not a sphere, the degrees in cut graph and 
 satisfy Σ(deg − 2) = 2(1 − χ), so a closed surface of genus g > 0 falls apart into at most 4g
 corners at any vertex.
 
-The parameters, preconditions and exceptions are those of `bounded_degree_spanning_subgraph()`.
+The parameters and exceptions are those of `bounded_degree_spanning_subgraph()`.
 Complexity: linear time, for any genus.
 */
-template <class HalfedgeGraph, class EdgeOutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
-EdgeOutputIterator cut_graph(const HalfedgeGraph& g, EdgeOutputIterator out,
-                             const NamedParameters& np = parameters::default_values())
+template <class Reader, class EdgeOutputIterator>
+EdgeOutputIterator cut_graph(const Triangulated_surface<Reader>& surface, EdgeOutputIterator out)
 {
-  return internal::with_halfedge_graph_reader(
-      g, np, [&](const auto& reader) { return internal::write_cut_graph(reader, out); });
-}
-
-/*!
-\ingroup PkgDelaunayFromSurface3Subgraphs
-
-does the same for a triangulated surface that is given as a graph with the cyclic order of the edges
-around every vertex; a closed surface need not be orientable.
-
-The parameters, preconditions, exceptions and complexity are those of
-`bounded_degree_spanning_subgraph()` for an embedded graph.
-*/
-template <class Graph, class Embedding, class EdgeOutputIterator, class VertexIndexMap,
-          class EdgeIsBoundaryMap>
-EdgeOutputIterator cut_graph(const Graph& graph, Embedding embedding, EdgeOutputIterator out,
-                             VertexIndexMap vertex_index_map,
-                             EdgeIsBoundaryMap edge_is_boundary_map)
-{
-  using Reader = internal::Embedding_reader<Graph, Embedding, VertexIndexMap, EdgeIsBoundaryMap>;
-  return internal::write_cut_graph(Reader(graph, embedding, vertex_index_map, edge_is_boundary_map),
-                                   out);
+  return internal::write_cut_graph(surface.reader(), out);
 }
 
 } // namespace Delaunay_from_surface_3

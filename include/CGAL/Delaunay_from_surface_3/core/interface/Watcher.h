@@ -33,14 +33,14 @@ public:
   // Is asked every 256 points, when so many are inserted; `false` stops the work.
   virtual bool go_further(std::size_t /* inserted */) { return true; }
 
-  // Is it told of the phases LOCATION and UPDATE, point by point? Not with many threads.
+  // Whether it is told of the phases LOCATION and UPDATE, point by point. Not with many threads.
   virtual bool follows_points() const { return false; }
 
-  // Is it asked which points are inserted; and does it look at the corners then?
+  // Whether it is asked which points are inserted, and looks at the corners then.
   virtual bool leaves_points_out() const { return false; }
   virtual bool looks_at_corners() const { return false; }
 
-  // May point i be inserted? The vertex nearest to it is that of point `nearest`, and `corners` are
+  // Whether point i may be inserted. The vertex nearest to it is that of point `nearest`, and `corners` are
   // those of a cell that contains it (none if it lies beyond the facet of the others, or if there is
   // no cell yet). All are what the caller calls them. Not asked of a point that has a vertex at its
   // place.

@@ -166,7 +166,7 @@ public:
           link_if_adjacent(c, d);
   }
 
-  // Do links and vertices agree? Of cell c and its neighbour d across facet i: d's link leads back,
+  // Whether links and vertices agree: of cell c and its neighbour d across facet i, d's link leads back,
   // and the facet has the same corners in both, the other way round. Linear.
   bool is_valid() const
   {

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_PREDICATES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_PREDICATES_H
 
-// Is a cell in conflict with a point? The stages are asked in this order, and each leaves open what
+// Whether a cell is in conflict with a point. The stages are asked in this order, and each leaves open what
 // it cannot decide. Costs are those of a sphere test, in ns (measure_predicates), to the end of the
 // stage:
 //

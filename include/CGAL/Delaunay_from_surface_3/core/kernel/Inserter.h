@@ -93,7 +93,7 @@ public:
     return dig<typename Access::Explore>(p, cell);
   }
 
-  // Does all that the dig read still hold?
+  // Whether all that the dig read still holds.
   bool is_zone_still_true()
   {
     return with_explorer([&](const auto& explorer) {

@@ -71,7 +71,7 @@ struct Ordered_complex
     any_vertex = start_complex(simplex, complex, vertex_of);
   }
 
-  // Are there four points that do not lie in one plane?
+  // Whether there are four points that do not lie in one plane.
   bool has_started() const { return any_vertex != 0; }
 
   // The first points may be left out before their turn.

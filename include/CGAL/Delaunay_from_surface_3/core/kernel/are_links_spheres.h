@@ -20,8 +20,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Is the link of each vertex a sphere, for tetrahedra whose facets are shared by two each? A link is a
-// closed surface of as many triangles as the vertex has cells, f, and as many vertices as it has
+// Whether the link of each vertex is a sphere, for tetrahedra whose facets are shared by two each. It is
+// a closed surface of as many triangles as the vertex has cells, f, and as many vertices as it has
 // neighbours, v; it has 3 f / 2 edges, so v - f / 2 is its Euler characteristic if it is connected,
 // which is 2 for spheres alone. One of several components has a larger sum; where that is made up for
 // by handles, nothing is seen.

@@ -19,7 +19,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Does a cell contain p, its boundary included; or, if it is infinite, does p lie beyond its facet?
+// Whether a cell contains p, its boundary included, or, if it is infinite, p lies beyond its facet.
 template <class Id>
 bool is_around(const Compact_complex<Id>& complex, const std::array<Id, 4>& v, Id p)
 {

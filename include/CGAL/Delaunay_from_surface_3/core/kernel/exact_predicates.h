@@ -24,7 +24,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Are products of three numbers up to this one, a squared length, rounded and nothing worse?
+// Whether products of three numbers up to this one, a squared length, are rounded and nothing worse.
 inline bool is_safe(double square)
 {
   return square < 1e100 && obstacle_of_compiler() == nullptr;

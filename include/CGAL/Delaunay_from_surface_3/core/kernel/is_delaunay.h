@@ -16,13 +16,11 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Are links and vertices right, and is no cell in conflict with the vertex across a facet? Linear.
+// Whether no cell is in conflict with the vertex across a facet; links and vertices are right. Linear.
 template <class Id>
 bool is_delaunay(const Compact_complex<Id>& complex)
 {
   using Complex = Compact_complex<Id>;
-  if (!complex.is_valid())
-    return false;
   Insertion_counts uncounted;
   Compact_predicates<Id> predicates(complex, uncounted);
   for (std::size_t c = 0; c < complex.cells_end(); ++c) {

@@ -25,7 +25,8 @@ inline double squared_distance(const double* p, const double* q)
   return row(p, q).w;
 }
 
-// Is v nearer to p than w, exactly? If both are equally near, the lexicographically smaller one is.
+// Whether v is nearer to p than w, exactly. If both are equally near, the lexicographically smaller
+// one is.
 inline bool is_nearer_exactly(const double* p, const double* v, const double* w)
 {
   const int c = compare_distance(p, v, w);

@@ -28,7 +28,7 @@ struct Starting_simplex
   int dimension; // -1: there are no points
 };
 
-// Do four points lie in a plane across an axis? Most of those that lie in one plane do.
+// Whether four points lie in a plane across an axis, as most do that lie in one plane.
 inline bool share_a_coordinate(const double* a, const double* b, const double* c, const double* d)
 {
   for (int i = 0; i < 3; ++i)

@@ -16,8 +16,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Is it an order of n points: a permutation, rounds that end later and later, the last with the last
-// point, and no starting places or one before each? Linear.
+// Whether it is an order of n points: a permutation, rounds that end later and later, the last with
+// the last point, and no starting places or one before each. Linear.
 inline bool is_order(const Insertion_order& order, std::size_t n)
 {
   std::vector<char> is_there(n);

@@ -214,8 +214,8 @@ inline void choose_nearest_instead_of_hubs(const Lists_view<std::uint32_t>& lowe
       lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, points, center);
 }
 
-// Is every centre its own, and every other vertex beside its own centre; and is no centre beside
-// another? By vertex: the centre. Linear.
+// Whether every centre is its own, every other vertex is beside its own centre, and no centre beside
+// another. By vertex: the centre. Linear.
 inline bool is_net(const Lists_view<std::uint32_t>& lower,
                    const Large_vector<std::uint32_t>& center)
 {

@@ -55,7 +55,7 @@ inline double median_of_distances(const Point_array& points, const Net_hierarchy
   return *middle;
 }
 
-// Does the graph join points that are near? On a surface the squared distance of a vertex from
+// Whether the graph joins points that are near. On a surface the squared distance of a vertex from
 // its net vertex grows from level to level as the number of vertices falls, and in a volume as
 // its power 2/3; where edges join points at random it stays the same.
 inline bool joins_near_points(const Point_array& points, const Net_hierarchy& nets)

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_NEIGHBOR_STARTED_ROUNDS_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_NEIGHBOR_STARTED_ROUNDS_H
+#ifndef DELAUNAY_FROM_SURFACE_3_METERS_NEIGHBOR_STARTED_ROUNDS_H
+#define DELAUNAY_FROM_SURFACE_3_METERS_NEIGHBOR_STARTED_ROUNDS_H
 
 // Beyond the paper: once the order is known, so is which surface neighbour of a point will have
 // been inserted last when its turn comes. One pass over the edges of F finds it for all points.
@@ -15,40 +15,30 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
+namespace meters {
 
-/*!
-\ingroup PkgDelaunayFromSurface3Plans
-
-takes the order of `Plan` and names for every point a starting place: the neighbour in the graph
-that was inserted last before it, or, if none was, the point inserted just before. In a coherent
-order that neighbour is near, and what is known of it is still in the cache. To be used with
-`Planned_hints_3`.
-
-The cost of `Plan`, plus \f$O(n + m)\f$ for n points and m edges.
-
-\tparam Plan a model of `InsertionPlan`, constructible from a seed
-
-\cgalModels{InsertionPlan}
-*/
+// Takes the order of Plan and names for every point a starting place: the neighbour in the graph
+// that was inserted last before it, or, if none was, the point inserted just before. In a coherent
+// order that neighbour is near, and what is known of it is still in the cache. For Planned_hints_3.
+// The cost of Plan, plus O(n + m) for n points and m edges.
+//
+// Plan: a model of InsertionPlan, constructible from a seed
 template <class Plan>
 class Neighbor_started_rounds
 {
 public:
-  /// hands `seed` to `Plan`.
   explicit Neighbor_started_rounds(unsigned int seed = 0)
     : m_plan(seed)
   {
   }
 
-  /// returns order, rounds and starting places of `points`.
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
-                             const Graph& graph, VertexIndexMap index_map) const
+  CGAL::Delaunay_from_surface_3::Insertion_order
+  operator()(const std::vector<Point>& points, const GeomTraits& gt, const Graph& graph,
+             VertexIndexMap index_map) const
   {
-    using namespace Delaunay_from_surface_3::internal;
-    Insertion_order plan = m_plan(points, gt, graph, index_map);
+    using namespace CGAL::Delaunay_from_surface_3::internal;
+    auto plan = m_plan(points, gt, graph, index_map);
     const std::vector<std::size_t> place = inverse(plan.order);
 
     // First 1 + the last place before k that holds a neighbour of order[k], or 0 if there is none.
@@ -70,7 +60,6 @@ private:
   Plan m_plan;
 };
 
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
+} // namespace meters
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_NEIGHBOR_STARTED_ROUNDS_H
+#endif // DELAUNAY_FROM_SURFACE_3_METERS_NEIGHBOR_STARTED_ROUNDS_H

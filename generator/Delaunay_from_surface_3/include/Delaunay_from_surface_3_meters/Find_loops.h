@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The authors of Delaunay_from_surface_3
 //
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_FIND_LOOPS_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_FIND_LOOPS_H
+#ifndef DELAUNAY_FROM_SURFACE_3_METERS_FIND_LOOPS_H
+#define DELAUNAY_FROM_SURFACE_3_METERS_FIND_LOOPS_H
 
 // 2g loops through one base vertex, as the paper's cut has them (Choi 2002, §3.2), but found by
 // tree and cotree and not by the algorithm of Lazarus et al. 2001 that it names.
@@ -16,7 +16,6 @@
 // Cost: O(n), and O(gn) to write the loops down; about 90 bytes per vertex besides the lists. For
 // comparison with the cut graph only.
 
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Pair_darts.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
@@ -26,10 +25,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+namespace meters {
+
+namespace rooms = CGAL::Delaunay_from_surface_3::internal;
 
 template <class Index>
 class Find_loops
@@ -37,9 +35,9 @@ class Find_loops
 public:
   using Loop = std::vector<Index>; // darts, from the base to the base
 
-  explicit Find_loops(const Rotation_system<Index>& surface)
+  explicit Find_loops(const rooms::Rotation_system<Index>& surface)
     : m_surface(surface)
-    , m_mate(pair_darts(surface))
+    , m_mate(rooms::pair_darts(surface))
     , m_to_parent(surface.number_of_vertices(), none)
     , m_is_tree(surface.number_of_darts(), false)
     , m_is_crossed(surface.number_of_darts(), false)
@@ -47,8 +45,8 @@ public:
   {
     for (Index v = 0; v < surface.number_of_vertices(); ++v)
       if (surface.on_boundary[v])
-        refuse("a system of loops needs a closed surface, but " + vertex_name(v) +
-               " is on the boundary");
+        rooms::refuse("a system of loops needs a closed surface, but " + rooms::vertex_name(v) +
+                      " is on the boundary");
   }
 
   std::vector<Loop> operator()()
@@ -69,9 +67,9 @@ public:
   }
 
   // All loops as one graph, to be pruned and cut along.
-  Cut_candidate<Index> as_cut_candidate(const std::vector<Loop>& loops) const
+  rooms::Cut_candidate<Index> as_cut_candidate(const std::vector<Loop>& loops) const
   {
-    Cut_candidate<Index> candidate(m_surface);
+    rooms::Cut_candidate<Index> candidate(m_surface);
     for (const Loop& loop : loops)
       for (Index dart : loop)
         if (!candidate.marks[dart] && !candidate.marks[m_mate[dart]]) {
@@ -176,17 +174,14 @@ private:
     return loop;
   }
 
-  const Rotation_system<Index>& m_surface;
+  const rooms::Rotation_system<Index>& m_surface;
   std::vector<Index> m_mate;
   std::vector<Index> m_to_parent; // the dart towards the base
-  Dart_marks m_is_tree;
-  Dart_marks m_is_crossed;
-  Dart_marks m_is_met; // corners, by dart
+  rooms::Dart_marks m_is_tree;
+  rooms::Dart_marks m_is_crossed;
+  rooms::Dart_marks m_is_met; // corners, by dart
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
+} // namespace meters
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_FIND_LOOPS_H
+#endif // DELAUNAY_FROM_SURFACE_3_METERS_FIND_LOOPS_H

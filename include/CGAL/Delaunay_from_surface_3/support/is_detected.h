@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_IS_DETECTED_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_IS_DETECTED_H
+
+// What a user's type offers, asked in one way: by an alias template of the expression or member, as in
+// the detection idiom of W. E. Brown (std::experimental::is_detected).
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+template <class Default, class Void, template <class...> class Operation, class... Types>
+struct Detected_or
+{
+  static constexpr bool value = false;
+  using type = Default;
+};
+template <class Default, template <class...> class Operation, class... Types>
+struct Detected_or<Default, std::void_t<Operation<Types...>>, Operation, Types...>
+{
+  static constexpr bool value = true;
+  using type = Operation<Types...>;
+};
+
+// Whether Operation<Types...> is a type.
+template <template <class...> class Operation, class... Types>
+constexpr bool is_detected = Detected_or<void, void, Operation, Types...>::value;
+
+// That type, or else Default.
+template <class Default, template <class...> class Operation, class... Types>
+using detected_or_t = typename Detected_or<Default, void, Operation, Types...>::type;
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_IS_DETECTED_H
