@@ -20,6 +20,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL {
@@ -117,8 +118,8 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(points, np);
   const Lower_neighbor_graph no_graph;
-  const Insertion_input input{read.points(),   no_graph,        Identity_index_map(),
-                              no_irregularity, Identity_name(), read.infos()};
+  const Insertion_input input{read.points(), no_graph,        Identity_index_map(),
+                              std::nullopt,  Identity_name(), read.infos()};
   return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t>(
       tr, input, Point_insertion_traits_3(), np);
 }
@@ -140,8 +141,8 @@ insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator f
   const Read_items<Triangulation, Iterator_range<InputIterator>, CGAL_NP_CLASS> read(
       make_range(first, last), np);
   const Lower_neighbor_graph no_graph;
-  const Insertion_input input{read.points(),   no_graph,        Identity_index_map(),
-                              no_irregularity, Identity_name(), read.infos()};
+  const Insertion_input input{read.points(), no_graph,        Identity_index_map(),
+                              std::nullopt,  Identity_name(), read.infos()};
   return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t>(
       tr, input, Point_insertion_traits_3(), np);
 }

@@ -19,6 +19,7 @@
 #include <boost/graph/properties.hpp>
 
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 
@@ -43,8 +44,8 @@ auto input_along_graph(const Items& read, const Graph& graph, const NamedParamet
 {
   const auto index_map = vertex_index_map(graph, np);
   check_indices(graph, index_map, read.points().size());
-  return Insertion_input{read.points(),   graph,           index_map,
-                         no_irregularity, Identity_name(), read.infos()};
+  return Insertion_input{read.points(), graph,           index_map,
+                         std::nullopt,  Identity_name(), read.infos()};
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

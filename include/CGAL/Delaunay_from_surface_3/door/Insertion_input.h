@@ -24,7 +24,7 @@ struct Insertion_input
   const std::vector<Point>& points;
   const Graph& graph;
   VertexIndexMap index_map;
-  std::optional<std::string> irregularity;
+  std::optional<std::string> irregularity; // none of points that need not be a surface
   NameOf name_of;
   Infos infos;
 };
@@ -32,9 +32,6 @@ struct Insertion_input
 template <class Point, class Graph, class VertexIndexMap, class NameOf, class Infos>
 Insertion_input(const std::vector<Point>&, const Graph&, VertexIndexMap, std::optional<std::string>,
                 NameOf, Infos) -> Insertion_input<Point, Graph, VertexIndexMap, NameOf, Infos>;
-
-// Points that need not be a surface are not irregular.
-inline const std::optional<std::string> no_irregularity = std::nullopt;
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
