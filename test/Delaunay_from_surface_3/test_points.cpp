@@ -25,6 +25,7 @@
 #include <list>
 #include <numeric>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -162,6 +163,19 @@ BOOST_AUTO_TEST_CASE(few_points)
       Triangulation tr;
       BOOST_CHECK_THROW(CGAL::insert_points_3(tr, points, faces), CGAL::Surface_input_error);
       BOOST_TEST(tr.number_of_vertices() == 0u);
+
+      // What throws while the vertices are handed over leaves the triangulation empty, and of use.
+      if (n < 2)
+        continue;
+      const auto refuse = [](std::size_t i, Triangulation::Vertex_handle) {
+        if (i == 1)
+          throw std::runtime_error("no more");
+      };
+      const auto np = CGAL::parameters::vertex_to_vertex_output_iterator(refuse);
+      BOOST_CHECK_THROW(CGAL::insert_points_3(tr, points, np), std::runtime_error);
+      BOOST_TEST(tr.number_of_vertices() == 0u);
+      CGAL::insert_points_3(tr, points);
+      BOOST_TEST((tr == stock));
     }
 }
 
