@@ -48,8 +48,8 @@ valid halfedge graph can have such), and no vertex is pinched. Isolated vertices
 \throws Surface_input_error that names a vertex or an edge, if a precondition is violated or the
 indices are not 0, …, n-1. Nothing has been written then.
 */
-template <class HalfedgeGraph, class NamedParameters = parameters::Default_named_parameters>
-auto surface_of(const HalfedgeGraph& g, const NamedParameters& np = parameters::default_values())
+template <class HalfedgeGraph, typename CGAL_NP_TEMPLATE_PARAMETERS>
+auto surface_of(const HalfedgeGraph& g, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   namespace DFS = Delaunay_from_surface_3;
   const auto index_map = get_initialized_vertex_index_map(g, np);

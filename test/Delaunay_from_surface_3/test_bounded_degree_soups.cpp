@@ -106,7 +106,8 @@ BOOST_AUTO_TEST_CASE(the_same_edges_as_with_halfedges)
       BOOST_TEST(directly.size() == soup.size());
       for (const Pair& e : directly)
         BOOST_TEST(soup.count(std::minmax(e.first, e.second)) == 1u);
-      BOOST_TEST(CGAL::certify_spanning_subgraph(CGAL::surface_of(n, named.surface.faces), directly)
+      BOOST_TEST(CGAL::certify_spanning_subgraph(
+                     CGAL::surface_of(num_vertices(mesh), named.surface.faces), directly)
                      .is_valid_subgraph());
       std::vector<Mesh::Edge_index> edges;
       for (const Pair& e : soup)
