@@ -95,23 +95,6 @@ void give(const std::vector<Vertex_handle>& vertices, std::size_t number_of_new_
   });
 }
 
-// Few points, of which nobody is told: CGAL inserts them into an empty triangulation, which is cleared
-// if something fails.
-template <class Triangulation, class Input, class Infos, class Output>
-std::ptrdiff_t insert_at_once(Triangulation& tr, const Input& input, const Infos& infos,
-                              Output& out)
-{
-  const Rounding_to_nearest rounding;
-  try {
-    const auto inserted = insert_few_points(tr, input.points);
-    give(inserted.vertices, tr.number_of_vertices(), input, infos, out, rounding);
-  } catch (...) {
-    tr.clear();
-    throw;
-  }
-  return static_cast<std::ptrdiff_t>(tr.number_of_vertices());
-}
-
 // The parameters that all forms share: those of the order, the visitor, and what is done with the
 // vertices. `Known` are the tags of those that only this form has. An empty triangulation changes
 // when nothing can fail any more.
@@ -131,8 +114,6 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
   const auto infos = infos_of_caller(np, input.name_of, input.infos, input.points.size());
   auto out = choose_parameter(get_parameter(np, internal_np::vertex_to_vertex_output_iterator),
                               Emptyset_iterator());
-  if (input.points.size() < least_points_for_core<Traits>(tr, np))
-    return insert_at_once(tr, input, infos, out);
   auto&& visitor = visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
                                          get_parameter(np, internal_np::visitor)),
                                      input.points.size());
@@ -148,16 +129,20 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
   Triangulation& into = aside ? *aside : tr;
   Inserted_points<typename Triangulation::Vertex_handle> inserted;
   if constexpr (goes_through_core<Traits>()) {
-    // One thread if a visitor is asked about each point, in their order.
-    using Executor = std::conditional_t<accepts_points<Visitor, Point>(), Alone, ExecutorOfCall>;
-    using Way = Way_through_core<Traits, Triangulation, Input, decltype(watcher)>;
-    const Executor executor{};
-    Way way(into, input, traits, options, watcher, executor);
-    if constexpr (serves_geom_traits<Triangulation>())
-      if (way.is_open())
-        way.take(*build<typename Way::Id, typename Crew<Executor>::type>(
-            way.points(), way.orders(), way.request(), watcher, executor));
-    inserted = way.finish();
+    if (input.points.size() < least_points_for_core<Traits>(tr, np)) {
+      inserted = insert_few_points(into, input.points);
+    } else {
+      // One thread if a visitor is asked about each point, in their order.
+      using Executor = std::conditional_t<accepts_points<Visitor, Point>(), Alone, ExecutorOfCall>;
+      using Way = Way_through_core<Traits, Triangulation, Input, decltype(watcher)>;
+      const Executor executor{};
+      Way way(into, input, traits, options, watcher, executor);
+      if constexpr (serves_geom_traits<Triangulation>())
+        if (way.is_open())
+          way.take(*build<typename Way::Id, typename Crew<Executor>::type>(
+              way.points(), way.orders(), way.request(), watcher, executor));
+      inserted = way.finish();
+    }
   } else {
     if (options.creates_in_input_order)
       refuse_input_order("that needs traits that go through the core");
