@@ -78,9 +78,9 @@ int main(int argc, char** argv)
 
   Edges cut, subgraph;
   try {
-    const auto surface = CGAL::surface_of(mesh);
-    CGAL::Delaunay_from_surface_3::cut_graph(surface, std::back_inserter(cut));
-    CGAL::bounded_degree_spanning_subgraph(surface, std::back_inserter(subgraph));
+    const auto triangles = CGAL::surface_of(mesh);
+    CGAL::Delaunay_from_surface_3::cut_graph(triangles, std::back_inserter(cut));
+    CGAL::bounded_degree_spanning_subgraph(triangles, std::back_inserter(subgraph));
   } catch (const CGAL::Surface_input_error& error) {
     std::cerr << surface << ": " << error.what() << '\n';
     return EXIT_FAILURE; // a face that is no triangle, say

@@ -7,7 +7,8 @@
 
 #include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/surface/certify_edges.h>
-#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
+#include <CGAL/Delaunay_from_surface_3/surface/with_rotation_system.h>
 
 namespace CGAL {
 
@@ -17,7 +18,7 @@ namespace CGAL {
 finds out whether edges of a triangulated surface span it, with what degrees, and whether the
 degrees keep within the bounds that follow from the surface's own Euler characteristic. It shares
 nothing with the construction of `bounded_degree_spanning_subgraph()` but the reading of the
-surface, and serves for any set of edges.
+surface, and serves for any set of its edges.
 
 \tparam Reader what `surface_of()` says
 \tparam EdgeRange a range of `Triangulated_surface<Reader>::%edge_descriptor`
@@ -25,7 +26,7 @@ surface, and serves for any set of edges.
 \param surface the surface, from `surface_of()`
 \param subgraph_edges the edges to look at
 
-\throws Surface_input_error as `surface_of()` says
+\throws Surface_input_error as `surface_of()` says, and if two indices of a soup are no edge of it
 
 Complexity: linear time for the surface, and \f$O(m \log m)\f$ for m edges of the subgraph.
 */
@@ -34,8 +35,10 @@ Delaunay_from_surface_3::Spanning_subgraph_certificate
 certify_spanning_subgraph(const Delaunay_from_surface_3::Triangulated_surface<Reader>& surface,
                           const EdgeRange& subgraph_edges)
 {
-  return Delaunay_from_surface_3::internal::certify_edges(
-      surface.reader(), subgraph_edges, Delaunay_from_surface_3::surface_topology(surface));
+  namespace internal = Delaunay_from_surface_3::internal;
+  return internal::with_rotation_system(surface.reader(), [&](const auto& rotations) {
+    return internal::certify_edges(surface.reader(), rotations, subgraph_edges);
+  });
 }
 
 } // namespace CGAL

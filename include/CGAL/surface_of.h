@@ -21,13 +21,13 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-returns a mesh as the surface that the functions on subgraphs take. Nothing is read yet: what is said
-here of exceptions is said of these functions.
+returns a mesh as the surface that the functions on subgraphs take. Nothing is checked yet: what is
+said here of exceptions is said of these functions. The mesh stays as it is until they have been called.
 
 \tparam HalfedgeGraph a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param g the surface, which must live as long as what is returned
+\param g the surface, which must live as long as what is returned, as what property maps refer to
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
 
@@ -105,9 +105,10 @@ oriented at random, and an edge is a pair of indices.
 \param number_of_vertices the indices are less than this
 \param faces the triangles, which must live as long as what is returned
 
-\pre No edge has more than two triangles, no triangle has a vertex twice, and no vertex is pinched.
+\pre The indices are those of vertices, no edge has more than two triangles, no triangle has a vertex
+twice, and no vertex is pinched.
 
-\throws Surface_input_error as for a mesh
+\throws Surface_input_error as for a mesh, of a face or a vertex
 */
 template <class FaceRange>
 auto surface_of(std::size_t number_of_vertices, const FaceRange& faces)

@@ -17,7 +17,6 @@
 #include <CGAL/Delaunay_from_surface_3/surface/Opened_surface.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 
@@ -49,7 +48,6 @@ Degrees certified_degrees(const Embedded_graph& g)
   Edges subgraph, tree;
   CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
   CGAL::bounded_degree_spanning_tree(g.surface(), std::back_inserter(tree));
-  const auto topology = DFS::surface_topology(g.surface());
   const auto of_subgraph = CGAL::certify_spanning_subgraph(g.surface(), subgraph);
   const auto of_tree = CGAL::certify_spanning_subgraph(g.surface(), tree);
   BOOST_TEST(of_subgraph.is_valid_subgraph());

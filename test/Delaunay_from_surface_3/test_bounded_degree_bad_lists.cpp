@@ -11,7 +11,6 @@
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 
@@ -195,7 +194,6 @@ BOOST_AUTO_TEST_CASE(random_damage_never_goes_unnoticed)
     }
     std::vector<Embedded_graph::Edge> edges;
     CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(edges));
-    const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(g.surface());
     BOOST_REQUIRE(CGAL::certify_spanning_subgraph(g.surface(), edges).is_valid_subgraph());
   }
   BOOST_TEST(refused > 1500);

@@ -271,7 +271,6 @@ BOOST_AUTO_TEST_CASE(bounds_are_met_and_never_exceeded)
     const Triangle_list s = cook(r);
     std::mt19937 random(1);
     const Embedded_graph g = embed(s, random);
-    const auto topology = DFS::surface_topology(g.surface());
     Edges subgraph, tree;
     CGAL::bounded_degree_spanning_subgraph(g.surface(), std::back_inserter(subgraph));
     CGAL::bounded_degree_spanning_tree(g.surface(), std::back_inserter(tree));

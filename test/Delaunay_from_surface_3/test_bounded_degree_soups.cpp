@@ -15,7 +15,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
@@ -24,7 +23,9 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <random>
@@ -126,7 +127,6 @@ BOOST_AUTO_TEST_CASE(soups_of_any_surface)
   for (int seed = 0; seed < 400; ++seed) {
     const Triangle_list s = cook(random_recipe(seed, seed % 2 == 0));
     const Embedded_graph g = embed(s, random);
-    const auto topology = DFS::surface_topology(g.surface());
     const auto certify = [&](const std::set<Pair>& pairs) {
       std::vector<Embedded_graph::Edge> edges;
       for (const Pair& e : pairs)
@@ -138,4 +138,26 @@ BOOST_AUTO_TEST_CASE(soups_of_any_surface)
     BOOST_TEST(
         certify(edges_of_soup(NEAR_MINIMUM_TREE, s.triangles, n)).is_valid_near_minimum_tree());
   }
+}
+
+// Indices come from anywhere.
+BOOST_AUTO_TEST_CASE(indices_and_edges_that_are_none)
+{
+  using Faces = std::vector<std::array<std::int64_t, 3>>;
+  for (const std::int64_t wrong : {std::int64_t(4), std::int64_t(-1), std::int64_t(1) << 32}) {
+    const Faces faces = {{{0, 1, 2}}, {{0, 2, wrong}}};
+    std::vector<Pair> edges;
+    const auto surface = CGAL::surface_of(4, faces);
+    BOOST_CHECK_THROW(CGAL::bounded_degree_spanning_subgraph(surface, std::back_inserter(edges)),
+                      CGAL::Surface_input_error);
+    BOOST_TEST(edges.empty());
+  }
+  const Faces band = {{{0, 1, 2}}, {{0, 2, 3}}};
+  const auto surface = CGAL::surface_of(4, band);
+  BOOST_TEST(CGAL::certify_spanning_subgraph(surface, std::vector<Pair>{{0, 1}, {2, 0}, {3, 0}})
+                 .is_spanning());
+  for (const Pair& wrong : {Pair(1, 3), Pair(0, 4), Pair(std::size_t(-1), 0), Pair(1, 1)})
+    BOOST_CHECK_THROW(
+        CGAL::certify_spanning_subgraph(surface, std::vector<Pair>{{0, 1}, {2, 0}, wrong}),
+        CGAL::Surface_input_error);
 }

@@ -29,6 +29,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
+#include <CGAL/History_tracing_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -231,6 +232,15 @@ BOOST_AUTO_TEST_CASE(sorted_rounds_keep_the_sets)
   BOOST_TEST(!std::equal(random.order.begin() + std::ptrdiff_t(N_1),
                          random.order.begin() + std::ptrdiff_t(N_2),
                          sorted.order.begin() + std::ptrdiff_t(N_1)));
+}
+
+// The bounds of the history hold for the paper's own order.
+BOOST_AUTO_TEST_CASE(the_history_s_traits_sort_no_round)
+{
+  const std::vector<Point> points = surfaces::sphere(2000, 0.1).points;
+  const auto plan = CGAL::History_tracing_traits_3().insertion_plan_object(5);
+  BOOST_TEST(
+      (order_by(plan, points).order == order_by(meters::Random_log_star_rounds(5), points).order));
 }
 
 // The plan of the paper to the letter is random in the first round too; from then on the two are

@@ -40,11 +40,16 @@ struct Id_of_core
 };
 
 template <class Traits>
-using Says_of_starting_places = std::bool_constant<Traits::uses_starting_places>;
+using Says_of_starting_places = decltype(Traits::uses_starting_places);
 
 template <class Traits>
-constexpr bool uses_starting_places =
-    detected_or_t<std::true_type, Says_of_starting_places, Traits>::value;
+constexpr bool uses_starting_places()
+{
+  if constexpr (is_detected<Says_of_starting_places, Traits>)
+    return Traits::uses_starting_places;
+  else
+    return true;
+}
 
 // What a caller asks of the order.
 struct Order_options
@@ -82,7 +87,7 @@ public:
   bool is_open() const { return m_obstacle.empty(); }
   Point_source& points() { return m_doubles; }
   Order_source& orders() { return *m_orders; }
-  Request request() const { return {false, uses_starting_places<Traits>}; }
+  Request request() const { return {false, uses_starting_places<Traits>()}; }
 
   // What build() made becomes the triangulation, or leads round the core.
   void take(Built<Id>& built)
@@ -118,7 +123,7 @@ private:
     if (!m_order) {
       m_watcher.phase_begins(Phase::PLAN);
       m_order = copy_of(m_orders->make(m_doubles.points(), m_executor));
-      if (!uses_starting_places<Traits>)
+      if (!uses_starting_places<Traits>())
         m_order->starting_places.clear();
       m_watcher.phase_begins(Phase::SUBGRAPH);
     }

@@ -37,7 +37,7 @@ std::false_type has_upper_levels(const void*);
 
 // Elements of CGAL's containers that bear a time stamp are made one after the other.
 template <class Element>
-using Says_of_time_stamp = std::bool_constant<Element::Has_timestamp::value>;
+using Says_of_time_stamp = typename Element::Has_timestamp;
 
 template <class Element>
 constexpr bool has_time_stamp = detected_or_t<std::false_type, Says_of_time_stamp, Element>::value;

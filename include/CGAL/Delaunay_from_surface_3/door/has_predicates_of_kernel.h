@@ -43,7 +43,7 @@ constexpr bool has_predicates_of_kernel()
 
 // Whether the predicates are exact: filtered, or on exact numbers.
 template <class GeomTraits>
-using Says_of_filters = std::bool_constant<GeomTraits::Has_filtered_predicates_tag::value>;
+using Says_of_filters = typename GeomTraits::Has_filtered_predicates_tag;
 
 template <class GeomTraits>
 constexpr bool has_filtered_predicates =

@@ -44,7 +44,8 @@ auto reader_of(const GraphOfFaces& graph, VertexIndexMap)
 
 writes the edges of `bounded_degree_spanning_subgraph()`: degree at most 3 on spheres and discs, and
 a bound that depends on the genus and the boundary elsewhere. Or those of one of the two trees, whose
-degree is less, and takes longer to find.
+degree is less, and takes longer to find: traits derived from `Surface_insertion_policies_3` choose one
+in a `surface_subgraph_object()` of their own.
 
 \cgalModels{SurfaceSubgraph}
 */

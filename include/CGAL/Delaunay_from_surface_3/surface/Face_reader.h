@@ -117,8 +117,12 @@ private:
     for (const auto& face : m_faces) {
       std::array<Index, 3> t = {0, 0, 0};
       std::size_t k = 0;
-      for (const auto& v : face)
+      for (const auto& v : face) {
+        if (v < decltype(v + 0)(0) || std::size_t(v) >= m_number_of_vertices)
+          refuse("face " + std::to_string(f) + ": the index " + std::to_string(v) +
+                 " is not one of a vertex");
         t[k++ % 3] = Index(v);
+      }
       if (k != 3)
         refuse("face " + std::to_string(f) + " is not a triangle");
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])

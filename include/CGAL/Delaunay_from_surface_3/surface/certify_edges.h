@@ -10,6 +10,9 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Find_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Refuse_input.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Surface_component_topology.h>
 
@@ -69,21 +72,37 @@ inline void certify_degrees(const std::vector<std::size_t>& degree,
   }
 }
 
-template <class Reader, class EdgeRange>
-Spanning_subgraph_certificate certify_edges(const Reader& reader, const EdgeRange& subgraph_edges,
-                                            const Surface_topology& topology)
+template <class Index>
+bool is_edge(const Rotation_system<Index>& surface, std::size_t v, std::size_t w)
 {
-  const std::size_t n = topology.component_of_vertex.size();
+  const std::size_t n = surface.number_of_vertices();
+  if (v >= n || w >= n)
+    return false;
+  if (surface.degree(Index(w)) < surface.degree(Index(v)))
+    std::swap(v, w);
+  const Star<Index> star = surface.star(Index(v));
+  return std::find(star.begin(), star.end(), Index(w)) != star.end();
+}
+
+template <class Reader, class Index, class EdgeRange>
+Spanning_subgraph_certificate certify_edges(const Reader& reader,
+                                            const Rotation_system<Index>& surface,
+                                            const EdgeRange& subgraph_edges)
+{
+  const Surface_topology topology = Find_topology<Index>(surface)();
+  const std::size_t n = surface.number_of_vertices();
   Spanning_subgraph_certificate result;
   Component_count of_subgraph(n);
   std::vector<std::size_t> degree(n, 0);
   std::vector<std::pair<std::size_t, std::size_t>> sorted;
   for (const auto& e : subgraph_edges) {
     const auto [v, w] = reader.ends(e);
+    if (!is_edge(surface, v, w))
+      refuse(edge_name(v, w) + " is none of the surface");
     sorted.push_back(std::minmax(v, w));
-    of_subgraph.join(sorted.back().first, sorted.back().second);
-    ++degree[sorted.back().first];
-    ++degree[sorted.back().second];
+    of_subgraph.join(v, w);
+    ++degree[v];
+    ++degree[w];
   }
   std::sort(sorted.begin(), sorted.end());
   result.number_of_edges = sorted.size();

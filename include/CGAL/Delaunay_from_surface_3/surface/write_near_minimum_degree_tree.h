@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_NEAR_MINIMUM_DEGREE_TREE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_NEAR_MINIMUM_DEGREE_TREE_H
 
-// What both public forms come down to: read, mark the tree of bounded degree, exchange edges, write.
+// Read, mark the tree of bounded degree, exchange edges, write.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
