@@ -43,9 +43,9 @@ last)`, where the last in its own order gives the info.
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
-of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
-for a single thread. `Parallel_tag` needs TBB.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
+that of the triangulation. Any of them serves any triangulation: many threads can fill one that is
+made for a single thread. `Parallel_tag` needs TBB.
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
 exact predicates.
 \tparam PointRange a range of points, of pairs of points and infos, of anything with numbers `p[0]`,
@@ -102,8 +102,8 @@ The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_m
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
-\throws Surface_input_error if a coordinate is not a finite number, the number of infos is not that of the
-points, or `preserve_order` cannot be had; `tr` is then unchanged
+\throws Surface_input_error if a coordinate is not a finite number, the number of infos is not that
+of the points, or `preserve_order` cannot be had; `tr` is then unchanged
 
 \sa `insert_points_along_graph_3()`
 \sa `Point_insertion_traits_3`
@@ -158,9 +158,9 @@ after a stop or an exception, are those of `insert_surface_vertices_3()`.
 
 <b>Complexity</b>: that of the traits' parts, plus \f$O(n + m)\f$ for n points and m sides of faces.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
-of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
-for a single thread. `Parallel_tag` needs TBB.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
+that of the triangulation. Any of them serves any triangulation: many threads can fill one that is
+made for a single thread. `Parallel_tag` needs TBB.
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
 exact predicates.
 \tparam PointRange as that of `insert_points_3()`: points, pairs of points and infos, or items that
@@ -176,13 +176,14 @@ if its iterators have random access
 \param traits order, subgraph and starting cells; `Surface_insertion_traits_3` if left
 out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the form
-without faces. The seed always counts, and `preserve_order` also needs traits that go through the core
-(`through_core`).
+without faces. The seed always counts, and `preserve_order` also needs traits that go through the
+core (`through_core`).
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
-\throws Surface_input_error if a coordinate is not a finite number, a face has an index out of range, the
-number of infos is not that of the points, or `preserve_order` cannot be had; `tr` is then unchanged
+\throws Surface_input_error if a coordinate is not a finite number, a face has an index out of
+range, the number of infos is not that of the points, or `preserve_order` cannot be had; `tr` is
+then unchanged
 
 \sa `insert_surface_vertices_3()`
 */

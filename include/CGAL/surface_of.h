@@ -22,7 +22,8 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 returns a mesh as the surface that the functions on subgraphs take. Nothing is checked yet: what is
-said here of exceptions is said of these functions. The mesh stays as it is until they have been called.
+said here of exceptions is said of these functions. The mesh stays as it is until they have been
+called.
 
 \tparam HalfedgeGraph a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -62,8 +63,8 @@ auto surface_of(const HalfedgeGraph& g, const CGAL_NP_CLASS& np = parameters::de
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 returns a graph with the cyclic order of the edges around every vertex as the surface that the
-functions on subgraphs take. Each component may be closed or have boundary, and be orientable or not.
-An edge is what the graph calls it.
+functions on subgraphs take. Each component may be closed or have boundary, and be orientable or
+not. An edge is what the graph calls it.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, undirected
 \tparam Embedding a model of `SurfaceEmbedding`
@@ -105,8 +106,8 @@ oriented at random, and an edge is a pair of indices.
 \param number_of_vertices the indices are less than this
 \param faces the triangles, which must live as long as what is returned
 
-\pre The indices are those of vertices, no edge has more than two triangles, no triangle has a vertex
-twice, and no vertex is pinched.
+\pre The indices are those of vertices, no edge has more than two triangles, no triangle has a
+vertex twice, and no vertex is pinched.
 
 \throws Surface_input_error as for a mesh, of a face or a vertex
 */

@@ -6,8 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_H
 
 // The core: the Delaunay triangulation of points that are doubles, in an order that comes from a
-// surface or from the points alone. It knows no mesh and no triangulation of CGAL's; doors lead into
-// it (a triangulation's, that of arrays).
+// surface or from the points alone. It knows no mesh and no triangulation of CGAL's; doors lead
+// into it (a triangulation's, that of arrays).
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Edge_source.h>
@@ -29,22 +29,22 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 // What is asked of the core beyond points and order.
 struct Request
 {
-  // Whether points in one plane get an apex off it. The cells at it are then their triangles, with the
-  // same perturbation. Else nothing is done with them.
+  // Whether points in one plane get an apex off it. The cells at it are then their triangles, with
+  // the same perturbation. Else nothing is done with them.
   bool adds_apex;
 
   // Whether points start where the order says. Else each starts from the one before.
   bool uses_starting_places;
 };
 
-// The order that the core makes itself: by nets of the edges or in spaced rounds, within a budget, and
-// then by random rounds; or by these at once. Keeps a reference.
+// The order that the core makes itself: by nets of the edges or in spaced rounds, within a budget,
+// and then by random rounds; or by these at once. Keeps a reference.
 std::unique_ptr<Order_source> order_of_core(const Order_request& request, Edge_source& edges);
 
-// The Delaunay triangulation of the points, whose coordinates are finite. The numbers in it are places
-// in its order. Exact, with CGAL's symbolic perturbation. Expected O(n log n) for n points on
-// surfaces like those measured, the order included; no more than what the budgets allow and an order
-// without one takes.
+// The Delaunay triangulation of the points, whose coordinates are finite. The numbers in it are
+// places in its order. Exact, with CGAL's symbolic perturbation. Expected O(n log n) for n points
+// on surfaces like those measured, the order included; no more than what the budgets allow and an
+// order without one takes.
 //
 // Id: std::uint32_t or std::uint64_t. Crew: who inserts.
 template <class Id, class Crew>

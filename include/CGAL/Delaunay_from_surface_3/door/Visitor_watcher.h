@@ -38,8 +38,8 @@ using Accept_of_any_arguments = decltype(&Visitor::accept); // if it is no templ
 template <class Visitor, class Point>
 constexpr bool has_accept_with_corners = is_detected<Accept_with_corners, Visitor, Point>;
 
-// Whether a visitor leaves points out. One that has accept() is asked, in the order of insertion, what
-// it says of a point and the vertex nearest to it.
+// Whether a visitor leaves points out. One that has accept() is asked, in the order of insertion,
+// what it says of a point and the vertex nearest to it.
 template <class Visitor, class Point>
 constexpr bool accepts_points()
 {
@@ -50,7 +50,8 @@ constexpr bool accepts_points()
   return has_accept;
 }
 
-// Whether phase_begins() is another than that of the default visitor: it is then told of every point.
+// Whether phase_begins() is another than that of the default visitor: it is then told of every
+// point.
 template <class Visitor>
 using Phase_begins = decltype(&Visitor::phase_begins);
 

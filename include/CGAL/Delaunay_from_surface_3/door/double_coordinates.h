@@ -27,8 +27,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 using Coordinate_intervals = std::array<std::pair<double, double>, 3>;
 
-// Whether a point holds intervals around its coordinates. Points of lazy kernels do; to ask these for
-// a coordinate would make a number of it first.
+// Whether a point holds intervals around its coordinates. Points of lazy kernels do; to ask these
+// for a coordinate would make a number of it first.
 template <class Point>
 using Interval_of_x = decltype(std::declval<const Point&>().approx().x().pair());
 

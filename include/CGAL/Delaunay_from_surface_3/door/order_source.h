@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_ORDER_SOURCE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_ORDER_SOURCE_H
 
-// The order of insertion by a plan. If the plan is the core's own, only numbers go there; else it gets
-// the caller's points and graph.
+// The order of insertion by a plan. If the plan is the core's own, only numbers go there; else it
+// gets the caller's points and graph.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
@@ -51,7 +51,8 @@ using Budget = std::void_t<decltype(Plan::cells_per_point),
 template <class Plan>
 constexpr bool has_budget = is_detected<Budget, Plan>;
 
-// Whether the core can carry the plan out: not one that a caller has derived from one of the core's.
+// Whether the core can carry the plan out: not one that a caller has derived from one of the
+// core's.
 template <class Plan>
 using Plan_of_core = typename Plan::Plan_of_core;
 
@@ -62,8 +63,8 @@ template <class Plan, class Points>
 std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points,
                                            Edge_source& edges);
 
-// By a caller's plan, and then by the one that it names for when its budget is exceeded. An order that
-// no insertion could use is refused with a std::invalid_argument.
+// By a caller's plan, and then by the one that it names for when its budget is exceeded. An order
+// that no insertion could use is refused with a std::invalid_argument.
 template <class Plan, class Points>
 class Order_of_plan final : public Order_source
 {

@@ -54,8 +54,8 @@ using Point_of_kernel_of = typename Item::R::Point_3;
 template <class Item>
 using First_coordinate = std::decay_t<decltype(std::declval<const Item&>()[0])>;
 
-// Whether it has coordinates [0], [1] and [2] that are numbers of C++, as arrays, pointers, and vectors
-// of other libraries have. What is of a kernel is a point of it, or refused.
+// Whether it has coordinates [0], [1] and [2] that are numbers of C++, as arrays, pointers, and
+// vectors of other libraries have. What is of a kernel is a point of it, or refused.
 template <class Item>
 constexpr bool has_coordinates =
     is_number<detected_or_t<char, First_coordinate, Item>>&& number_of_coordinates<Item> == 3 &&

@@ -21,7 +21,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What reads the surface of a mesh, and what reads the graph that insert_points_3() makes of a soup.
+// What reads the surface of a mesh, and what reads the graph that insert_points_3() makes of a
+// soup.
 template <class Graph, class VertexIndexMap,
           class = typename boost::graph_traits<Graph>::halfedge_descriptor>
 Halfedge_graph_reader<Graph, VertexIndexMap> reader_of(const Graph& graph, VertexIndexMap index_map)
@@ -43,9 +44,9 @@ auto reader_of(const GraphOfFaces& graph, VertexIndexMap)
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 writes the edges of `bounded_degree_spanning_subgraph()`: degree at most 3 on spheres and discs, and
-a bound that depends on the genus and the boundary elsewhere. Or those of one of the two trees, whose
-degree is less, and takes longer to find: traits derived from `Surface_insertion_policies_3` choose one
-in a `surface_subgraph_object()` of their own.
+a bound that depends on the genus and the boundary elsewhere. Or those of one of the two trees,
+whose degree is less, and takes longer to find: traits derived from `Surface_insertion_policies_3`
+choose one in a `surface_subgraph_object()` of their own.
 
 \cgalModels{SurfaceSubgraph}
 */

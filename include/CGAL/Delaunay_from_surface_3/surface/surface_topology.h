@@ -18,8 +18,8 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-finds the components of a triangulated surface, and of each its Euler characteristic, boundary loops,
-orientability and genus.
+finds the components of a triangulated surface, and of each its Euler characteristic, boundary
+loops, orientability and genus.
 
 \param surface the surface, from `surface_of()`, which says what is thrown
 

@@ -40,10 +40,10 @@ public:
   virtual bool leaves_points_out() const { return false; }
   virtual bool looks_at_corners() const { return false; }
 
-  // Whether point i may be inserted. The vertex nearest to it is that of point `nearest`, and `corners` are
-  // those of a cell that contains it (none if it lies beyond the facet of the others, or if there is
-  // no cell yet). All are what the caller calls them. Not asked of a point that has a vertex at its
-  // place.
+  // Whether point i may be inserted. The vertex nearest to it is that of point `nearest`, and
+  // `corners` are those of a cell that contains it (none if it lies beyond the facet of the others,
+  // or if there is no cell yet). All are what the caller calls them. Not asked of a point that has
+  // a vertex at its place.
   using Corners = std::array<std::size_t, 4>;
   static constexpr std::size_t none = std::size_t(-1);
   virtual bool accepts(std::size_t /* i */, std::size_t /* nearest */, const Corners&)

@@ -10,8 +10,8 @@
 //
 // The coordinates of vertices are there from the beginning. Numbers of duplicates stay unused.
 //
-// Coordinates are those of the points times a power of 2. If some are so small that this rounds them,
-// the complex keeps the points' own, too; those are what exact predicates see.
+// Coordinates are those of the points times a power of 2. If some are so small that this rounds
+// them, the complex keeps the points' own, too; those are what exact predicates see.
 //
 // Its invariants are those of Compact_cell.h.
 
@@ -55,7 +55,8 @@ public:
   // Without vertices.
   Compact_complex() = default;
 
-  // The vertices of n points, in no cell yet; coordinates(i) returns those of the i-th, to any thread.
+  // The vertices of n points, in no cell yet; coordinates(i) returns those of the i-th, to any
+  // thread.
   template <class Coordinates>
   Compact_complex(std::size_t n, const Coordinates& coordinates, const Executor& executor = Alone())
     : m_number_of_vertices(n + 1)
@@ -144,9 +145,9 @@ public:
   void touch_cells(std::size_t first, std::size_t last) { m_cells.touch(first, last); }
 
   // The first cells: that of four vertices, positively oriented, and the infinite ones around it.
-  // Makes room for the cells that points on a surface have, 6.5 to 7.5 for each. Lattices and smooth
-  // surfaces without noise have up to 13 for a time; pages that nobody writes take no memory, so
-  // there is room for these, too, while that is less than a gigabyte.
+  // Makes room for the cells that points on a surface have, 6.5 to 7.5 for each. Lattices and
+  // smooth surfaces without noise have up to 13 for a time; pages that nobody writes take no
+  // memory, so there is room for these, too, while that is less than a gigabyte.
   void start(const std::array<Id, 4>& v)
   {
     const std::size_t few = 8 * m_number_of_vertices + 64, many = 14 * m_number_of_vertices + 64;
@@ -166,8 +167,8 @@ public:
           link_if_adjacent(c, d);
   }
 
-  // Whether links and vertices agree: of cell c and its neighbour d across facet i, d's link leads back,
-  // and the facet has the same corners in both, the other way round. Linear.
+  // Whether links and vertices agree: of cell c and its neighbour d across facet i, d's link leads
+  // back, and the facet has the same corners in both, the other way round. Linear.
   bool is_valid() const
   {
     for (std::size_t c = 0; c < m_cells_end; ++c)

@@ -79,8 +79,8 @@ struct Conflict_zone
     counts.cells_created -= number_of_facets;
   }
 
-  // After the dig: whether its cells are dead, and those around it not. These surround it as a sphere,
-  // whose edges belong to two facets each.
+  // After the dig: whether its cells are dead, and those around it not. These surround it as a
+  // sphere, whose edges belong to two facets each.
   bool is_dug(const Compact_complex<Id>& complex) const
   {
     using Complex = Compact_complex<Id>;
@@ -93,7 +93,8 @@ struct Conflict_zone
     return number_of_cells > 0 && number_of_facets >= 4 && number_of_facets % 2 == 0;
   }
 
-  // After the fill: whether all its cells live, have vertex p, and lead to neighbours that lead back.
+  // After the fill: whether all its cells live, have vertex p, and lead to neighbours that lead
+  // back.
   bool is_star(const Compact_complex<Id>& complex, Id p) const
   {
     using Complex = Compact_complex<Id>;

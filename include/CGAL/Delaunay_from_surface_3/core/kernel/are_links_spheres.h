@@ -20,11 +20,11 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Whether the link of each vertex is a sphere, for tetrahedra whose facets are shared by two each. It is
-// a closed surface of as many triangles as the vertex has cells, f, and as many vertices as it has
-// neighbours, v; it has 3 f / 2 edges, so v - f / 2 is its Euler characteristic if it is connected,
-// which is 2 for spheres alone. One of several components has a larger sum; where that is made up for
-// by handles, nothing is seen.
+// Whether the link of each vertex is a sphere, for tetrahedra whose facets are shared by two each.
+// It is a closed surface of as many triangles as the vertex has cells, f, and as many vertices as
+// it has neighbours, v; it has 3 f / 2 edges, so v - f / 2 is its Euler characteristic if it is
+// connected, which is 2 for spheres alone. One of several components has a larger sum; where that
+// is made up for by handles, nothing is seen.
 //
 // Vertices are 0, …, n - 1. O(m log m) for m cells, and 48 bytes for each if an Id has 32 bits.
 template <class Id>

@@ -5,11 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_EXACT_PREDICATES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_EXACT_PREDICATES_H
 
-// What the kernel asks beside its tests of conflict (Compact_predicates.h), seldom: orientations and
-// distances of points given by their coordinates. Each is asked in doubles first, with a bound on
-// the error; integers of fewer bits decide what these leave open, and those of any width the rest.
-// The coordinates may be any finite numbers: where products might overflow, or the compiler is free to
-// change operations, doubles decide nothing.
+// What the kernel asks beside its tests of conflict (Compact_predicates.h), seldom: orientations
+// and distances of points given by their coordinates. Each is asked in doubles first, with a bound
+// on the error; integers of fewer bits decide what these leave open, and those of any width the
+// rest. The coordinates may be any finite numbers: where products might overflow, or the compiler
+// is free to change operations, doubles decide nothing.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
@@ -24,7 +24,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Whether products of three numbers up to this one, a squared length, are rounded and nothing worse.
+// Whether products of three numbers up to this one, a squared length, are rounded and nothing
+// worse.
 inline bool is_safe(double square)
 {
   return square < 1e100 && obstacle_of_compiler() == nullptr;

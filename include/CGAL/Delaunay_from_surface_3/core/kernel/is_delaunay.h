@@ -16,7 +16,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Whether no cell is in conflict with the vertex across a facet; links and vertices are right. Linear.
+// Whether no cell is in conflict with the vertex across a facet; links and vertices are right.
+// Linear.
 template <class Id>
 bool is_delaunay(const Compact_complex<Id>& complex)
 {

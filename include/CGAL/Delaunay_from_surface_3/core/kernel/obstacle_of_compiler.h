@@ -31,8 +31,8 @@ constexpr bool is_fast_math = true;
 constexpr bool is_fast_math = false;
 #endif
 
-// Whether the error of a difference is what it is, of numbers that the compiler does not know. clang
-// says nothing when it may compute in another order, and then does so here.
+// Whether the error of a difference is what it is, of numbers that the compiler does not know.
+// clang says nothing when it may compute in another order, and then does so here.
 inline bool has_error_terms()
 {
   const volatile double one = 1, small = 0x1p-60;

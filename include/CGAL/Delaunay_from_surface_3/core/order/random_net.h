@@ -15,8 +15,8 @@
 // the other, and the order is random inside each. That keeps memory together, and stays near the
 // order of the numbers, which is a good one on scans. Hubs come before all others: the middle of a
 // fan is better there before the fan than after it. Chains of vertices of which each waits for the
-// one before have logarithmic length in random orders (Blelloch, Fineman, Shun 2012; Fischer, Noever
-// 2018).
+// one before have logarithmic length in random orders (Blelloch, Fineman, Shun 2012; Fischer,
+// Noever 2018).
 //
 // Cost: linear in vertices and edges. Every edge is stored at one of its ends only, at which it is
 // seen from both: a vertex asks those in its list, and tells them when it joins.
@@ -214,8 +214,8 @@ inline void choose_nearest_instead_of_hubs(const Lists_view<std::uint32_t>& lowe
       lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, points, center);
 }
 
-// Whether every centre is its own, every other vertex is beside its own centre, and no centre beside
-// another. By vertex: the centre. Linear.
+// Whether every centre is its own, every other vertex is beside its own centre, and no centre
+// beside another. By vertex: the centre. Linear.
 inline bool is_net(const Lists_view<std::uint32_t>& lower,
                    const Large_vector<std::uint32_t>& center)
 {

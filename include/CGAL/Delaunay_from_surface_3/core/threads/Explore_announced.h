@@ -135,8 +135,8 @@ public:
 
   bool is_torn() const { return m_is_torn; }
 
-  // Whether all that was read still holds, of the zone's first n cells and of those beyond its facets,
-  // and nobody else has announced them.
+  // Whether all that was read still holds, of the zone's first n cells and of those beyond its
+  // facets, and nobody else has announced them.
   bool is_still_true(const Cell* cells, std::size_t n) const
   {
     return compare(cells, n, Difference());
