@@ -79,11 +79,6 @@ def fixed_points(name):
         c, e = r.below(9) - 4, r.below(200) - 100
         return c * 2. ** e
 
-    def on_cone(i):
-        p, q = i % 128, 128
-        c, s = (q * q - p * p) / (p * p + q * q), 2 * p * q / (p * p + q * q)
-        return [(c, s, 0), (-s, c, 0), (-c, -s, 0), (s, -c, 0), (0, 0, 3)][i // 128]
-
     return np.array({
         "cube": lambda: [[r.bits(53) * 2. ** -53 for _ in range(3)] for _ in range(3000)],
         "near duplicates": lambda: [near(i) for i in range(3000)],
@@ -96,7 +91,8 @@ def fixed_points(name):
         "thin sheet": lambda: [(r.bits(30), r.bits(30), r.bits(53) * 2. ** -83) for _ in range(2000)],
         "all sizes": lambda: [[of_any_size() for _ in range(3)] for _ in range(300)],
         "skew lines": lambda: [(0, i // 2, 1) if i % 2 else (i // 2, 0, 0) for i in range(120)],
-        "cone": lambda: [on_cone(i) for i in range(513)],
+        "cone": lambda: [(x, y, 0) for x in range(-1088, 1089) for y in range(-1088, 1089)
+                         if x * x + y * y == 1185665] + [(0, 0, 3000)],
         "far away": lambda: [(2. ** 52 + r.bits(20), 2. ** 40 + r.bits(20), r.bits(20) * 2. ** -20) for _ in range(2000)],
     }[name](), dtype=float)
 
