@@ -79,6 +79,11 @@ def fixed_points(name):
         c, e = r.below(9) - 4, r.below(200) - 100
         return c * 2. ** e
 
+    def on_cone(i):
+        p, q = i % 128, 128
+        c, s = (q * q - p * p << 40) // (p * p + q * q), (2 * p * q << 40) // (p * p + q * q)
+        return [(c, s, 0), (-s, c, 0), (-c, -s, 0), (s, -c, 0), (0, 0, 2 ** 42)][i // 128]
+
     return np.array({
         "cube": lambda: [[r.bits(53) * 2. ** -53 for _ in range(3)] for _ in range(3000)],
         "near duplicates": lambda: [near(i) for i in range(3000)],
@@ -93,6 +98,7 @@ def fixed_points(name):
         "skew lines": lambda: [(0, i // 2, 1) if i % 2 else (i // 2, 0, 0) for i in range(120)],
         "cone": lambda: [(x, y, 0) for x in range(-1088, 1089) for y in range(-1088, 1089)
                          if x * x + y * y == 1185665] + [(0, 0, 3000)],
+        "rounded cone": lambda: [on_cone(i) for i in range(513)],
         "far away": lambda: [(2. ** 52 + r.bits(20), 2. ** 40 + r.bits(20), r.bits(20) * 2. ** -20) for _ in range(2000)],
     }[name](), dtype=float)
 
@@ -181,7 +187,7 @@ class Results(unittest.TestCase):
     def test_same_bytes(self):
         header = (ROOT / "test/Delaunay_from_surface_3/include/fixed_inputs.h").read_text(encoding="utf-8")
         table = re.findall(r'\{"([\w ]+)", (\d+), (\d+), 0x(\w{16})\}', header)
-        self.assertEqual(len(table), 12)
+        self.assertEqual(len(table), 13)
         for name, n, m, value in table:
             points = fixed_points(name)
             for threads in (1, 4):

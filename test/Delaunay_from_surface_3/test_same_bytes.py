@@ -39,7 +39,7 @@ class Same_bytes(unittest.TestCase):
                 with self.subTest(f"{compiler} {' '.join(options)}"), tempfile.TemporaryDirectory() as folder:
                     for done in output_of(compiler, options, Path(folder)):
                         self.assertEqual(done.returncode, 0, done.stdout)
-                        self.assertEqual(done.stdout.count("\n"), 12)
+                        self.assertEqual(done.stdout.count("\n"), 13)
 
 
 if __name__ == "__main__":

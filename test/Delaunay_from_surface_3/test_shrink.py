@@ -44,11 +44,11 @@ class Shrink(unittest.TestCase):
 
     def test_kinds(self):
         lines = "".join(f"{i} {i * .1!r} -1e-300\n" for i in range(16))
-        braces = ", ".join(f"{{{float(i).hex()}, 0, -0x1p-1074}}" for i in range(16))
+        braces = ", ".join(f"{{{float(i).hex()}, 0, -0x1p-1074}}" for i in range(16)) + "\nfaces: {0, 1, 2}"
         off = f"OFF\n16 1 0\n# x y z\n{lines}3 0 1 2\n"
         for name, text in (("a.xyz", lines), ("a.txt", braces), ("a.off", off)):
             self.check(self.shrink(name, text, "sys.exit(2)"), "differs", [3., 13.])
-        self.check(self.shrink("a.xyz", lines, "sys.exit(f'error: {len(xs)} are too many')"), "error: error: N are too many",
+        self.check(self.shrink("a.xyz", lines, "sys.exit(f'error: {len(xs)} are too many')"), "error: N are too many",
                    [3., 13.])
         self.check(self.shrink("a.xyz", lines, "import os; os.abort()"), "signal 6", [3., 13.])
         self.check(self.shrink("a.xyz", lines, "pass", "--tests", "300"), "slow", [5.])

@@ -7,7 +7,7 @@
 
 // Points that are the same on every machine, and what their triangulations must be: integers,
 // multiples of powers of 2, and random numbers of splitmix64, with no function of the library, no
-// division, and no product that fma would change. python/test_module.py makes the same.
+// division of doubles, and no product that fma would change. python/test_module.py makes the same.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
@@ -126,6 +126,16 @@ inline Fixed_points points_of(const Fixed_input& input)
     points.push_back({0, 0, 3000});
     return points;
   }
+  if (name == "rounded cone")
+    return fixed_points(513, [](int i) -> std::array<double, 3> {
+      if (i == 512)
+        return {0, 0, 0x1p42};
+      const std::int64_t p = i % 128, q = 128; // a quarter of the circle, turned
+      const double c = double(((q * q - p * p) << 40) / (p * p + q * q));
+      const double s = double((2 * p * q << 40) / (p * p + q * q));
+      const double xs[] = {c, -s, -c, s};
+      return {xs[i / 128], xs[(i / 128 + 3) % 4], 0};
+    });
   if (name == "far away")
     return fixed_points(2000, [&](int) -> std::array<double, 3> {
       const double x = bits(20), y = bits(20);
@@ -146,6 +156,7 @@ inline const Fixed_input fixed_inputs[] = {
     {"all sizes", 300, 1276, 0xf176bd8b92a26b75},
     {"skew lines", 120, 3481, 0x59c96ed68349da05},
     {"cone", 129, 126, 0x68698d813768572a},
+    {"rounded cone", 513, 510, 0xa03230caf3a5821a},
     {"far away", 2000, 12027, 0x0488069dfca6e072},
 };
 
