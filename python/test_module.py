@@ -8,6 +8,7 @@ import doctest
 import itertools
 import os
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -29,7 +30,8 @@ import delaunay_from_surface as dfs
 from delaunay_from_surface import _delaunay_from_surface as core
 from delaunay_from_surface import cpp
 
-TORUS = Path(__file__).resolve().parents[1] / "examples/Delaunay_from_surface_3/data/torus.off"
+ROOT = Path(__file__).resolve().parents[1]
+TORUS = ROOT / "examples/Delaunay_from_surface_3/data/torus.off"
 
 
 def random_points(n, seed=1):
@@ -46,6 +48,69 @@ def skew_lines(n):
 
 def cell_set(simplices):
     return {tuple(sorted(map(int, s))) for s in simplices}
+
+
+class SplitMix:
+    """splitmix64, as the C++ code has it."""
+
+    def __init__(self, seed):
+        self.state = seed
+
+    def bits(self, n):
+        mask = 2 ** 64 - 1
+        self.state = x = self.state + 0x9e3779b97f4a7c15 & mask
+        x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9 & mask
+        x = (x ^ x >> 27) * 0x94d049bb133111eb & mask
+        return (x ^ x >> 31) >> 64 - n
+
+    def below(self, n):
+        return self.bits(64) * n >> 64
+
+
+def fixed_points(name):
+    """Those of fixed_inputs.h, a header of the C++ tests."""
+    r = SplitMix(1)
+
+    def near(i):
+        r.state = i // 2
+        return r.bits(24) + i % 2, r.bits(24), r.bits(24)
+
+    def of_any_size():
+        c, e = r.below(9) - 4, r.below(200) - 100
+        return c * 2. ** e
+
+    def on_cone(i):
+        p, q = i % 128, 128
+        c, s = (q * q - p * p << 40) // (p * p + q * q), (2 * p * q << 40) // (p * p + q * q)
+        return [(c, s, 0), (-s, c, 0), (-c, -s, 0), (s, -c, 0), (0, 0, 2 ** 42)][i // 128]
+
+    return np.array({
+        "cube": lambda: [[r.bits(53) * 2. ** -53 for _ in range(3)] for _ in range(3000)],
+        "near duplicates": lambda: [near(i) for i in range(3000)],
+        "grid": lambda: [[.1 * k for k in p] for p in np.ndindex(11, 11, 11)],
+        "lattice with duplicates": lambda: [[r.below(9) for _ in range(3)] for _ in range(3000)],
+        "integer sphere": lambda: [p for p in itertools.product(range(-77, 78), repeat=3)
+                                   if p[0] ** 2 + p[1] ** 2 + p[2] ** 2 == 5861],
+        "plane": lambda: [(i, j, i + 2 * j) for i in range(30) for j in range(30)],
+        "line": lambda: [(i * 7 % 500, 2 * (i * 7 % 500), -(i * 7 % 500)) for i in range(500)],
+        "thin sheet": lambda: [(r.bits(30), r.bits(30), r.bits(53) * 2. ** -83) for _ in range(2000)],
+        "all sizes": lambda: [[of_any_size() for _ in range(3)] for _ in range(300)],
+        "skew lines": lambda: [(0, i // 2, 1) if i % 2 else (i // 2, 0, 0) for i in range(120)],
+        "cone": lambda: [(x, y, 0) for x in range(-1088, 1089) for y in range(-1088, 1089)
+                         if x * x + y * y == 1185665] + [(0, 0, 3000)],
+        "rounded cone": lambda: [on_cone(i) for i in range(513)],
+        "far away": lambda: [(2. ** 52 + r.bits(20), 2. ** 40 + r.bits(20), r.bits(20) * 2. ** -20) for _ in range(2000)],
+    }[name](), dtype=float)
+
+
+def hash_of(simplices):
+    """FNV-1a, of sorted numbers of 32 bits; -1 in front where a simplex has fewer than four."""
+    cells = np.full((len(simplices), 4), -1, dtype="<i4")
+    cells[:, 4 - simplices.shape[1]:] = np.sort(simplices, axis=1)
+    value = 0xcbf29ce484222325
+    for byte in cells[np.lexsort(cells.T[::-1])].tobytes():
+        value = (value ^ byte) * 0x100000001b3 & 2 ** 64 - 1
+    return value
 
 
 def contains(corners, x):
@@ -118,6 +183,16 @@ class Results(unittest.TestCase):
         for points in (grid, sphere / 7., np.unique(wild, axis=0), np.vstack([grid * 1e-30, 1. + grid])):
             points = np.unique(np.asarray(points, dtype=float), axis=0)
             self.assertEqual(cell_set(dfs.delaunay3(points).simplices), cells_of_program(points))
+
+    def test_same_bytes(self):
+        header = (ROOT / "test/Delaunay_from_surface_3/include/fixed_inputs.h").read_text(encoding="utf-8")
+        table = re.findall(r'\{"([\w ]+)", (\d+), (\d+), 0x(\w{16})\}', header)
+        self.assertEqual(len(table), 13)
+        for name, n, m, value in table:
+            points = fixed_points(name)
+            for threads in (1, 4):
+                simplices = dfs.delaunay3(points, threads=threads).simplices
+                self.assertEqual((len(points), len(simplices), f"{hash_of(simplices):016x}"), (int(n), int(m), value), name)
 
     def test_faces(self):
         points, faces = torus()

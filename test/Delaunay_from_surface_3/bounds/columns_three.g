@@ -1,0 +1,71 @@
+#@ -Eprecision=128 -Eno-auto-dichotomy
+# The error of a determinant, where the largest in each column (x, y, z) is 1, is at most
+# 55 u, and so is the bound as it is computed. Any roundings may be left out by fused operations.
+
+@add = add_rel<53>;
+@sub = sub_rel<53>;
+@mul = mul_rel<53>;
+
+value_0 = add(add(mul(az, sub(mul(bx, cy), mul(by, cx))), mul(bz, sub(mul(cx, ay), mul(cy, ax)))), mul(cz, sub(mul(ax, by), mul(ay, bx))));
+VALUE_0 = (((AZ * ((BX * CY) - (BY * CX))) + (BZ * ((CX * AY) - (CY * AX)))) + (CZ * ((AX * BY) - (AY * BX))));
+ab_1 = sub(mul(ax, by), mul(ay, bx));
+AB_1 = ((AX * BY) - (AY * BX));
+ac_1 = sub(mul(ax, cy), mul(ay, cx));
+AC_1 = ((AX * CY) - (AY * CX));
+ad_1 = sub(mul(ax, dy), mul(ay, dx));
+AD_1 = ((AX * DY) - (AY * DX));
+bc_1 = sub(mul(bx, cy), mul(by, cx));
+BC_1 = ((BX * CY) - (BY * CX));
+bd_1 = sub(mul(bx, dy), mul(by, dx));
+BD_1 = ((BX * DY) - (BY * DX));
+cd_1 = sub(mul(cx, dy), mul(cy, dx));
+CD_1 = ((CX * DY) - (CY * DX));
+of0_1 = add(sub(mul(bz, cd_1), mul(cz, bd_1)), mul(dz, bc_1));
+OF0_1 = (((BZ * CD_1) - (CZ * BD_1)) + (DZ * BC_1));
+of1_1 = sub(sub(mul(cz, ad_1), mul(az, cd_1)), mul(dz, ac_1));
+OF1_1 = (((CZ * AD_1) - (AZ * CD_1)) - (DZ * AC_1));
+of2_1 = add(sub(mul(az, bd_1), mul(bz, ad_1)), mul(dz, ab_1));
+OF2_1 = (((AZ * BD_1) - (BZ * AD_1)) + (DZ * AB_1));
+of3_1 = sub(sub(mul(bz, ac_1), mul(az, bc_1)), mul(cz, ab_1));
+OF3_1 = (((BZ * AC_1) - (AZ * BC_1)) - (CZ * AB_1));
+value_1 = of0_1;
+VALUE_1 = OF0_1;
+xy_bc_2 = sub(mul(cx, dy), mul(cy, dx));
+XY_BC_2 = ((CX * DY) - (CY * DX));
+xy_ca_2 = sub(mul(dx, by), mul(dy, bx));
+XY_CA_2 = ((DX * BY) - (DY * BX));
+xy_ab_2 = sub(mul(bx, cy), mul(by, cx));
+XY_AB_2 = ((BX * CY) - (BY * CX));
+value_2 = add(add(mul(bz, xy_bc_2), mul(cz, xy_ca_2)), mul(dz, xy_ab_2));
+VALUE_2 = (((BZ * XY_BC_2) + (CZ * XY_CA_2)) + (DZ * XY_AB_2));
+bound = add(mul(55b-53, mul(mul(1, 1), 1)), 0);
+
+{ |ax| <= 1
+  /\ |ax -/ AX| <= 1b-53
+  /\ |ay| <= 1
+  /\ |ay -/ AY| <= 1b-53
+  /\ |az| <= 1
+  /\ |az -/ AZ| <= 1b-53
+  /\ |bx| <= 1
+  /\ |bx -/ BX| <= 1b-53
+  /\ |by| <= 1
+  /\ |by -/ BY| <= 1b-53
+  /\ |bz| <= 1
+  /\ |bz -/ BZ| <= 1b-53
+  /\ |cx| <= 1
+  /\ |cx -/ CX| <= 1b-53
+  /\ |cy| <= 1
+  /\ |cy -/ CY| <= 1b-53
+  /\ |cz| <= 1
+  /\ |cz -/ CZ| <= 1b-53
+  /\ |dx| <= 1
+  /\ |dx -/ DX| <= 1b-53
+  /\ |dy| <= 1
+  /\ |dy -/ DY| <= 1b-53
+  /\ |dz| <= 1
+  /\ |dz -/ DZ| <= 1b-53
+->
+  |value_0 - VALUE_0| <= 60473139527625b-93
+  /\ |value_1 - VALUE_1| <= 60473139527625b-93
+  /\ |value_2 - VALUE_2| <= 60473139527625b-93
+  /\ bound >= 60473139527625b-93 }

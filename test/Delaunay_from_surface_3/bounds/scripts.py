@@ -1,0 +1,386 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""A script for Gappa for each bound of the filters. README.md beside this file says what each one proves.
+
+    python3 scripts.py    writes those that are committed anew
+"""
+
+import re
+from fractions import Fraction
+from pathlib import Path
+
+import formulas
+from formulas import U, Computed, Definitions, Products, Row, Underflowing, Wide, found
+
+ROWS = "abcd"
+RELATIVE = "@add = add_rel<53>;\n@sub = sub_rel<53>;\n@mul = mul_rel<53>;\n"
+SLACK = 40  # so many bits of a constant pay for the roundings of the bound itself
+
+
+def written(title, definitions, given, goals, precision=128):
+    lines = [f"#@ -Eprecision={precision} -Eno-auto-dichotomy", *(f"# {line}" for line in title), "", *definitions, "",
+             "{ " + "\n  /\\ ".join(given), "->", "  " + "\n  /\\ ".join(goals) + " }"]
+    return "\n".join(lines) + "\n"
+
+
+def binary(fraction):
+    """A dyadic rational as Gappa writes it."""
+    exponent = fraction.denominator.bit_length() - 1
+    if fraction.denominator != 1 << exponent:
+        raise AssertionError(f"{fraction} is no dyadic rational")
+    return f"{fraction.numerator}b-{exponent}"
+
+
+def limit_of(constant, unit=U):
+    return binary(constant * unit * (1 - Fraction(1, 2**SLACK)))
+
+
+def of_square():
+    """The most by which a squared length is wrong, relative to itself: it is a sum of squares, none negative."""
+    x, y, z = (Products.leaf(k, 1) for k in "xyz")
+    most = max(Row(x, y, z).w.most(), Wide.w(x, y, z).most())
+    bound = Fraction(most * 16 + 1, 16) * U
+    assert (1 + U) ** most - 1 < bound
+    return bound
+
+
+# Determinants, of leaves of any kind.
+
+def sphere(r):
+    of = formulas.sphere_cofactors(*r)
+    return formulas.lifted(of, *r)
+
+
+def beyond(r):
+    return formulas.determinant_of(*r[:3])
+
+
+def circle(r):
+    return formulas.lifted_circle(formulas.circle_cofactors(r[:3])[0], r[:3])
+
+
+def area(r):
+    return formulas.circle_cofactors(r[:3])[1]
+
+
+def wide_sphere(r):
+    return Wide.sphere(r[0], r[1:])
+
+
+def wide_view(r):
+    return Wide.view(r)
+
+
+def cofactor(r):
+    return formulas.sphere_cofactors(*r)[0]
+
+
+def wide_facet(r):
+    x, y, z, _ = Wide.columns(r)
+    return Wide.Minors(x, y, "xy_").times(z)
+
+
+# Bounds by columns.
+
+def by_columns(determinants, constant, bound, columns):
+    """The largest of each column is 1: the bound is one of all columns to the power of 1."""
+    definitions, given = Definitions(RELATIVE), []
+    for name in ROWS:
+        for k in "xyz":
+            given += [f"|{name}{k}| <= 1", f"|{name}{k} -/ {name.upper()}{k.upper()}| <= 1b-53"]
+        given += [f"|{name}w| <= 1", f"|{name}w -/ {name.upper()}W| <= {binary(of_square())}"]
+    rows = [Row(*(Computed(definitions, name + k, name.upper() + k.upper()) for k in "xyzw")) for name in ROWS]
+    limit, goals = limit_of(constant), []
+    for n, determinant in enumerate(determinants):
+        definitions.suffix = f"_{n}"
+        determinant(rows).named("value")
+        goals.append(f"|value_{n} - VALUE_{n}| <= {limit}")
+    definitions.lines.append(f"bound = {bound(binary(constant * U))};")
+    used = " ".join(definitions.lines)
+    given = [g for g in given if re.search(rf"\b{g[1:3]}\b", used)]
+    return written([f"The error of a determinant, where the largest in each column ({columns}) is 1, is at most",
+                    f"{constant} u, and so is the bound as it is computed. Any roundings may be left out by fused operations."],
+                   definitions.lines, given, goals + [f"bound >= {limit}"])
+
+
+def columns_four(constant):
+    found(r"return four \* unit_of_double \* (\(\(x \* y\) \* \(z \* w\)\)) \+ tiny;", "Column_sizes.h")
+    return by_columns([sphere, wide_sphere, wide_view], constant,
+                      lambda c: f"add(mul({c}, mul(mul(1, 1), mul(1, 1))), 0)", "x, y, z, w")
+
+
+def columns_three(constant):
+    found(r"return three \* unit_of_double \* (\(x \* y \* z\)) \+ tiny;", "Column_sizes.h")
+    return by_columns([beyond, cofactor, wide_facet], constant,
+                      lambda c: f"add(mul({c}, mul(mul(1, 1), 1)), 0)", "x, y, z")
+
+
+def columns_circle(constant):
+    found(r"(80|\d+) \* Filter_bounds::unit \* box \* m \+ Column_sizes::tiny", "flat_beyond_sign.h")
+    return by_columns([circle], constant, lambda c: f"add(mul(mul({c}, mul(1, 1)), 1), 0)", "s, t, w")
+
+
+def columns_area(constant):
+    found(r"(\d+) \* Filter_bounds::unit \* box \+ Column_sizes::tiny", "flat_beyond_sign.h")
+    return by_columns([area], constant, lambda c: f"add(mul({c}, mul(1, 1)), 0)", "s, t")
+
+
+# Bounds by lengths: the largest squared length, as computed, is 1.
+
+def rows_of_products(roundings):
+    return [Row(*(Products.leaf(name + k, roundings) for k in "xyz")) for name in ROWS]
+
+
+def most_roundings(determinants, roundings=1):
+    return max(determinant(rows_of_products(roundings)).most() for determinant in determinants)
+
+
+def by_lengths(roundings, products, bound, limit, why, unit=53, of_largest=None):
+    """products: what the absolute values of the products of a determinant sum up to, at most."""
+    names = [f"d{k}" for k in range(1, roundings + 1)]
+    definitions = [RELATIVE, "roundings = " + " * ".join(f"(1 + {name})" for name in names) + " - 1;",
+                   "M = 1 / (1 + dm); # exactly, where it is 1 as computed",
+                   "root = sqrt(1) * (1 + dr);", f"products = {products};", f"bound = {bound};"]
+    given = [f"|{name}| <= 1b-{unit}" for name in names]
+    given += [f"|dm| <= {binary(of_largest or of_square())}", "|dr| <= 1b-53"]
+    return written([f"No product of the determinant goes through more than {roundings} roundings (counted), and their absolute",
+                    f"values sum up to at most `products`: {why}."],
+                   definitions, given, [f"|roundings * products| <= {limit}", f"bound >= {limit}"])
+
+
+HADAMARD = "for each w by an inequality of Hadamard type for permanents (Carlen, Lieb, Loss 2006)"
+
+
+def lengths_four(constant):
+    return by_lengths(most_roundings([sphere, wide_sphere, wide_view]), "4 * (2 / sqrt(3)) * M * M * sqrt(M)",
+                      f"add(mul({binary(constant * U)}, mul(mul(1, 1), root)), 0)", limit_of(constant), HADAMARD)
+
+
+def lengths_three(constant):
+    return by_lengths(most_roundings([beyond, cofactor, wide_facet]), "(2 / sqrt(3)) * M * sqrt(M)",
+                      f"add(mul({binary(constant * U)}, mul(1, root)), 0)", limit_of(constant), HADAMARD)
+
+
+def lengths_circle(constant):
+    return by_lengths(most_roundings([circle]), "3 * M * M", f"add(mul(mul({binary(constant * U)}, 1), 1), 0)",
+                      limit_of(constant), "for each w by the inequality of Cauchy and Schwarz")
+
+
+def lengths_area(constant):
+    return by_lengths(most_roundings([area]), "3 * M", f"add(mul({binary(constant * U)}, 1), 0)",
+                      limit_of(constant), "by the inequality of Cauchy and Schwarz, thrice")
+
+
+def collinear(constant):
+    text = found(r"certified_sign\((s\.x \* t\.y - s\.y \* t\.x), bound\)", "exact_predicates.h")
+    s, t, *_ = rows_of_products(1)
+    roundings = formulas.evaluated(text, s=s, t=t).most()
+    return by_lengths(roundings, "M", f"add(mul({binary(constant * U)}, 1), 0)", limit_of(constant),
+                      "by the inequality of Cauchy and Schwarz")
+
+
+def distances(constant):
+    found(r"(\d) \* Filter_bounds::unit \* \(v \+ w\) \+ Filter_bounds::tiny", "exact_predicates.h")
+    return written(["Two squared lengths as computed sum up to 1; exactly they are v / (1 + dv) and w / (1 + dw). The difference has one",
+                    "rounding."],
+                   [RELATIVE, "w = 1 - v;", "error = v * (1 - 1 / (1 + dv)) - w * (1 - 1 / (1 + dw)) + (v - w) * d;",
+                    f"bound = add(mul({binary(constant * U)}, add(1, 0)), 0);"],
+                   [f"|dv| <= {binary(of_square())}", f"|dw| <= {binary(of_square())}", "|d| <= 1b-53", "v in [0,1]"],
+                   [f"|error| <= {limit_of(constant)}", f"bound >= {limit_of(constant)}"]) + "$ v in 64;\n"
+
+
+# Sums of two doubles.
+
+NORMALIZED = ["h = add(p, l);", "t = sub(h, p);", "low = sub(l, t);"]
+HINTS = ["h - p -> l + (h - (p + l));", "l - t -> -(h - (p + l)) - (t - (h - p));"]
+
+
+SIZE = binary(1 + Fraction(1, 2**90))  # of a number of size 1, its own error included
+
+
+def double_double_product(constant):
+    found(r"(double product = opaque\(s\.high \* t\.high\); const double error = Products::error\(s\.high, t\.high, product\); "
+          r"return normalized\(product, error \+ \(opaque\(s\.high \* t\.low\) \+ opaque\(s\.low \* t\.high\)\)\);)",
+          "Double_double.h")
+    text = of_double_doubles(
+        ["p = mul(sh, th);", "e = sh * th - p; # exactly: Dekker (1971), or fma",
+         "l = add(e, add(mul(sh, tl), mul(sl, th)));", *NORMALIZED, "exact = (sh + sl) * (th + tl);"],
+        [f"|sh + sl| <= {SIZE}", "|sl| <= 1b-52", f"|th + tl| <= {SIZE}", "|tl| <= 1b-52"], constant,
+        ["A product of two numbers of size 1."])
+    return text + "".join(line + "\n" for line in HINTS + [
+        "(h + low) - exact -> ((low - (l - t)) - (t - (h - p))) + (l - (e + (sh * tl + sl * th))) - sl * tl;",
+        "sh -> (sh + sl) - sl;", "th -> (th + tl) - tl;"])
+
+
+def double_double_sum(constant):
+    found(r"(double sum = s\.high \+ t\.high; const double part = sum - s\.high; const double error = "
+          r"\(s\.high - \(sum - part\)\) \+ \(t\.high - part\); return normalized\(sum, error \+ \(s\.low \+ t\.low\)\);)",
+          "Double_double.h")
+    text = of_double_doubles(
+        ["p = add(sh, th);", "e = (sh + th) - p; # exactly: Knuth (1969)", "l = add(e, add(sl, tl));", *NORMALIZED,
+         "exact = (sh + th) + (sl + tl);"],
+        [f"|(sh + th) + (sl + tl)| <= {SIZE}", "|sl + tl| <= 1b-52"], constant,
+        ["A sum of two numbers whose sizes sum up to 1."])
+    return text + "".join(line + "\n" for line in HINTS + [
+        "(h + low) - exact -> ((low - (l - t)) - (t - (h - p))) + (l - (e + (sl + tl)));",
+        "sh + th -> exact - (sl + tl);"])
+
+
+def of_double_doubles(definitions, given, constant, title):
+    found(r"(const double sum = high \+ low; return \{sum, low - \(sum - high\)\};)", "Double_double.h")
+    return written([*title, "Size is what the absolute values of the products in a number sum up to. That the sum of `normalized` is exact",
+                    "is not needed."],
+                   [RELATIVE, *definitions], given,
+                   [f"|(h + low) - exact| <= {binary(constant)}", "|low| <= 1b-52"], 256)
+
+
+OF_PRODUCT = Fraction(1, 2**100)  # of double_double_product and double_double_sum
+
+
+def double_double_sphere(constant):
+    assert Fraction(1, 2**51) > U * 2 + OF_PRODUCT * 6
+    limit = binary(constant * (1 - Fraction(1, 2**SLACK)))
+    return by_lengths(most_roundings([sphere], 0), "4 * (2 / sqrt(3)) * M * M * sqrt(M)",
+                      f"add(mul({binary(constant)}, mul(mul(1, 1), root)), 0)", limit, HADAMARD, 100, Fraction(1, 2**51))
+
+
+# Balanced signs.
+
+def balanced_products(roundings, n=4):
+    """The products of rows D, w = D · F; `roundings`: of a difference."""
+    w = found(r"r\[k\]\.w = (r\[k\]\.x \* sum.*?);", "balanced_signs.h")
+    found(r"(return difference\(a, o, scale\) \+ difference\(b, o, scale\);)", "balanced_signs.h")
+    rows = []
+    for name in ROWS[:n]:
+        row = Row(*(Products.leaf(name + k, roundings) for k in "xyz"))
+        for i, k in enumerate("xyz"):
+            f = Products.leaf(f"{name}{k}p", roundings) + Products.leaf(f"{name}{k}q", roundings)
+            w = w.replace(f"sum(a[{i}], b[{i}], o[{i}], scales.w)", f"f{i}")
+            rows.append(f)
+        x, y, z = rows[-3:]
+        del rows[-3:]
+        row.w = formulas.evaluated(w.replace("r[k]", "r"), r=row, f0=x, f1=y, f2=z)
+        rows.append(row)
+    return (sphere(rows) if n == 4 else beyond(rows)).most()
+
+
+def balanced(constant, of_value, unit):
+    of_size = max(balanced_products(1), balanced_products(1, 3))
+    found(r"(Numbers::error \* d\.size \+ 0x1p-880)", "balanced_signs.h")
+    values, sizes = [f"d{k}" for k in range(1, of_value + 1)], [f"s{k}" for k in range(1, of_size + 1)]
+    limit = binary(constant * (1 - Fraction(1, 2**SLACK)) * (1 - U) ** (of_size + 2))
+    return written([f"A product goes through at most {of_value} roundings of 2^-{unit}, its size through at most {of_size} of 2^-53 (counted);",
+                    "the absolute values of all products sum up to 1."],
+                   [RELATIVE, "error = " + " * ".join(f"(1 + {d})" for d in values) + " - 1;",
+                    "size = " + " * ".join(f"(1 + {s})" for s in sizes) + ";", f"bound = add(mul({binary(constant)}, size), 0);"],
+                   [f"|{d}| <= 1b-{unit}" for d in values] + [f"|{s}| <= 1b-53" for s in sizes],
+                   [f"|error| <= {limit}", f"bound >= {limit}"], 2048)
+
+
+def balanced_doubles(constant):
+    return balanced(constant * U, max(balanced_products(1), balanced_products(1, 3)), 53)
+
+
+def balanced_double_doubles(constant):
+    return balanced(constant, max(balanced_products(0), balanced_products(0, 3)), 100)
+
+
+# What underflows.
+
+class Underflows:
+    def __init__(self):
+        self.n, self.lines, self.given, self.hints = 0, [], [], []
+
+    def count(self):
+        self.n += 1
+        return self.n
+
+    def leaf(self, name, size):
+        self.given.append(f"|{name}| <= {size}")
+        return Underflowing(self, name, name)
+
+
+def underflow(determinants, size, tiny, makes_w=None):
+    """The coordinates of rows are at most `size`. Half of `tiny` is left for what underflows in the bound."""
+    text, goals = Underflows(), []
+    limit = Fraction(1)
+    while limit > tiny / 2:
+        limit /= 2
+    for n, determinant in enumerate(determinants):
+        rows = []
+        for name in ROWS:
+            x, y, z = (text.leaf(f"{name}{k}_{n}", size) for k in "xyz")
+            rows.append(Row(x, y, z, makes_w(text, f"{name}_{n}", x, y, z) if makes_w else None))
+        result = determinant(rows)
+        goals += [f"|{result.text} - {result.other}| <= {binary(limit)}", f"|{result.text}| <= 1b400"]
+    return written(["t: as computed; o: with the same relative errors, and none from underflow. No operation overflows, as the result",
+                    "is the largest number."], text.lines, text.given, goals) + "\n" + "\n".join(text.hints) + "\n"
+
+
+def underflow_lengths(tiny):
+    return underflow([sphere, wide_sphere], "1", tiny)
+
+
+def underflow_columns(tiny):
+    return underflow([sphere], "1b60", tiny)
+
+
+def underflow_balanced(tiny):
+    def w(text, name, x, y, z):
+        f = [text.leaf(f"{name}p{k}", "1b60") + text.leaf(f"{name}q{k}", "1b60") for k in "xyz"]
+        return x * f[0] + y * f[1] + z * f[2]
+    return underflow([sphere], "1b60", tiny, w)
+
+
+def read(pattern, header):
+    return lambda: formulas.number(found(pattern, header))
+
+
+# Script: what makes it of a constant; the constant in the header; the least (of integers, or of powers of 2) that is proved.
+SCRIPTS = {
+    "lengths_four": (lengths_four, read(r"four_rows\(double m\) \{ return (\d+) \* unit \* \(m \* m \* std::sqrt\(m\)\) \+ tiny",
+                                        "Sphere_filter.h"), 74),
+    "lengths_three": (lengths_three, read(r"three_rows\(double m\) \{ return (\d+) \* unit \* \(m \* std::sqrt\(m\)\) \+ tiny",
+                                          "Sphere_filter.h"), 10),
+    "wide_lengths_four": (lengths_four, read(r"m \* m \* sqrt_of\(m\) \* \((\d+) \* Filter_bounds::unit\) \+ Filter_bounds::tiny",
+                                             "Wide_sphere_filter.h"), 74),
+    "lengths_circle": (lengths_circle, read(r"(\d+) \* Filter_bounds::unit \* m \* m \+ Filter_bounds::tiny",
+                                            "flat_beyond_sign.h"), 37),
+    "lengths_area": (lengths_area, read(r"(\d+) \* Filter_bounds::unit \* m \+ Filter_bounds::tiny",
+                                        "flat_beyond_sign.h"), 19),
+    "columns_four": (columns_four, read(r"four = (\d+), three", "Column_sizes.h"), 378),
+    "columns_three": (columns_three, read(r"three = (\d+);", "Column_sizes.h"), 47),
+    "columns_circle": (columns_circle, read(r"(\d+) \* Filter_bounds::unit \* box \* m", "flat_beyond_sign.h"), 71),
+    "columns_area": (columns_area, read(r"(\d+) \* Filter_bounds::unit \* box \+", "flat_beyond_sign.h"), 35),
+    "collinear": (collinear, read(r"bound = (\d+) \* Filter_bounds::unit \* m \+", "exact_predicates.h"), 5),
+    "distances": (distances, read(r"bound = (\d+) \* Filter_bounds::unit \* \(v \+ w\)", "exact_predicates.h"), 7),
+    "double_double_product": (double_double_product, lambda: OF_PRODUCT, Fraction(1, 2**101)),
+    "double_double_sum": (double_double_sum, lambda: OF_PRODUCT, Fraction(1, 2**102)),
+    "double_double_sphere": (double_double_sphere, lambda: 1 / formulas.number(
+        found(r"bound = 1\. / (\d+)\. \* \(m \* m \* std::sqrt\(m\)\)", "Double_double.h")), Fraction(1, 2**94)),
+    "balanced_doubles": (balanced_doubles, read(r"error = (\d+) \* Filter_bounds::unit;", "balanced_signs.h"), 18),
+    "balanced_double_doubles": (balanced_double_doubles, read(r"error = (0x1p-\d+);", "balanced_signs.h"), Fraction(1, 2**96)),
+    "underflow_lengths": (underflow_lengths, read(r"double tiny = (1e-\d+);", "Sphere_filter.h"), Fraction(1, 2**1066)),
+    "underflow_columns": (underflow_columns, read(r"double tiny = (1e-\d+);", "Column_sizes.h"), Fraction(1, 2**886)),
+    "underflow_balanced": (underflow_balanced, read(r"d\.size \+ (0x1p-\d+)\)", "balanced_signs.h"), Fraction(1, 2**886)),
+}
+
+
+SLOW = {"underflow_lengths", "underflow_balanced"}  # a minute each; the least was found once
+
+
+def smaller(constant):
+    """One step."""
+    return constant - 1 if Fraction(constant).denominator == 1 else Fraction(constant) / 2
+
+
+def text_of(name):
+    make, constant, _ = SCRIPTS[name]
+    return make(constant())
+
+
+if __name__ == "__main__":
+    for script in SCRIPTS:
+        (Path(__file__).parent / f"{script}.g").write_text(text_of(script), encoding="utf-8")

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DELAUNAY_FROM_SURFACE_3_TESTS_ARRAYS_BY_THREADS_H
+#define DELAUNAY_FROM_SURFACE_3_TESTS_ARRAYS_BY_THREADS_H
+
+// delaunay_3_arrays() by threads of the standard library.
+
+#include "Thread_executor.h"
+
+#include <CGAL/Delaunay_from_surface_3/core/threads/Insert_by_workers.h>
+#include <CGAL/delaunay_3_arrays.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace tests {
+
+template <class Point>
+CGAL::Delaunay_3_arrays<std::int32_t> arrays_by_threads(std::size_t number,
+                                                        const std::vector<Point>& points)
+{
+  namespace core = CGAL::Delaunay_from_surface_3::internal;
+  std::vector<double> coordinates;
+  for (const Point& p : points)
+    for (const int k : {0, 1, 2})
+      coordinates.push_back(p[k]);
+  core::Given_points source(core::Point_array(coordinates.data(), points.size()));
+  core::Given_edges none;
+  core::Order_request request;
+  request.kind = core::Order_request::SPACED;
+  const auto orders = core::order_of_core(request, none);
+  return core::insert_into_arrays<std::int32_t>(
+      source, *orders, std::nullopt, Thread_executor(number), CGAL::parameters::default_values());
+}
+
+} // namespace tests
+
+#endif // DELAUNAY_FROM_SURFACE_3_TESTS_ARRAYS_BY_THREADS_H
