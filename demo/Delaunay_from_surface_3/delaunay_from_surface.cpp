@@ -140,7 +140,7 @@ int run(const Options& options, Report& report, Messages& messages)
   Output output(options);
   messages.step("reading " + options.input);
   const Surface surface = read_surface(options.input, options.from);
-  check_that_inside_is_meaningful(options, surface);
+  check_that_there_are_faces(options, surface);
   messages.clear();
   report_input(options, surface, report);
   if (options.traits == "tracing")

@@ -46,7 +46,7 @@ class SurfaceComponent(NamedTuple):
     """Whether its triangles can be turned alike; else `genus` is the number of cross-caps."""
 
 
-def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool = False, seed: int = 0,
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool = False, inside: bool = False, seed: int = 0,
               progress: Optional[Callable[[float], Optional[bool]]] = None,
               threads: Optional[int] = 1) -> Delaunay3:
     """Return the Delaunay triangulation of points in space.
@@ -62,6 +62,9 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     neighbors
         Whether the neighbours are kept: they and the simplices are then views of one array, 16 bytes apart.
         Else they are found anew when they are first asked for.
+    inside
+        Whether `winding_numbers` and `inside` of the result say which tetrahedra lie inside the faces, which should be
+        oriented alike. The surface may have gaps, and parts that overlap.
     seed
         Decides the order of insertion, and with it the order of the simplices.
     progress
@@ -76,7 +79,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     ------
     ValueError
         If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index, the
-        seed or the number of threads is out of range.
+        seed or the number of threads is out of range. If `inside` is asked of a surface that has none: less volume is
+        surely inside, with a number near a whole one other than 0, than in doubt. So it is with patches and sheets.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError
@@ -90,7 +94,12 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         raise ValueError(f"seed: expected a whole number from 0 to 4294967295, got {seed}")
     number = number_of_threads(threads)
     array = _core.array_of_points(points, "points")
-    return Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number), threads=number)
+    if inside and faces is None:
+        raise ValueError("inside: there are no faces")
+    result = Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number), threads=number)
+    if inside:
+        result.winding_numbers = _core.winding_numbers(array, result.simplices, faces, number)
+    return result
 
 
 def subgraph(faces: Faces, number_of_vertices: Optional[int] = None, *, tree: bool = False) -> np.ndarray:

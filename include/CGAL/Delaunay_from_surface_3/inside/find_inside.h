@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_FIND_INSIDE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_FIND_INSIDE_H
+
+// The winding numbers of tetrahedra, and whether they make an inside.
+
+#include <CGAL/Delaunay_from_surface_3/Inside_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
+#include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// What the numbers say, weighted by volumes.
+class Judge_inside
+{
+  double m_sure = 0, m_doubtful = 0, m_inside = 0;
+
+public:
+  void add(double number, double volume, Inside_3& inside)
+  {
+    const double size = std::abs(number);
+    const bool is_doubtful = std::abs(size - std::round(size)) > 0.1;
+    inside.number_of_doubtful += std::size_t(is_doubtful);
+    inside.number_of_multiple += std::size_t(size > 1.5);
+    if (is_doubtful)
+      m_doubtful += volume;
+    else if (size > 0.5)
+      m_sure += volume;
+    if (size >= 0.5)
+      m_inside += volume;
+  }
+
+  double doubtful_volume() const { return m_inside > 0 ? m_doubtful / m_inside : 0; }
+
+  // Where more is in doubt than surely inside the surface is no border of a solid.
+  bool has_inside() const { return m_sure > m_doubtful; }
+};
+
+// corners_of(c) are the four corners of tetrahedron c, of m.
+template <class CornersOf>
+Inside_3 find_inside(const Winding_field& field, std::size_t m, const CornersOf& corners_of,
+                     const Executor& executor)
+{
+  Inside_3 inside;
+  inside.winding_numbers.resize(m);
+  for_each_block(executor, m, number_of_blocks(executor, m, 1024),
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t c = first; c < last; ++c) {
+                     const std::array<Vector_3d, 4> corners = field.in_frame(corners_of(c));
+                     Vector_3d center;
+                     for (std::size_t j = 0; j < 3; ++j)
+                       center[j] =
+                           (corners[0][j] + corners[1][j] + corners[2][j] + corners[3][j]) / 4;
+                     inside.winding_numbers[c] = field.tree(center);
+                   }
+                 });
+  Judge_inside judge;
+  for (std::size_t c = 0; c < m; ++c) {
+    const std::array<Vector_3d, 4> corners = field.in_frame(corners_of(c));
+    const double volume = dot(minus(corners[1], corners[0]),
+                              cross(minus(corners[2], corners[0]), minus(corners[3], corners[0])));
+    judge.add(inside.winding_numbers[c], std::abs(volume), inside);
+  }
+  inside.doubtful_volume = judge.doubtful_volume();
+  if (!judge.has_inside())
+    throw Surface_input_error(
+        "the surface has no inside: by its winding numbers more is in doubt than inside");
+  return inside;
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_FIND_INSIDE_H
