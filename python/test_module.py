@@ -629,6 +629,33 @@ class Control(unittest.TestCase):
         with self.assertRaises(TypeError):
             dfs.delaunay3(random_points(20000), progress=7)
 
+    def test_kept_order(self):
+        """Of points that move: the same simplices, in the order of the first call."""
+        points, random = random_points(3000), np.random.default_rng(5)
+        order = dfs.InsertionOrder()
+        self.assertEqual(len(order), 0)
+        first = dfs.delaunay3(points, order=order)
+        np.testing.assert_array_equal(first.simplices, dfs.delaunay3(points).simplices)
+        for threads in (1, 1, 2):
+            points = points + 1e-3 * random.random(points.shape)
+            moved = dfs.delaunay3(points, order=order, threads=threads)
+            self.assertEqual((len(order), cell_set(moved.simplices)), (3000, cell_set(dfs.delaunay3(points).simplices)))
+        # Other points, other numbers of them, and orders that cost too much.
+        self.assertEqual(cell_set(dfs.delaunay3(points[:700], order=order).simplices),
+                         cell_set(dfs.delaunay3(points[:700]).simplices))
+        self.assertEqual(len(order), 700)
+        lines = skew_lines(700)
+        self.assertEqual(cell_set(dfs.delaunay3(lines, order=order).simplices), cell_set(dfs.delaunay3(lines).simplices))
+        self.assertEqual(len(dfs.delaunay3(np.zeros((0, 3)), order=order).simplices), 0)
+        dfs.delaunay3(points, order=order)
+
+        def again(share):
+            with self.assertRaisesRegex(ValueError, "order: another call uses it"):
+                dfs.delaunay3(points, order=order)
+        dfs.delaunay3(points, order=order, progress=again)
+        with self.assertRaises(TypeError):
+            dfs.delaunay3(points, order=[1, 2])
+
     def test_interrupt(self):
         for threads in (1, 3):
             begin = time.monotonic()
