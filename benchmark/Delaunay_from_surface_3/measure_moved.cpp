@@ -74,8 +74,7 @@ std::size_t by_plain_cgal(const Points& points)
   return Triangulation(converted.begin(), converted.end()).number_of_finite_cells();
 }
 
-void compare(const std::string& name, const Points& points, double length,
-             comparison::Gains& gains)
+void compare(const std::string& name, const Points& points, double length, comparison::Gains& gains)
 {
   const auto see = [](comparison::Json& line, std::size_t by_cgal, std::size_t ours) {
     if (by_cgal != ours)

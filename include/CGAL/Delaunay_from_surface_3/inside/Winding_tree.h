@@ -42,7 +42,7 @@ class Winding_tree
   struct Cluster
   {
     Vector_3d center = {0, 0, 0};
-    double squared_reach = 0; // from here on it is far
+    double reach = 0; // from here on it is far
     double area = 0;
     Vector_3d dipole = {0, 0, 0};
     std::array<double, 6> quadrupole = {0, 0, 0, 0, 0, 0}; // xx, yy, zz, xy, xz, yz
@@ -61,33 +61,67 @@ public:
     build(0, m_triangles.size());
   }
 
-  double operator()(const Vector_3d& q) const
+  static constexpr std::size_t most = 16; // queries at a time
+
+  // Of n ≤ most queries near each other, which see the same clusters as far.
+  void operator()(const Vector_3d* q, std::size_t n, double* numbers) const
   {
-    double half_angle = 0, flux = 0;
+    double fluxes[most] = {0}, half_angles[most] = {0};
+    const Ball ball = ball_around(q, n);
     for (std::size_t k = 0; k < m_clusters.size();) {
       const Cluster& cluster = m_clusters[k];
-      const Vector_3d r = minus(cluster.center, q);
-      const double rr = dot(r, r);
-      if (rr > cluster.squared_reach) {
-        flux += flux_of(cluster, r, rr);
+      const Vector_3d r = minus(cluster.center, ball.center);
+      const double reach = cluster.reach + ball.radius;
+      if (dot(r, r) > reach * reach) {
+        for (std::size_t i = 0; i < n; ++i)
+          fluxes[i] += flux_of(cluster, q[i]);
         k = cluster.next;
-      } else if (cluster.next == k + 1) {
-        for (std::size_t t = cluster.first; t < cluster.last; ++t)
-          half_angle += half_solid_angle(m_triangles[t].data(), q);
-        ++k;
-      } else {
-        ++k;
+        continue;
       }
+      if (cluster.next == ++k)
+        for (std::size_t t = cluster.first; t < cluster.last; ++t)
+          for (std::size_t i = 0; i < n; ++i)
+            half_angles[i] += half_solid_angle(m_triangles[t].data(), q[i]);
     }
-    return (2 * half_angle + flux) / four_pi;
+    for (std::size_t i = 0; i < n; ++i)
+      numbers[i] = (2 * half_angles[i] + fluxes[i]) / four_pi;
+  }
+
+  double operator()(const Vector_3d& q) const
+  {
+    double number;
+    (*this)(&q, 1, &number);
+    return number;
   }
 
 private:
-  // Of the field r / |r|³, to the second order.
-  static double flux_of(const Cluster& cluster, const Vector_3d& r, double rr)
+  struct Ball
   {
+    Vector_3d center = {0, 0, 0};
+    double radius = 0;
+  };
+
+  static Ball ball_around(const Vector_3d* q, std::size_t n)
+  {
+    Ball ball;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        ball.center[j] += q[i][j] / double(n);
+    double squared = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vector_3d r = minus(q[i], ball.center);
+      squared = (std::max)(squared, dot(r, r));
+    }
+    ball.radius = std::sqrt(squared);
+    return ball;
+  }
+
+  // Of the field r / |r|³, to the second order.
+  static double flux_of(const Cluster& cluster, const Vector_3d& q)
+  {
+    const Vector_3d r = minus(cluster.center, q);
     const auto& s = cluster.quadrupole;
-    const double inverse = 1 / rr;
+    const double inverse = 1 / dot(r, r);
     const double trace = s[0] + s[1] + s[2];
     const double form = s[0] * r[0] * r[0] + s[1] * r[1] * r[1] + s[2] * r[2] * r[2] +
                         2 * (s[3] * r[0] * r[1] + s[4] * r[0] * r[2] + s[5] * r[1] * r[2]);
@@ -112,7 +146,7 @@ private:
     cluster.first = std::uint32_t(first);
     cluster.last = std::uint32_t(last);
     cluster.next = std::uint32_t(m_clusters.size());
-    cluster.squared_reach = far * far * squared_radius(cluster.center, first, last);
+    cluster.reach = far * radius_of(cluster.center, first, last);
   }
 
   static double sum(const Triangle_3d& t, std::size_t j) { return t[0][j] + t[1][j] + t[2][j]; }
@@ -200,7 +234,7 @@ private:
     cluster.quadrupole[5] += (n[1] * m[2] + n[2] * m[1]) / 2;
   }
 
-  double squared_radius(const Vector_3d& center, std::size_t first, std::size_t last) const
+  double radius_of(const Vector_3d& center, std::size_t first, std::size_t last) const
   {
     double squared = 0;
     for (std::size_t t = first; t < last; ++t)
@@ -208,7 +242,7 @@ private:
         const Vector_3d r = minus(p, center);
         squared = (std::max)(squared, dot(r, r));
       }
-    return squared;
+    return std::sqrt(squared);
   }
 
   std::vector<Triangle_3d> m_triangles;

@@ -9,15 +9,22 @@
 
 #include <CGAL/Delaunay_from_surface_3/Inside_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Unit_frame.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Winding_tree.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -50,6 +57,26 @@ public:
   bool has_inside() const { return m_sure > m_doubtful; }
 };
 
+// Of the queries first, …, last - 1, in an order in which successive ones are near each other.
+inline void find_numbers(const Winding_tree& tree, const Point_array& queries, std::size_t first,
+                         std::size_t last, double* numbers)
+{
+  constexpr std::size_t most = Winding_tree::most;
+  std::vector<std::size_t> order(last - first);
+  std::iota(order.begin(), order.end(), first);
+  Sort_by_halves()(queries, order.data(), order.data() + order.size());
+  Vector_3d q[most];
+  double found[most];
+  for (std::size_t k = 0; k < order.size(); k += most) {
+    const std::size_t n = (std::min)(most, order.size() - k);
+    for (std::size_t i = 0; i < n; ++i)
+      q[i] = vector_of(queries[order[k + i]]);
+    tree(q, n, found);
+    for (std::size_t i = 0; i < n; ++i)
+      numbers[order[k + i]] = found[i];
+  }
+}
+
 // corners_of(c) are the four corners of tetrahedron c, of m.
 template <class CornersOf>
 Inside_3 find_inside(const Winding_field& field, std::size_t m, const CornersOf& corners_of,
@@ -57,17 +84,17 @@ Inside_3 find_inside(const Winding_field& field, std::size_t m, const CornersOf&
 {
   Inside_3 inside;
   inside.winding_numbers.resize(m);
-  for_each_block(executor, m, number_of_blocks(executor, m, 1024),
-                 [&](std::size_t first, std::size_t last, std::size_t) {
-                   for (std::size_t c = first; c < last; ++c) {
-                     const std::array<Vector_3d, 4> corners = field.in_frame(corners_of(c));
-                     Vector_3d center;
-                     for (std::size_t j = 0; j < 3; ++j)
-                       center[j] =
-                           (corners[0][j] + corners[1][j] + corners[2][j] + corners[3][j]) / 4;
-                     inside.winding_numbers[c] = field.tree(center);
-                   }
-                 });
+  std::vector<double> centers(3 * m);
+  const std::size_t blocks = number_of_blocks(executor, m, 1024);
+  for_each_block(executor, m, blocks, [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t c = first; c < last; ++c) {
+      const std::array<Vector_3d, 4> corners = field.in_frame(corners_of(c));
+      for (std::size_t j = 0; j < 3; ++j)
+        centers[3 * c + j] = (corners[0][j] + corners[1][j] + corners[2][j] + corners[3][j]) / 4;
+    }
+    find_numbers(field.tree, Point_array(centers.data(), m), first, last,
+                 inside.winding_numbers.data());
+  });
   Judge_inside judge;
   for (std::size_t c = 0; c < m; ++c) {
     const std::array<Vector_3d, 4> corners = field.in_frame(corners_of(c));
