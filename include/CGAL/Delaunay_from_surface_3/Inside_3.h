@@ -18,7 +18,7 @@ says which tetrahedra lie inside a surface: what `inside_of_surface_3()` returns
 */
 struct Inside_3
 {
-  /// of each tetrahedron, at the mean of its corners, up to about 0.002: 0 outside and 1 inside a
+  /// of each tetrahedron, at the mean of its corners, up to about 0.01: 0 outside and 1 inside a
   /// closed surface, -1 where its triangles are turned inwards, 2 inside two parts that overlap, and
   /// numbers between these near gaps.
   std::vector<double> winding_numbers;

@@ -82,7 +82,7 @@ class Delaunay3:
     """d: 3; less if all points lie in a plane, on a line or in one place; -1 if there are none."""
 
     winding_numbers: Optional[np.ndarray]
-    """(m,) float64: how often the faces go around the centre of each tetrahedron, up to about 0.002 (Jacobson, Kavan,
+    """(m,) float64: how often the faces go around the centre of each tetrahedron, up to about 0.01 (Jacobson, Kavan,
     Sorkine-Hornung 2013); None unless `delaunay3(…, inside=True)` was called. Near 1 or another whole number inside a
     surface that is nearly closed, near 0 outside; in between near its gaps."""
 

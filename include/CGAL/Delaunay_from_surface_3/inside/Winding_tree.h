@@ -7,11 +7,12 @@
 
 // Generalised winding numbers (Jacobson, Kavan, Sorkine-Hornung 2013): the sum of the solid angles
 // of oriented triangles over 4π. It is a whole number where they are closed, and nearly one where they
-// nearly are. Triangles far away are taken together, as a dipole and a quadrupole (Barill et al. 2018).
+// nearly are. Triangles far away are taken together (Barill et al. 2018).
 //
 // Invariant: the clusters stand in preorder, each before its two halves; `next` leads past these.
 // Cost: O(n log n) for n triangles; a query O(log n) clusters where these are spread evenly.
 
+#include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -29,8 +30,6 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-using Triangle_3d = std::array<Vector_3d, 3>;
-
 class Winding_tree
 {
   static constexpr double four_pi = 12.566370614359172954;
@@ -44,10 +43,9 @@ class Winding_tree
     Vector_3d center = {0, 0, 0};
     double reach = 0; // from here on it is far
     double area = 0;
-    Vector_3d dipole = {0, 0, 0};
-    std::array<double, 6> quadrupole = {0, 0, 0, 0, 0, 0}; // xx, yy, zz, xy, xz, yz
-    std::uint32_t first = 0, last = 0;                     // its triangles
-    std::uint32_t next = 0;                                // the cluster after all its parts
+    Multipole field;
+    std::uint32_t first = 0, last = 0; // its triangles
+    std::uint32_t next = 0;            // the cluster after all its parts
   };
 
 public:
@@ -66,7 +64,7 @@ public:
   // Of n ≤ most queries near each other, which see the same clusters as far.
   void operator()(const Vector_3d* q, std::size_t n, double* numbers) const
   {
-    double fluxes[most] = {0}, half_angles[most] = {0};
+    double angles[most] = {0}, half_angles[most] = {0};
     const Ball ball = ball_around(q, n);
     for (std::size_t k = 0; k < m_clusters.size();) {
       const Cluster& cluster = m_clusters[k];
@@ -74,7 +72,7 @@ public:
       const double reach = cluster.reach + ball.radius;
       if (dot(r, r) > reach * reach) {
         for (std::size_t i = 0; i < n; ++i)
-          fluxes[i] += flux_of(cluster, q[i]);
+          angles[i] += cluster.field.solid_angle(minus(cluster.center, q[i]));
         k = cluster.next;
         continue;
       }
@@ -84,7 +82,7 @@ public:
             half_angles[i] += half_solid_angle(m_triangles[t].data(), q[i]);
     }
     for (std::size_t i = 0; i < n; ++i)
-      numbers[i] = (2 * half_angles[i] + fluxes[i]) / four_pi;
+      numbers[i] = (2 * half_angles[i] + angles[i]) / four_pi;
   }
 
   double operator()(const Vector_3d& q) const
@@ -114,18 +112,6 @@ private:
     }
     ball.radius = std::sqrt(squared);
     return ball;
-  }
-
-  // Of the field r / |r|³, to the second order.
-  static double flux_of(const Cluster& cluster, const Vector_3d& q)
-  {
-    const Vector_3d r = minus(cluster.center, q);
-    const auto& s = cluster.quadrupole;
-    const double inverse = 1 / dot(r, r);
-    const double trace = s[0] + s[1] + s[2];
-    const double form = s[0] * r[0] * r[0] + s[1] * r[1] * r[1] + s[2] * r[2] * r[2] +
-                        2 * (s[3] * r[0] * r[1] + s[4] * r[0] * r[2] + s[5] * r[1] * r[2]);
-    return inverse * std::sqrt(inverse) * (dot(cluster.dipole, r) + trace - 3 * inverse * form);
   }
 
   void build(std::size_t first, std::size_t last)
@@ -197,11 +183,11 @@ private:
     for (std::size_t j = 0; cluster.area > 0 && j < 3; ++j)
       cluster.center[j] = weighted[j] / cluster.area;
     for (std::size_t t = first; t < last; ++t) {
-      const Vector_3d n = area_vector(m_triangles[t]);
-      Vector_3d m;
-      for (std::size_t j = 0; j < 3; ++j)
-        m[j] = sum(m_triangles[t], j) / 3 - cluster.center[j];
-      add_dipole(n, m, cluster);
+      const Triangle_3d& triangle = m_triangles[t];
+      const Vector_3d& center = cluster.center;
+      cluster.field.add(
+          {minus(triangle[0], center), minus(triangle[1], center), minus(triangle[2], center)},
+          area_vector(triangle));
     }
     return cluster;
   }
@@ -214,24 +200,9 @@ private:
     const double share = cluster.area > 0 ? a.area / cluster.area : 0.5;
     for (std::size_t j = 0; j < 3; ++j)
       cluster.center[j] = share * a.center[j] + (1 - share) * b.center[j];
-    for (const Cluster* const part : {&a, &b}) {
-      add_dipole(part->dipole, minus(part->center, cluster.center), cluster);
-      for (std::size_t k = 0; k < 6; ++k)
-        cluster.quadrupole[k] += part->quadrupole[k];
-    }
+    for (const Cluster* const part : {&a, &b})
+      cluster.field.add(part->field, minus(part->center, cluster.center));
     return cluster;
-  }
-
-  // One at m, relative to the centre.
-  static void add_dipole(const Vector_3d& n, const Vector_3d& m, Cluster& cluster)
-  {
-    for (std::size_t j = 0; j < 3; ++j) {
-      cluster.dipole[j] += n[j];
-      cluster.quadrupole[j] += n[j] * m[j];
-    }
-    cluster.quadrupole[3] += (n[0] * m[1] + n[1] * m[0]) / 2;
-    cluster.quadrupole[4] += (n[0] * m[2] + n[2] * m[0]) / 2;
-    cluster.quadrupole[5] += (n[1] * m[2] + n[2] * m[1]) / 2;
   }
 
   double radius_of(const Vector_3d& center, std::size_t first, std::size_t last) const
