@@ -25,7 +25,8 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 namespace {
 
 py::array winding_numbers(const python::Points& points, const python::Numbers& simplices,
-                          const py::object& faces, std::size_t threads)
+                          const python::Numbers& vertices, const py::object& faces,
+                          std::size_t threads)
 {
   const python::Rows rows(simplices);
   if (rows.corners() != 4)
@@ -33,12 +34,16 @@ py::array winding_numbers(const python::Points& points, const python::Numbers& s
   const auto n = std::size_t(points.shape(0));
   std::vector<double> coordinates;
   python::copy_points(python::Points_view(points), n, "points: point", coordinates);
+  const std::vector<python::Index> vertex_of =
+      python::checked_copy(python::Rows(vertices.attr("reshape")(-1, 1)), n);
   CGAL::Inside_3 inside = python::with_faces(faces, [&](const auto& read) {
     const py::gil_scoped_release unlocked;
     const core::Rounding_to_nearest rounding;
     const core::Thread_executor executor(threads);
     const core::Point_array array(coordinates.data(), n);
     const core::Winding_field field = core::winding_field(array, read);
+    const double openings =
+        core::share_of_openings(field, array, read, [&](std::size_t i) { return vertex_of[i]; });
     return core::find_inside(
         field, rows.size(),
         [&](std::size_t c) {
@@ -47,7 +52,7 @@ py::array winding_numbers(const python::Points& points, const python::Numbers& s
             corners[k] = core::vector_of(array[std::size_t(rows.number(c, k, n))]);
           return corners;
         },
-        executor);
+        openings, executor);
   });
   return python::array_from(std::move(inside.winding_numbers), {py::ssize_t(rows.size())});
 }

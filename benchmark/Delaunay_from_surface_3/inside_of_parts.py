@@ -64,7 +64,7 @@ def row_of(path, name, program):
         if values["inside by"] != "closed mesh":
             row.update(in_doubt=share(values["tetrahedra in doubt"]), in_several=values["in several parts"],
                        volume_in_doubt=round(float(values["volume in doubt"].split()[0]) / 100, 6),
-                       not_closed=values["not closed"], edges=edges_of(values["not closed"]))
+                       openings=round(float(values["openings"].split()[0]) / 100, 6), not_closed=values["not closed"], edges=edges_of(values["not closed"]))
         return row
 
 

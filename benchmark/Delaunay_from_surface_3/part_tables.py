@@ -47,10 +47,10 @@ def all_blocks(reports):
         unique.setdefault((row["file"].split("/")[-1], row["faces"]), row)
     text = (f'Of {len(rows)} files {len(of["closed mesh"])} are closed, {len(of["winding numbers"])} have an inside by winding '
             f'numbers, and {len(of["none"])} are open patches and have none. Those in the middle, each part once:')
-    lines = [[f"`{short(row['file'])}`", str(row["faces"]), *numbers(row), where(row), percent(row["in_doubt"])]
+    lines = [[f"`{short(row['file'])}`", str(row["faces"]), *numbers(row), where(row), percent(row["openings"]), percent(row["in_doubt"])]
              for row in unique.values()]
     result = table(["part", "faces", "edges that are open", "turned", "with more faces than two", "the first at",
-                    "tetrahedra in doubt"], lines, 1)
+                    "openings, of the area", "tetrahedra in doubt"], lines, 1)
     return {"parts": f"{text}\n\n{result}\n\nWhat keeps each of the others from being closed, and where, is in "
                      "`results/parts.json` of the benchmark."}
 

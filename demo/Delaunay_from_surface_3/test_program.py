@@ -313,7 +313,8 @@ class Output(ProgramCase):
                                                      r"\(0\.5, 0, 0\)"),
                            (["4 0 2 4 1", *sides[2:]], f"open edges: \\d{edge}; faces that are no triangles: 1")):
             self.write("a.off", "OFF", f"7 {len(faces)} 0", *corners, *faces)
-            self.refuses(rf"a.off: the surface has no inside: by its winding numbers more is in doubt than inside; {why}$",
+            self.refuses(rf"a.off: the surface has no inside: by its winding numbers more is in doubt than inside, "
+                         rf"and its openings have \d+ % of its area; {why}$",
                          "a.off", "--inside", "-o", "a.vtu")
             self.assertNotIn("a.vtu", self.files())
         for faces, why in (([*sides, "3 0 1 4"], f"open edges: 2{edge}; edges with more than two faces: 1{edge}"),
@@ -349,7 +350,7 @@ class Output(ProgramCase):
                            ("twice.off", faces + faces[500:520])):
             values, marks, numbers = inside(name, some)
             self.assertEqual((values["inside by"], len(numbers), len(marks)), ("winding numbers", 1, len(whole)), name)
-            self.assertLess(sum(a != b for a, b in zip(marks, whole)), 12, name)
+            self.assertAlmostEqual(marks.count("1"), whole.count("1"), delta=5, msg=name)
             self.assertGreater(int(values["tetrahedra in doubt"].split()[0]), 0, name)
 
     def test_json(self):

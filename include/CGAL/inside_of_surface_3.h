@@ -34,9 +34,12 @@ returns which tetrahedra of a triangulation lie inside a surface on its points, 
 of their centres: see `Winding_number_3`. The surface need not be closed: it may have gaps, faces that
 are turned round or given twice, and parts that overlap, where it goes around more often.
 
-A surface has an inside if the volume of the tetrahedra that are surely inside, with numbers near a
-whole one other than 0, is larger than that of the tetrahedra in doubt, whose numbers differ by more
-than 0.1 from all whole ones. A patch, a sheet, a Möbius strip and points alone have none.
+A surface has an inside if one of two holds. The volume of the tetrahedra that are surely inside, with
+numbers near a whole one other than 0, is larger than that of the tetrahedra in doubt, whose numbers
+differ by more than 0.1 from all whole ones. Or triangles that close its openings, from the middle of
+each, have at most 3/10 of its area: a hull without a deck, a tube that is not too short. (The second
+was found by trying: of the files in \ref dfs_inside it tells apart what is a solid but for a deck or
+ends, and what is a patch.) A patch, a sheet, a Möbius strip and points alone have none.
 
 \tparam ConcurrencyTag as for `delaunay_3_arrays()`
 
@@ -67,6 +70,8 @@ Inside_3 inside_of_surface_3(const PointRange& points, const FaceRange& faces,
   if (arrays.dimension() < 3)
     throw Surface_input_error("the surface has no inside: there are no tetrahedra");
   const Winding_field field = winding_field(array, faces);
+  const double openings = share_of_openings(
+      field, array, faces, [&](std::size_t i) { return arrays.vertex_of_point(i); });
   return find_inside(
       field, arrays.number_of_simplices(),
       [&](std::size_t c) {
@@ -75,7 +80,7 @@ Inside_3 inside_of_surface_3(const PointRange& points, const FaceRange& faces,
           corners[k] = vector_of(array[std::size_t(arrays.vertices(c)[k])]);
         return corners;
       },
-      typename Executor_of_tag<ConcurrencyTag>::type());
+      openings, typename Executor_of_tag<ConcurrencyTag>::type());
 }
 
 /// \cond SKIP_IN_MANUAL

@@ -90,6 +90,7 @@ inline void report_inside(const Surface& surface, const Arrays& arrays, const In
   report("tetrahedra in doubt",
          fraction(numbers.number_of_doubtful, numbers.winding_numbers.size()));
   report("volume in doubt", decimals(100 * numbers.doubtful_volume, 4) + " % of that inside");
+  report("openings", decimals(100 * numbers.share_of_openings, 4) + " % of the surface's area");
   report("in several parts", numbers.number_of_multiple);
 }
 

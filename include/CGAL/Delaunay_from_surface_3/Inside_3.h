@@ -32,6 +32,9 @@ struct Inside_3
   /// the volume of the tetrahedra with such doubtful numbers, over that of those inside.
   double doubtful_volume = 0;
 
+  /// the area of triangles that would close the openings, each from its middle, over that of the surface.
+  double share_of_openings = 0;
+
   /// returns whether tetrahedron `c` counts as inside: its number is at least 1/2, or at most -1/2.
   bool operator[](std::size_t c) const { return std::abs(winding_numbers[c]) >= 0.5; }
 

@@ -84,7 +84,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     ValueError
         If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index, the
         seed or the number of threads is out of range. If `inside` is asked of a surface that has none: less volume is
-        surely inside, with a number near a whole one other than 0, than in doubt. So it is with patches and sheets.
+        surely inside, with a number near a whole one other than 0, than in doubt, and its openings have more than 3/10
+        of its area. So it is with patches and sheets.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError
@@ -102,7 +103,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         raise ValueError("inside: there are no faces")
     result = Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number, order), threads=number)
     if inside:
-        result.winding_numbers = _core.winding_numbers(array, result.simplices, faces, number)
+        result.winding_numbers = _core.winding_numbers(array, result.simplices, result.vertices, faces, number)
     return result
 
 

@@ -59,6 +59,9 @@ public:
     build(0, m_triangles.size());
   }
 
+  // Of all triangles.
+  double area() const { return m_clusters.empty() ? 0 : m_clusters.front().area; }
+
   static constexpr std::size_t most = 16; // queries at a time
 
   // Of n ≤ most queries near each other, which see the same clusters as far.

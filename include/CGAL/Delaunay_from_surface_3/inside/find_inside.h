@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -53,8 +54,14 @@ public:
 
   double doubtful_volume() const { return m_inside > 0 ? m_doubtful / m_inside : 0; }
 
-  // Where more is in doubt than surely inside the surface is no border of a solid.
-  bool has_inside() const { return m_sure > m_doubtful; }
+  // Where more is in doubt than surely inside, and the openings are wide, the surface is no border of a
+  // solid. Where these lie in planes, as the deck of a hull does, the numbers are more than 1/2 up to
+  // there, however wide they are.
+  bool has_inside(double share_of_openings) const
+  {
+    constexpr double widest = 0.3;
+    return m_inside > 0 && (m_sure > m_doubtful || share_of_openings <= widest);
+  }
 };
 
 // Of the queries first, …, last - 1, in an order in which successive ones are near each other.
@@ -77,10 +84,11 @@ inline void find_numbers(const Winding_tree& tree, const Point_array& queries, s
   }
 }
 
-// corners_of(c) are the four corners of tetrahedron c, of m.
+// corners_of(c) are the four corners of tetrahedron c, of m. The area of what would close the surface has this
+// share in its own.
 template <class CornersOf>
 Inside_3 find_inside(const Winding_field& field, std::size_t m, const CornersOf& corners_of,
-                     const Executor& executor)
+                     double share_of_openings, const Executor& executor)
 {
   Inside_3 inside;
   inside.winding_numbers.resize(m);
@@ -103,9 +111,12 @@ Inside_3 find_inside(const Winding_field& field, std::size_t m, const CornersOf&
     judge.add(inside.winding_numbers[c], std::abs(volume), inside);
   }
   inside.doubtful_volume = judge.doubtful_volume();
-  if (!judge.has_inside())
+  inside.share_of_openings = share_of_openings;
+  if (!judge.has_inside(share_of_openings))
     throw Surface_input_error(
-        "the surface has no inside: by its winding numbers more is in doubt than inside");
+        "the surface has no inside: by its winding numbers more is in doubt than inside, and its "
+        "openings have " +
+        std::to_string(std::lround(100 * share_of_openings)) + " % of its area");
   return inside;
 }
 
