@@ -308,16 +308,15 @@ class Output(ProgramCase):
         other = ["3 3 5 4", "3 3 4 6", "3 4 5 6", "3 5 3 6"]
         corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1", "1 0 1", "0 1 1", "0 0 2"]
         edge = r", first \d-\d at \([-0-9., ]+\)"
-        for faces, why in ((sides[1:], f"open edges: 3{edge}"), (sides[2:], f"open edges: 4{edge}"),
+        for faces, why in ((sides[2:], f"open edges: 4{edge}"),
                            (["3 0 1 2", *sides[1:]], "edges with two faces in the same direction: 3, first 0-1 at "
-                                                     r"\(0\.5, 0, 0\)"),
-                           (["4 0 2 4 1", *sides[2:]], f"open edges: \\d{edge}; faces that are no triangles: 1")):
+                                                     r"\(0\.5, 0, 0\)")):
             self.write("a.off", "OFF", f"7 {len(faces)} 0", *corners, *faces)
             self.refuses(rf"a.off: the surface has no inside: by its winding numbers more is in doubt than inside, "
                          rf"and its openings have \d+ % of its area; {why}$",
                          "a.off", "--inside", "-o", "a.vtu")
             self.assertNotIn("a.vtu", self.files())
-        for faces, why in (([*sides, "3 0 1 4"], f"open edges: 2{edge}; edges with more than two faces: 1{edge}"),
+        for faces, why in ((sides[1:], f"open edges: 3{edge}"), ([*sides, "3 0 1 4"], f"open edges: 2{edge}; edges with more than two faces: 1{edge}"),
                            (["3 0 0 1", *sides], "edges with more than two faces: 1.*; faces that are no triangles: 1"),
                            ([*sides, *other], "sheets that touch in a vertex, or points given twice")):
             self.write("a.off", "OFF", f"7 {len(faces)} 0", *corners, *faces)
@@ -338,7 +337,7 @@ class Output(ProgramCase):
 
         def inside(name, some):
             self.write(name, "OFF", f"960 {len(some)} 0", *lines[first - 960:first], *some)
-            text = self.works(name, "--mark-inside", "-o", "a.vtk", "--json", notes=f"({SOUP_NOTE})?")
+            text = self.works(name, "--mark-inside", "-o", "a.vtk", "--json", notes=f"(note: faces that are not [^\\n]*\n)?({SOUP_NOTE})?")
             marks = (self.folder / "a.vtk").read_text().split("SCALARS inside double 1\nLOOKUP_TABLE default\n")[1]
             numbers = (self.folder / "a.vtk").read_text().split("SCALARS winding_number double 1\nLOOKUP_TABLE default\n")
             return json.loads(text), marks.split("SCALARS")[0].split(), numbers[1:]
@@ -350,7 +349,7 @@ class Output(ProgramCase):
                            ("twice.off", faces + faces[500:520])):
             values, marks, numbers = inside(name, some)
             self.assertEqual((values["inside by"], len(numbers), len(marks)), ("winding numbers", 1, len(whole)), name)
-            self.assertAlmostEqual(marks.count("1"), whole.count("1"), delta=5, msg=name)
+            self.assertAlmostEqual(marks.count("1"), whole.count("1"), delta=20, msg=name)
             self.assertGreater(int(values["tetrahedra in doubt"].split()[0]), 0, name)
 
     def test_json(self):

@@ -55,12 +55,13 @@ public:
   double doubtful_volume() const { return m_inside > 0 ? m_doubtful / m_inside : 0; }
 
   // Where more is in doubt than surely inside, and the openings are wide, the surface is no border of a
-  // solid. Where these lie in planes, as the deck of a hull does, the numbers are more than 1/2 up to
-  // there, however wide they are.
+  // solid. Where an opening lies in a plane, as that of a hull without a deck, the numbers are more than
+  // 1/2 up to there, however wide it is: then it is enough if not more is in doubt than inside.
   bool has_inside(double share_of_openings) const
   {
     constexpr double widest = 0.3;
-    return m_inside > 0 && (m_sure > m_doubtful || share_of_openings <= widest);
+    return m_inside > 0 &&
+           (m_sure > m_doubtful || (share_of_openings <= widest && m_doubtful <= m_inside));
   }
 };
 
