@@ -316,13 +316,15 @@ class Output(ProgramCase):
                          rf"and its openings have \d+ % of its area; {why}$",
                          "a.off", "--inside", "-o", "a.vtu")
             self.assertNotIn("a.vtu", self.files())
-        for faces, why in ((sides[1:], f"open edges: 3{edge}"), ([*sides, "3 0 1 4"], f"open edges: 2{edge}; edges with more than two faces: 1{edge}"),
+        for faces, why in ((sides[1:], f"open edges: 3{edge}"),
+                           ([*sides, "3 0 1 4"], f"open edges: 2{edge}; edges with more than two faces: 1{edge}"),
                            (["3 0 0 1", *sides], "edges with more than two faces: 1.*; faces that are no triangles: 1"),
                            ([*sides, *other], "sheets that touch in a vertex, or points given twice")):
             self.write("a.off", "OFF", f"7 {len(faces)} 0", *corners, *faces)
             self.works("a.off", "--inside", "-o", "a.vtu", prints=[
                 r"\ninside by: +winding numbers\n", rf"\nnot closed: +{why}\n", r"\ntetrahedra in doubt: +\d+ of \d+ ",
-                r"\nvolume in doubt: +[0-9.]+ % of that inside\n", r"\nin several parts: +0\n"])
+                r"\nvolume in doubt: +[0-9.]+ % of that inside\n", r"\nopenings: +[0-9.]+ % of the surface's area\n",
+                r"\nin several parts: +0\n"], notes=rf"(note: faces[^\n]*\n)?({SOUP_NOTE})?")
         self.write("points.off", "OFF", "7 0 0", *corners)
         self.refuses("points.off: it has no inside: there are no faces", "points.off", "--inside", "-o", "a.vtu")
         self.write("flat.off", "OFF", "3 1 0", *corners[:3], "3 0 1 2")
