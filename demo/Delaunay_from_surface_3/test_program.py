@@ -328,7 +328,7 @@ class Output(ProgramCase):
         self.write("points.off", "OFF", "7 0 0", *corners)
         self.refuses("points.off: it has no inside: there are no faces", "points.off", "--inside", "-o", "a.vtu")
         self.write("flat.off", "OFF", "3 1 0", *corners[:3], "3 0 1 2")
-        self.refuses("flat.off: it has no inside: there are no tetrahedra", "flat.off", "--inside", "-o", "a.vtu",
+        self.refuses("flat.off: it has no inside: its points lie in a plane; open edges: 3, first 0-1 at ", "flat.off", "--inside", "-o", "a.vtu",
                      prefix=PLANE_NOTE + "error: ")
 
     def test_parts_that_are_hurt(self):

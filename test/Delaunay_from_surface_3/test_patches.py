@@ -83,7 +83,7 @@ class Patches(unittest.TestCase):
                 after = program(self.folder, f"patched_{version}", include, patched)
                 self.assertEqual((before.stderr, after.stderr), ("", "patched\n"))
                 self.assertGreater(before.stdout.count("face "), 1000)
-                self.assertEqual(after.stdout, before.stdout)
+                self.assertTrue(after.stdout == before.stdout) # thousands of lines are not to be shown
 
     def test_others_apply(self):
         for version, include in versions().items():

@@ -152,7 +152,8 @@ inline files::Simplices_3 chosen_simplices(const Options& options, const Surface
   std::optional<Inside> inside;
   if (options.inside || options.mark_inside) {
     if (arrays.dimension() < 3)
-      throw std::runtime_error(options.input + ": it has no inside: there are no tetrahedra");
+      throw std::runtime_error(options.input + ": it has no inside: its points lie in a plane; " +
+                               why_not_closed(surface, arrays));
     try {
       inside = inside_of(surface, arrays, options.threads > 1);
     } catch (const std::runtime_error& error) {

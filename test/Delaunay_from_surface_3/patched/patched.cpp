@@ -73,8 +73,8 @@ int main()
   std::vector<std::array<std::size_t, 3>> faces;
   CGAL::advancing_front_surface_reconstruction(points.begin(), points.end(),
                                                std::back_inserter(faces));
-  for (auto& face : faces)
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  for (auto& face : faces) // from which side the front begins depends on the order of the cells
+    std::sort(face.begin(), face.end());
   for (const auto& face : std::set<std::array<std::size_t, 3>>(faces.begin(), faces.end()))
     std::cout << "face " << face[0] << ' ' << face[1] << ' ' << face[2] << '\n';
 #ifdef CGAL_INSERT_POINTS_3_H
