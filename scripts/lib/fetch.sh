@@ -36,7 +36,7 @@ fetch_parts() {
   fi
   download_package "$tmp" openfoam-examples || fail "could not download openfoam-examples"
   dpkg -x "$tmp"/*.deb "$tmp/unpacked"
-  root=$(find "$tmp/unpacked" -type d -name tutorials | head -n 1)
+  root=$(find "$tmp/unpacked" -type d -name examples | tail -n 1)
   (cd "${root:-$tmp/unpacked}" && find . -type f -iregex '.*\.\(stl\|obj\)\(\.gz\)?' -print0 |
     tar -cf - --null -T -) > "$tmp/parts.tar"
   mkdir -p "$tmp/parts"
