@@ -8,7 +8,7 @@
   part_tables.py results/parts.json --tables
   part_tables.py results/parts.json --manual Delaunay_from_surface_3.txt [--check]
 
-Block: parts.
+Blocks: parts_counts and parts.
 """
 
 import manual_tables
@@ -34,7 +34,7 @@ def where(row):
 
 
 def percent(share):
-    return f"{100 * share:.2f} %"
+    return f"{100 * share:.2f}"
 
 
 def all_blocks(reports):
@@ -50,9 +50,8 @@ def all_blocks(reports):
     lines = [[f"`{short(row['file'])}`", str(row["faces"]), *numbers(row), where(row), percent(row["openings"]), percent(row["in_doubt"])]
              for row in unique.values()]
     result = table(["part", "faces", "edges that are open", "turned", "with more faces than two", "the first at",
-                    "openings, of the area", "tetrahedra in doubt"], lines, 1)
-    return {"parts": f"{text}\n\n{result}\n\nWhat keeps each of the others from being closed, and where, is in "
-                     "`results/parts.json` of the benchmark."}
+                    "openings, % of the area", "tetrahedra in doubt, %"], lines, 1)
+    return {"parts_counts": text, "parts": result}
 
 
 if __name__ == "__main__":
