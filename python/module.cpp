@@ -14,11 +14,13 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Kept_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -37,6 +39,34 @@ using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
 struct Stopped : std::runtime_error
 {
   using std::runtime_error::runtime_error;
+};
+
+// The order of the last call, which one call at a time may use.
+struct Kept
+{
+  CGAL::Delaunay_from_surface_3::Insertion_order order;
+  std::atomic<bool> is_used{false};
+};
+
+class Use_of
+{
+public:
+  explicit Use_of(Kept* kept)
+    : m_kept(kept)
+  {
+    if (m_kept != nullptr && m_kept->is_used.exchange(true))
+      throw py::value_error("order: another call uses it");
+  }
+  Use_of(const Use_of&) = delete;
+  Use_of& operator=(const Use_of&) = delete;
+  ~Use_of()
+  {
+    if (m_kept != nullptr)
+      m_kept->is_used = false;
+  }
+
+private:
+  Kept* m_kept;
 };
 
 // Views of the arrays, which live as long as one of them does.
@@ -86,18 +116,21 @@ core::Soup_edges edges_of(const py::object& faces, std::size_t n, const core::Ex
 }
 
 py::tuple triangulated(const py::array& array, const py::object& faces, bool neighbors,
-                       unsigned int seed, const py::object& progress, std::size_t threads)
+                       unsigned int seed, const py::object& progress, std::size_t threads,
+                       Kept* kept)
 {
+  const Use_of use(kept);
   const core::Rounding_to_nearest rounding;
   const core::Thread_executor executor((std::min)(threads, std::size_t(core::Lanes::most_workers)));
   python::Copied_points points(array);
   core::Soup_edges soup = edges_of(faces, points.size(), executor);
   core::Order_request request;
-  request.kind =
-      soup.lower.items.empty() ? core::Order_request::SPACED : core::Order_request::NETS;
+  request.kind = soup.lower.items.empty() ? core::Order_request::SPACED : core::Order_request::NETS;
   request.seed = seed;
   core::Given_edges edges(std::move(soup.lower));
-  const auto orders = core::order_of_core(request, edges);
+  auto orders = core::order_of_core(request, edges);
+  if (kept != nullptr)
+    orders = std::make_unique<core::Kept_order>(kept->order, std::move(orders));
   python::Interruptible_watcher watcher(points.size(), progress, rounding);
   Arrays arrays;
   try {
@@ -117,10 +150,10 @@ py::tuple triangulated(const py::array& array, const py::object& faces, bool nei
 }
 
 py::tuple delaunay3(const py::array& points, const py::object& faces, bool neighbors,
-                    unsigned int seed, const py::object& progress, std::size_t threads)
+                    unsigned int seed, const py::object& progress, std::size_t threads, Kept* kept)
 {
   try {
-    return triangulated(points, faces, neighbors, seed, progress, threads);
+    return triangulated(points, faces, neighbors, seed, progress, threads, kept);
   } catch (const std::bad_alloc&) {
     const std::string message =
         "there is not enough memory to triangulate " + std::to_string(points.shape(0)) + " points";
@@ -141,7 +174,14 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
   py::register_exception<Stopped>(m, "Stopped").attr("__doc__") =
       "Raised by delaunay3() when progress returns False.";
   m.attr("__version__") = DELAUNAY_FROM_SURFACE_3_VERSION;
+  py::class_<Kept>(
+      m, "InsertionOrder",
+      "The order of insertion of the last call of delaunay3() that it was given to; of "
+      "nothing at first.")
+      .def(py::init<>())
+      .def("__len__", [](const Kept& kept) { return kept.order.order.size(); });
   m.def("delaunay3", &delaunay3);
   python::define_surface_functions(m);
   python::define_queries(m);
+  python::define_inside(m);
 }

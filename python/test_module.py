@@ -503,6 +503,70 @@ class AsScipy(unittest.TestCase):
         self.assertTrue(again.check())
 
 
+class Inside(unittest.TestCase):
+    """Of a cube with more points on its sides, each side cut up alike."""
+
+    @staticmethod
+    def cube(n=6):
+        points, faces = [], []
+        for axis in range(3):
+            for side in (0, 1):
+                first = len(points)
+                for i in range(n + 1):
+                    for j in range(n + 1):
+                        p = [0.0, 0.0, 0.0]
+                        p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3] = side, i / n, j / n
+                        points.append(p)
+                corner = lambda i, j: first + (n + 1) * i + j
+                for i in range(n):
+                    for j in range(n):
+                        square = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)]
+                        square = square if side else square[::-1]
+                        faces += [[square[0], square[1], square[2]], [square[0], square[2], square[3]]]
+        return np.array(points), np.array(faces)
+
+    def volume_inside(self, points, faces, **options):
+        result = dfs.delaunay3(points, faces, inside=True, **options)
+        return result.volumes[result.inside].sum(), result
+
+    def test_volumes(self):
+        points, faces = self.cube()
+        around = np.concatenate([points, [[4, 4, 4], [-3, -3, -3]]])
+        for threads in (1, 2):
+            volume, result = self.volume_inside(around, faces, threads=threads)
+            self.assertAlmostEqual(volume, 1, 12)
+            self.assertLess(np.abs(result.winding_numbers - result.inside).max(), 0.01)
+        # With a hole, turned triangles and some twice.
+        hurt = np.concatenate([np.delete(faces, [5], axis=0), faces[40:43]])
+        hurt[[100, 200]] = hurt[[100, 200], ::-1]
+        volume, result = self.volume_inside(around, hurt)
+        self.assertAlmostEqual(volume, 1, 12)
+        # Inside out, twice as large around it, and pickled.
+        self.assertAlmostEqual(self.volume_inside(around, faces[:, ::-1])[0], 1, 12)
+        both = np.concatenate([points, 2 * points - 0.5])
+        volume, result = self.volume_inside(both, np.concatenate([faces, faces + len(points)]))
+        self.assertAlmostEqual(volume, 8, 12)
+        self.assertAlmostEqual(result.winding_numbers.max(), 2, 2)
+        again = pickle.loads(pickle.dumps(result))
+        np.testing.assert_array_equal(again.inside, result.inside)
+        # A room in a solid: the inner walls are seen from inside.
+        volume, _ = self.volume_inside(both, np.concatenate([faces[:, ::-1], faces + len(points)]))
+        self.assertAlmostEqual(volume, 7, 12)
+
+    def test_refusals(self):
+        points, faces = self.cube()
+        around = np.concatenate([points, [[4, 4, 4], [-3, -3, -3]]])
+        for some in (faces[:72], faces[:0]):
+            with self.assertRaisesRegex(ValueError, "^the surface has no inside: "):
+                dfs.delaunay3(around, some, inside=True)
+        with self.assertRaisesRegex(ValueError, "inside: there are no faces"):
+            dfs.delaunay3(points, inside=True)
+        with self.assertRaisesRegex(ValueError, "there are no tetrahedra"):
+            dfs.delaunay3(points[:49], faces[:72], inside=True)
+        with self.assertRaisesRegex(ValueError, "it has not been asked for"):
+            dfs.delaunay3(points).inside
+
+
 class StandsForTetraNerf(unittest.TestCase):
     """cpp.triangulate(); PyTorch itself is not there, so what it is asked for is."""
 
@@ -639,6 +703,33 @@ class Control(unittest.TestCase):
             dfs.delaunay3(random_points(20000), progress=fail)
         with self.assertRaises(TypeError):
             dfs.delaunay3(random_points(20000), progress=7)
+
+    def test_kept_order(self):
+        """Of points that move: the same simplices, in the order of the first call."""
+        points, random = random_points(3000), np.random.default_rng(5)
+        order = dfs.InsertionOrder()
+        self.assertEqual(len(order), 0)
+        first = dfs.delaunay3(points, order=order)
+        np.testing.assert_array_equal(first.simplices, dfs.delaunay3(points).simplices)
+        for threads in (1, 1, 2):
+            points = points + 1e-3 * random.random(points.shape)
+            moved = dfs.delaunay3(points, order=order, threads=threads)
+            self.assertEqual((len(order), cell_set(moved.simplices)), (3000, cell_set(dfs.delaunay3(points).simplices)))
+        # Other points, other numbers of them, and orders that cost too much.
+        self.assertEqual(cell_set(dfs.delaunay3(points[:700], order=order).simplices),
+                         cell_set(dfs.delaunay3(points[:700]).simplices))
+        self.assertEqual(len(order), 700)
+        lines = skew_lines(700)
+        self.assertEqual(cell_set(dfs.delaunay3(lines, order=order).simplices), cell_set(dfs.delaunay3(lines).simplices))
+        self.assertEqual(len(dfs.delaunay3(np.zeros((0, 3)), order=order).simplices), 0)
+        dfs.delaunay3(points, order=order)
+
+        def again(share):
+            with self.assertRaisesRegex(ValueError, "order: another call uses it"):
+                dfs.delaunay3(points, order=order)
+        dfs.delaunay3(points, order=order, progress=again)
+        with self.assertRaises(TypeError):
+            dfs.delaunay3(points, order=[1, 2])
 
     def test_interrupt(self):
         for threads in (1, 3):

@@ -54,6 +54,9 @@ class Manual_tables(unittest.TestCase):
     def test_consumers(self):
         self.check(["Consumers.txt"], "consumer_tables.py", "consumers.json", "thinning.json", "python.json")
 
+    def test_parts(self):
+        self.check(["Delaunay_from_surface_3.txt"], "part_tables.py", "parts.json")
+
     def test_sources(self):
         self.check(["Sources.txt"], "source_tables.py", "sources*.json")
 

@@ -98,7 +98,6 @@ int run(const Options& options, const Surface& surface, Output& output, Report& 
   } catch (const CGAL::Surface_input_error& error) {
     throw std::runtime_error(options.input + ": " + error.what());
   }
-  note_what_is_odd(options, surface, messages);
   messages.clear();
   report("CPU seconds", seconds.cpu, 6);
   report_result(surface, tr, report);
@@ -114,6 +113,7 @@ int run(const Options& options, const Surface& surface, Output& output, Report& 
                report);
     messages.clear();
   }
+  note_what_is_odd(options, surface, messages); // beside an error it would be in the way
 
   bool is_equal = true;
   if (options.compare)
@@ -140,7 +140,7 @@ int run(const Options& options, Report& report, Messages& messages)
   Output output(options);
   messages.step("reading " + options.input);
   const Surface surface = read_surface(options.input, options.from);
-  check_that_inside_is_meaningful(options, surface);
+  check_that_there_are_faces(options, surface);
   messages.clear();
   report_input(options, surface, report);
   if (options.traits == "tracing")

@@ -303,19 +303,56 @@ class Output(ProgramCase):
         self.assertEqual((set(marks), marks.count("1") in (5, 6)), ({"0", "1"}, True))
 
     def test_no_inside(self):
-        """What is not closed is counted."""
+        """What is not closed is counted, and placed."""
         sides = ["3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3"]
         other = ["3 3 5 4", "3 3 4 6", "3 4 5 6", "3 5 3 6"]
-        for faces, why in (([], "no faces"), (sides[1:], "open edges: 3"), (sides[2:], "open edges: 4"),
-                           (["3 0 1 2", *sides[1:]], "edges with two faces in the same direction: 3"),
-                           ([*sides, "3 0 1 4"], "open edges: 2, edges with more than two faces: 1"),
-                           (["4 0 2 4 1", *sides[1:]], "open edges: 3, faces that are no triangles: 1"),
-                           (["3 0 0 1", *sides], "edges with more than two faces: 1, faces that are no triangles: 1"),
-                           ([*sides, *other], "sheets that touch in a vertex")):
-            self.write("a.off", "OFF", f"7 {len(faces)} 0", "0 0 0", "1 0 0", "0 1 0", "0 0 1", "1 0 1", "0 1 1", "0 0 2",
-                       *faces)
-            self.refuses(rf"a.off: it has no inside, as it is not a closed mesh of triangles: {why}$", "a.off", "--inside",
-                         "-o", "a.vtu")
+        corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1", "1 0 1", "0 1 1", "0 0 2"]
+        edge = r", first \d-\d at \([-0-9., ]+\)"
+        for faces, why in ((sides[2:], f"open edges: 4{edge}"),
+                           (["3 0 1 2", *sides[1:]], "edges with two faces in the same direction: 3, first 0-1 at "
+                                                     r"\(0\.5, 0, 0\)")):
+            self.write("a.off", "OFF", f"7 {len(faces)} 0", *corners, *faces)
+            self.refuses(rf"a.off: the surface has no inside: by its winding numbers more is in doubt than inside, "
+                         rf"and its openings have \d+ % of its area; {why}$",
+                         "a.off", "--inside", "-o", "a.vtu")
+            self.assertNotIn("a.vtu", self.files())
+        for faces, why in ((sides[1:], f"open edges: 3{edge}"),
+                           ([*sides, "3 0 1 4"], f"open edges: 2{edge}; edges with more than two faces: 1{edge}"),
+                           (["3 0 0 1", *sides], "edges with more than two faces: 1.*; faces that are no triangles: 1"),
+                           ([*sides, *other], "sheets that touch in a vertex, or points given twice")):
+            self.write("a.off", "OFF", f"7 {len(faces)} 0", *corners, *faces)
+            self.works("a.off", "--inside", "-o", "a.vtu", prints=[
+                r"\ninside by: +winding numbers\n", rf"\nnot closed: +{why}\n", r"\ntetrahedra in doubt: +\d+ of \d+ ",
+                r"\nvolume in doubt: +[0-9.]+ % of that inside\n", r"\nopenings: +[0-9.]+ % of the surface's area\n",
+                r"\nin several parts: +0\n"], notes=rf"(note: faces[^\n]*\n)?({SOUP_NOTE})?")
+        self.write("points.off", "OFF", "7 0 0", *corners)
+        self.refuses("points.off: it has no inside: there are no faces", "points.off", "--inside", "-o", "a.vtu")
+        self.write("flat.off", "OFF", "3 1 0", *corners[:3], "3 0 1 2")
+        self.refuses("flat.off: it has no inside: its points lie in a plane; open edges: 3, first 0-1 at ", "flat.off", "--inside", "-o", "a.vtu",
+                     prefix=PLANE_NOTE + "error: ")
+
+    def test_parts_that_are_hurt(self):
+        """The torus with holes, flipped faces and some twice: nearly the same tetrahedra are inside."""
+        lines = TORUS.read_text().split("\n")
+        first = next(k for k, line in enumerate(lines) if line.startswith("3 "))
+        faces = [line for line in lines[first:] if line]
+
+        def inside(name, some):
+            self.write(name, "OFF", f"960 {len(some)} 0", *lines[first - 960:first], *some)
+            text = self.works(name, "--mark-inside", "-o", "a.vtk", "--json", notes=f"(note: faces that are not [^\\n]*\n)?({SOUP_NOTE})?")
+            marks = (self.folder / "a.vtk").read_text().split("SCALARS inside double 1\nLOOKUP_TABLE default\n")[1]
+            numbers = (self.folder / "a.vtk").read_text().split("SCALARS winding_number double 1\nLOOKUP_TABLE default\n")
+            return json.loads(text), marks.split("SCALARS")[0].split(), numbers[1:]
+
+        values, whole, numbers = inside("whole.off", faces)
+        self.assertEqual((values["inside by"], numbers, set(whole)), ("closed mesh", [], {"0", "1"}))
+        flipped = [" ".join([*line.split()[:2], *line.split()[:1:-1]]) for line in faces[300:310]]
+        for name, some in (("holes.off", faces[:100] + faces[104:]), ("flips.off", faces[:300] + flipped + faces[310:]),
+                           ("twice.off", faces + faces[500:520])):
+            values, marks, numbers = inside(name, some)
+            self.assertEqual((values["inside by"], len(numbers), len(marks)), ("winding numbers", 1, len(whole)), name)
+            self.assertAlmostEqual(marks.count("1"), whole.count("1"), delta=20, msg=name)
+            self.assertGreater(int(values["tetrahedra in doubt"].split()[0]), 0, name)
 
     def test_json(self):
         text = self.works(TORUS, "--json", "--stats", "--compare", "--repetitions", 1, "--traits", "tracing")

@@ -14,8 +14,8 @@ from test_view import arrays_of
 # Before the page's own scripts: all is done before the page is loaded, and its DOM dumped.
 AT_ONCE = "<script>window.requestAnimationFrame = (draw) => draw();</script>\n"
 
-# After them: does what a user does, and writes what it saw into the page.
-USE = """<script>
+# After them: looks at the page, as often as asked to.
+LOOK = """<script>
 const steps = [];
 const element = (id) => document.getElementById(id);
 function look(name) {
@@ -25,8 +25,22 @@ function look(name) {
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   const words = new Uint32Array(pixels.buffer);
   const sum = words.reduce((a, b) => (Math.imul(a, 31) + b) | 0, 7);
-  steps.push({name, width, colours: new Set(words).size, sum, cut: element("cut").textContent});
+  // The longest way of a point from the middle of the picture, whose borders are 1 away.
+  let reach = 0;
+  for (let i = 0; i < points.length; i += 3) {
+    const p = new THREE.Vector3(points[i], points[i + 1], points[i + 2]).project(camera);
+    reach = Math.max(reach, Math.abs(p.x), Math.abs(p.y));
+  }
+  const cuts = element("cuts-surface").checked, axis = document.querySelector("[name=axis]:checked").value;
+  const ground = [...pixels.slice(0, 3)];
+  steps.push({name, width, height, colours: new Set(words).size, sum, cut: element("cut").textContent, reach, cuts, axis,
+    plane: Number(element("plane").value), ground});
 }
+</script>
+"""
+
+# Does what a user does.
+USE = """<script>
 function set(id, value) {
   element(id).value = value;
   element(id).dispatchEvent(new Event("input", {bubbles: true}));
@@ -59,7 +73,21 @@ function use() {
 }
 use();
 </script>
-<script>
+"""
+
+# From one side and another, as wide and as high.
+TURN = """<script>
+look("begin");
+for (let k = 0; k < 12; ++k) {
+  turn(0.7, 0.4);
+  draw();
+  look("turned");
+}
+</script>
+"""
+
+# Writes what was seen into the page.
+REPORT = """<script>
 const report = document.createElement("pre");
 report.id = "report";
 report.textContent = JSON.stringify({problems, steps, title: document.title,
@@ -76,15 +104,15 @@ class ViewInBrowser(ProgramCase):
         self.works(*arguments, "--view", "page.html", "--quiet")
         return (self.folder / "page.html").read_text()
 
-    def use(self, page):
-        page = page.replace("<head>\n", "<head>\n" + LISTEN + AT_ONCE, 1).replace("</body>", USE + "</body>")
+    def use(self, page, *scripts, options=("--window-size=420,600",)):
+        page = page.replace("<head>\n", "<head>\n" + LISTEN + AT_ONCE, 1)
+        page = page.replace("</body>", "".join([LOOK, *scripts]) + "</body>")
         (self.folder / "used.html").write_text(page)
-        return report_in(chromium(self.folder, "--window-size=420,600", "--dump-dom",
-                                  f"file://{self.folder}/used.html"))
+        return report_in(chromium(self.folder, *options, "--dump-dom", f"file://{self.folder}/used.html"))
 
     def test_as_a_user(self):
         page = self.write_page(TORUS)
-        report = self.use(page)
+        report = self.use(page, USE, REPORT)
         self.assertEqual(report["problems"], [])
         self.assertEqual((report["title"], report["overflow"]), ("torus.off", False))
         steps = {step["name"]: step for step in report["steps"]}
@@ -98,8 +126,62 @@ class ViewInBrowser(ProgramCase):
         self.assertGreater(len(set(sums)), 12)
         # The cells that the plane meets are those of the triangulation.
         arrays = arrays_of(page)
-        for name, share in (("x", 0.5), ("x 0.1", 0.1), ("x 0.4", 0.4), ("x 0.8", 0.8), ("left", 0.79)):
+        for name, share in (("x", 0.6), ("x 0.1", 0.1), ("x 0.4", 0.4), ("x 0.8", 0.8), ("left", 0.79)):
             self.assertEqual(steps[name]["cut"], f"{self.cells_cut(arrays, share):,} cells meet the plane")
+
+        # At first the surface is whole.
+        self.assertEqual([(step["cuts"], step["plane"]) for step in report["steps"][:2]], [(False, 0.6), (True, 0.6)])
+
+    def test_nothing_is_cut_off(self):
+        """Whatever the shape of part and window, and from all sides; the plane cuts the longest side."""
+        for size in ((1, 1, 1), (9, 1, 1), (1, 9, 1), (1, 1, 9), (5, 5, 1), (1, 0.01, 2)):
+            corners = [" ".join(str(s * x) for s, x in zip(size, corner)) for corner in
+                       ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))]
+            self.write("box.off", "OFF", "8 6 0", *corners, "4 0 3 2 1", "4 4 5 6 7", "4 0 1 5 4", "4 1 2 6 5", "4 2 3 7 6",
+                       "4 3 0 4 7")
+            page = self.write_page("box.off")
+            for window in ("420,600", "1200,420"):
+                report = self.use(page, TURN, REPORT, options=[f"--window-size={window}"])
+                self.assertEqual((report["problems"], len(report["steps"])), ([], 13))
+                reaches = [step["reach"] for step in report["steps"]]
+                self.assertLessEqual(max(reaches), 1, (size, window))
+                self.assertGreater(max(reaches), 0.3, (size, window))
+                self.assertEqual(size["xyz".index(report["steps"][0]["axis"])], max(size))
+                self.assertGreater(report["steps"][0]["colours"], 3)
+
+    def test_dark(self):
+        """The ground is that of the style sheet, light or dark."""
+        page = self.write_page(TORUS)
+        grounds = {}
+        for scheme in (0, 1):
+            options = ["--window-size=420,600", f"--blink-settings=preferredColorScheme={scheme}"]
+            steps = self.use(page, '<script>look("begin");</script>', REPORT, options=options)["steps"]
+            self.assertGreater(steps[0]["colours"], 20)
+            grounds[scheme] = steps[0]["ground"]
+        self.assertEqual(sorted(grounds.values()), [[0x14, 0x18, 0x1e], [0xf7, 0xf8, 0xfa]])
+
+    def test_lost_context(self):
+        """What a graphics card has forgotten is drawn again."""
+        page = self.write_page(TORUS).replace("<head>\n", "<head>\n" + LISTEN, 1)
+        script = REPORT.replace("<script>\n", """<script>
+addEventListener("load", () => {
+  look("before");
+  const extension = element("canvas").getContext("webgl").getExtension("WEBGL_lose_context");
+  element("canvas").addEventListener("webglcontextlost", () => setTimeout(() => extension.restoreContext(), 100));
+  element("canvas").addEventListener("webglcontextrestored", () => {
+    look("after");
+    finish();
+  });
+  extension.loseContext();
+});
+function finish() {
+""", 1).replace("</script>", "}\n</script>")
+        (self.folder / "lost.html").write_text(page.replace("</body>", LOOK + script + "</body>"))
+        steps = report_in(chromium(self.folder, "--window-size=420,600", "--virtual-time-budget=5000", "--dump-dom",
+                                   f"file://{self.folder}/lost.html"))["steps"]
+        self.assertEqual([step["name"] for step in steps], ["before", "after"])
+        self.assertEqual(steps[0]["sum"], steps[1]["sum"])
+        self.assertGreater(steps[0]["colours"], 20)
 
     @staticmethod
     def cells_cut(arrays, share):

@@ -4,8 +4,8 @@
 
 // Which tetrahedra lie inside a closed surface? Where the triangulation has all triangles of the
 // surface, as it has if the samples are dense, they fill it; elsewhere the centroids decide, and
-// the volumes differ. A surface with gaps has no such inside; there winding numbers would serve
-// (Jacobson, Kavan, Sorkine-Hornung 2013).
+// the volumes differ. A surface with gaps has no such inside; there winding numbers serve, by
+// inside_of_surface_3().
 
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>

@@ -24,6 +24,28 @@ fetch_meshes() {
   rm -rf "$tmp"
 }
 
+# fetch_parts: build/parts, the .stl and .obj files of Debian's package openfoam-examples, in their folders.
+fetch_parts() {
+  say "fetching the parts of Debian's package openfoam-examples into build/parts"
+  local tmp=build/fetch/openfoam-examples root
+  rm -rf "$tmp" build/parts
+  mkdir -p "$tmp/unpacked"
+  if ! knows_package openfoam-examples; then
+    fail_without_root apt-get update
+    update_lists
+  fi
+  download_package "$tmp" openfoam-examples || fail "could not download openfoam-examples"
+  dpkg -x "$tmp"/*.deb "$tmp/unpacked"
+  root=$(find "$tmp/unpacked" -type d -name examples | tail -n 1)
+  (cd "${root:-$tmp/unpacked}" && find . -type f -iregex '.*\.\(stl\|obj\)\(\.gz\)?' -print0 |
+    tar -cf - --null -T -) > "$tmp/parts.tar"
+  mkdir -p "$tmp/parts"
+  tar -xf "$tmp/parts.tar" -C "$tmp/parts"
+  basename "$tmp"/*.deb .deb > "$tmp/parts/.package"
+  mv "$tmp/parts" build/parts
+  rm -rf "$tmp"
+}
+
 # download_package FOLDER PACKAGE [APT OPTION…]
 download_package() {
   local folder=$1 package=$2

@@ -433,3 +433,42 @@ BOOST_AUTO_TEST_CASE(refusals_and_stops)
   points[5] = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
   BOOST_CHECK_THROW(delaunay_3_arrays(points), CGAL::Surface_input_error);
 }
+
+// Points that move keep their order; the cells are theirs all the same.
+BOOST_AUTO_TEST_CASE(order_of_the_last_call)
+{
+  std::vector<Point> points = surfaces::genus_surface(2, 2000, 0.05, 1).points;
+  DFS::Insertion_order order;
+  check_arrays(delaunay_3_arrays(points, order), points);
+  const DFS::Insertion_order first = order;
+  BOOST_CHECK_EQUAL(first.order.size(), points.size());
+  for (int step = 1; step < 4; ++step) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] = Point(points[i].x() + 1e-3 * double(i * 7 % 11), points[i].y(),
+                        points[i].z() - 1e-3 * double(i * 5 % 13));
+    check_arrays(delaunay_3_arrays(points, order), points);
+    BOOST_CHECK(order.order == first.order); // it is kept
+  }
+  // Of fewer points it is made anew; what is none is refused, and so are points.
+  points.resize(900);
+  check_arrays(delaunay_3_arrays(points, order), points);
+  BOOST_CHECK_EQUAL(order.order.size(), points.size());
+  DFS::Insertion_order none = order;
+  none.order[5] = none.order[6];
+  BOOST_CHECK_THROW(delaunay_3_arrays(points, none), CGAL::Surface_input_error);
+  check_arrays(delaunay_3_arrays(std::vector<Point>(), order), std::vector<Point>());
+  order = DFS::Insertion_order();
+  // One that costs too much by now: two lines, one after the other.
+  std::vector<Point> lines;
+  for (int i = 0; i < 1500; ++i)
+    lines.push_back(i % 2 == 0 ? Point(i, 0, 0) : Point(0, i, 1));
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    order.order.push_back(i);
+  order.round_ends = {lines.size()};
+  order.starting_places.clear();
+  Reasons_visitor visitor;
+  check_arrays(delaunay_3_arrays(lines, order, CGAL::parameters::visitor(std::ref(visitor))),
+               lines);
+  BOOST_CHECK_EQUAL(visitor.orders_replaced, 1u);
+  BOOST_CHECK_EQUAL(order.order.size(), lines.size());
+}

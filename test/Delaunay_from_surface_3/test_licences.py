@@ -13,7 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 INCLUDE = ROOT / "include"
 LESSER, GENERAL = "LGPL-3.0-or-later", "GPL-3.0-or-later"
-LESSER_ROOMS = ("core", "arrays", "tiles", "support", "surface")
+LESSER_ROOMS = ("core", "arrays", "tiles", "inside", "support", "surface")
 
 
 def licence(path):

@@ -6,11 +6,13 @@
 
 import json
 import re
+import subprocess
+import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-VCPKG_PORT = "packaging/vcpkg/ports/delaunay-from-surface-3"
 
 
 def read(path):
@@ -26,8 +28,8 @@ class ProjectFiles(unittest.TestCase):
         version = found(r"^  VERSION ([\d.]+)$", "CMakeLists.txt")
         self.assertEqual(version, found(r"^version: ([\d.]+)$", "CITATION.cff"))
         self.assertEqual(version, found(r"^delaunay-from-surface-3 \(([\d.]+)\)", "debian/changelog"))
-        self.assertEqual(version, found(r'"version": "([\d.]+)"', f"{VCPKG_PORT}/vcpkg.json"))
-        self.assertEqual(version, found(r'version = "([\d.]+)"', "packaging/conan/conanfile.py"))
+        self.assertEqual(version.replace(".", "_"), found(r"_VERSION v(\w+)$",
+                                                          "include/CGAL/Delaunay_from_surface_3/support/form.h"))
         self.assertEqual(version, found(r"^## ([\d.]+)$", "CHANGES.md"))
 
     def test_paper_is_cited_as_in_the_bibliography(self):
@@ -39,6 +41,36 @@ class ProjectFiles(unittest.TestCase):
         for text in (f'title: "{fields["title"]}"', f'collection-title: "{fields["booktitle"]}"',
                      f'start: "{first}"', f'end: "{last}"', f"year: {fields['year']}"):
             self.assertIn(text, citation)
+
+    def test_project_url(self):
+        """The address stands in one place, and is put wherever it belongs, and taken away."""
+        script = ROOT / "scripts/project_url"
+        names = ["packaging/project_url", "README.md", "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt",
+                 "debian/control", "CITATION.cff", "python/pyproject.toml"]
+
+        def run(*words):
+            return subprocess.run([sys.executable, "-B", script, *words], capture_output=True, text=True, check=False)
+
+        self.assertEqual(run("--check").stderr, "")
+        with tempfile.TemporaryDirectory() as folder:
+            before = {}
+            for name in names:
+                (Path(folder) / name).parent.mkdir(parents=True, exist_ok=True)
+                before[name] = read(name)
+                (Path(folder) / name).write_text(before[name], encoding="utf-8")
+            texts = lambda: {name: (Path(folder) / name).read_text(encoding="utf-8") for name in names}
+            place = Path(folder) / names[0]
+            for address in ("https://example.org/first", "https://example.org/second"):
+                place.write_text(address + "\n", encoding="utf-8")
+                self.assertRegex(run("--check", folder).stderr, "^without the address in .*: README.md, doc/")
+                self.assertEqual(run(folder).returncode, 0)
+                self.assertEqual([name for name, text in texts().items() if address not in text], [])
+                self.assertEqual(run("--check", folder).returncode, 0)
+            self.assertFalse([name for name, text in texts().items() if "example.org/first" in text])
+            place.write_text(before[names[0]], encoding="utf-8")
+            self.assertEqual((run(folder).returncode, texts()), (0, before))
+            place.write_text("somewhere", encoding="utf-8")
+            self.assertIn("'somewhere' is no address", run(folder).stderr)
 
     def test_presets(self):
         presets = {preset["name"] for preset in json.loads(read("CMakePresets.json"))["configurePresets"]}
@@ -56,7 +88,8 @@ class ProjectFiles(unittest.TestCase):
                 self.assertTrue((ROOT / script).exists(), f"{path}: {script}")
 
     def test_what_is_called_supported_has_a_test(self):
-        tests = read("test/Delaunay_from_surface_3/consumers/CMakeLists.txt") + read("python/CMakeLists.txt")
+        tests = "".join(map(read, ("test/Delaunay_from_surface_3/consumers/CMakeLists.txt", "python/CMakeLists.txt",
+                                   "test/Delaunay_from_surface_3/CMakeLists.txt")))
         rows = re.findall(r"^\| .* \| (supported.*) \|$", read("packaging/README.md"), re.MULTILINE)
         self.assertGreater(len(rows), 4)
         for row in rows:
@@ -69,7 +102,7 @@ class ProjectFiles(unittest.TestCase):
 
     def test_options(self):
         options = set(re.findall(r"option\((DELAUNAY_FROM_SURFACE_3_\w+)", read("CMakeLists.txt")))
-        for path in ("debian/rules", "scripts/manual", f"{VCPKG_PORT}/portfile.cmake"):
+        for path in ("debian/rules", "scripts/manual"):
             named = set(re.findall(r"-D(DELAUNAY_FROM_SURFACE_3_BUILD_\w+)", read(path)))
             self.assertEqual(named, {option for option in options if "_BUILD_" in option}, path)
 

@@ -9,7 +9,7 @@
 #include "Report.h"
 #include "Surface.h"
 #include "arrays_of_triangulation.h"
-#include "why_no_inside.h"
+#include "inside_of.h"
 
 #include <Delaunay_from_surface_3_files/Output_file.h>
 #include <Delaunay_from_surface_3_files/same_file.h>
@@ -21,8 +21,6 @@
 #include <Delaunay_from_surface_3_files/write_vtu.h>
 
 #include <CGAL/IO/io.h>
-#include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -135,52 +133,42 @@ private:
   std::optional<files::Output_file> m_view;
 };
 
-// Do inside and outside mean something for the surface?
-inline bool has_inside(const Surface& surface)
+// What can be said before the work is done: points alone have no inside.
+inline void check_that_there_are_faces(const Options& options, const Surface& surface)
 {
-  return surface.is_manifold && is_triangle_mesh(surface.mesh) && is_closed(surface.mesh);
-}
-
-inline void check_that_inside_is_meaningful(const Options& options, const Surface& surface)
-{
-  if ((options.inside || options.mark_inside) && !has_inside(surface))
-    throw std::runtime_error(options.input +
-                             ": it has no inside, as it is not a closed mesh of triangles: " +
-                             why_no_inside(surface.faces));
-}
-
-// For each tetrahedron, whether its centre is inside the surface.
-inline std::vector<double> insides(const files::Simplices_3& s, const Mesh& mesh)
-{
-  const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side_of(mesh);
-  std::vector<double> result;
-  result.reserve(s.size());
-  for (std::size_t c = 0; c < s.size(); ++c) {
-    double x[3] = {0, 0, 0};
-    for (std::size_t k = 0; k < s.corners(); ++k)
-      for (std::size_t j = 0; j < 3; ++j)
-        x[j] += s.points[std::size_t(s.simplices[c * s.corners() + k])][j] / double(s.corners());
-    result.push_back(side_of(Point(x[0], x[1], x[2])) == CGAL::ON_UNBOUNDED_SIDE ? 0 : 1);
-  }
-  return result;
+  if ((options.inside || options.mark_inside) && surface.faces.empty())
+    throw std::runtime_error(options.input + ": it has no inside: there are no faces");
 }
 
 // What of the triangulation is to be written.
 inline files::Simplices_3 chosen_simplices(const Options& options, const Surface& surface,
-                                           const Triangulation& tr, const Vertices& vertices)
+                                           const Triangulation& tr, const Vertices& vertices,
+                                           Report& report)
 {
   const auto arrays = arrays_of_triangulation<std::int32_t>(tr, vertices, options.to == "tetgen");
-  files::Simplices_3 simplices = files::simplices_of(surface.points, arrays);
-  if (options.to == "tetgen" && simplices.dimension < 3)
+  if (options.to == "tetgen" && arrays.dimension() < 3)
     throw std::runtime_error(options.output +
                              ": TetGen's files hold tetrahedra, but there are none");
-  if (options.inside) {
-    const std::vector<double> is_inside = insides(simplices, surface.mesh);
-    simplices = files::simplices_of(surface.points, arrays,
-                                    [&](std::size_t c) { return is_inside[c] != 0; });
+  std::optional<Inside> inside;
+  if (options.inside || options.mark_inside) {
+    if (arrays.dimension() < 3)
+      throw std::runtime_error(options.input + ": it has no inside: its points lie in a plane; " +
+                               why_not_closed(surface, arrays));
+    try {
+      inside = inside_of(surface, arrays, options.threads > 1);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(options.input + ": " + error.what());
+    }
+    report_inside(surface, arrays, *inside, report);
   }
-  if (options.mark_inside)
-    simplices.data.push_back({"inside", insides(simplices, surface.mesh)});
+  files::Simplices_3 simplices = files::simplices_of(surface.points, arrays, [&](std::size_t c) {
+    return !options.inside || inside->marks[c] != 0;
+  });
+  if (options.mark_inside) {
+    simplices.data.push_back({"inside", inside->marks});
+    if (inside->numbers)
+      simplices.data.push_back({"winding_number", inside->numbers->winding_numbers});
+  }
   const bool has_data = options.to == "vtu" || options.to == "vtk" || options.to == "msh";
   if (has_data && simplices.dimension == 3)
     simplices.data.push_back(files::circumradii(simplices));
@@ -196,7 +184,7 @@ inline void write(const Options& options, const Surface& surface, const Triangul
     report("written", "the triangulation to " + options.output);
     return;
   }
-  const files::Simplices_3 simplices = chosen_simplices(options, surface, tr, vertices);
+  const files::Simplices_3 simplices = chosen_simplices(options, surface, tr, vertices, report);
   output.write(simplices);
   report("written", std::to_string(simplices.size()) + " " + names[simplices.dimension] + " to " +
                         options.output);

@@ -11,6 +11,7 @@
 #include "Options.h"
 #include "Report.h"
 #include "Surface.h"
+#include "inside_of.h"
 #include "write_output.h"
 
 #include <Delaunay_from_surface_3_files/Output_file.h>
@@ -119,7 +120,7 @@ inline std::vector<std::size_t> triangles_of(const Surface& surface)
 
 // `order` says the rounds; it may be empty.
 inline View make_view(const Surface& surface, const Triangulation& tr, const Vertices& vertices,
-                      const DFS::Insertion_order& order)
+                      const DFS::Insertion_order& order, bool has_threads)
 {
   const auto arrays = arrays_of_triangulation<std::int32_t>(tr, vertices, false);
   const files::Simplices_3 simplices = files::simplices_of(surface.points, arrays);
@@ -138,9 +139,10 @@ inline View make_view(const Surface& surface, const Triangulation& tr, const Ver
   view.tetrahedra.assign(simplices.simplices.begin(), simplices.simplices.end());
   view.triangles = numbered(triangles_of(surface));
   view.subgraph = numbered(subgraph_of(surface));
-  if (has_inside(surface)) {
-    const std::vector<double> inside = insides(simplices, surface.mesh);
-    view.inside.assign(inside.begin(), inside.end());
+  try {
+    const Inside inside = inside_of(surface, arrays, has_threads);
+    view.inside.assign(inside.marks.begin(), inside.marks.end());
+  } catch (const std::runtime_error&) { // it has none
   }
   if (order.round_ends.size() > 1 && order.round_ends.size() < 256) {
     const std::vector<std::uint32_t> points = numbered(order.order);
@@ -249,7 +251,7 @@ void write_view(const Options& options, const Surface& surface, const Triangulat
   DFS::Insertion_order order;
   if (!has_replaced_order)
     order = order_of(surface, traits, options.seed);
-  const View view = make_view(surface, tr, vertices, order);
+  const View view = make_view(surface, tr, vertices, order, options.threads > 1);
   const std::string name = options.input == "-"
                                ? "standard input"
                                : std::filesystem::path(options.input).filename().string();

@@ -37,6 +37,14 @@ function radius() {
   return Math.sqrt(square);
 }
 
+// The side of their box that is longest; of equal ones the last, which goes into the picture.
+function longestAxis() {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  points.forEach((x, i) => { low[i % 3] = Math.min(low[i % 3], x), high[i % 3] = Math.max(high[i % 3], x); });
+  const length = (k) => high[k] - low[k];
+  return "xyz"[[2, 1, 0].reduce((a, b) => length(b) > length(a) ? b : a)];
+}
+
 // --- The plane: the points x with normal · x = offset; what lies beyond is cut off ---
 
 const normal = new THREE.Vector3();

@@ -5,6 +5,7 @@
 // What the page that delaunay_from_surface --view writes shows, and what its user does. The program puts the
 // data, three.js, cut.js and this file into view.html. What follows # in the address sets the page up:
 //   #axis=z&plane=0.4&show=surface,inside&whole&rounds=3&turn=30,-20&zoom=1.2
+// At first the surface is whole, unless the address has a plane; as soon as that is moved it cuts the surface, too.
 
 "use strict";
 // --- What is shown ---
@@ -84,9 +85,8 @@ function showRounds() {
 }
 
 function addLayers() {
-  const surfaceMaterial = new THREE.MeshPhongMaterial({...faceted, ...clipped});
   if (triangles.length > 0)
-    addLayer("surface", "surface", new THREE.Mesh(onPoints(triangles), surfaceMaterial), true);
+    addLayer("surface", "surface", new THREE.Mesh(onPoints(triangles), new THREE.MeshPhongMaterial(faceted)), true);
   if (isInside.length > 0) {
     addCells("inside", "cells inside", 1);
     addCells("outside", "cells outside", 0);
@@ -118,6 +118,19 @@ function movePlane() {
   cutCells();
 }
 
+function cutSurface() {
+  const surface = layers.find((layer) => layer.id === "surface");
+  if (surface)
+    surface.object.material.clippingPlanes = $("cuts-surface").checked ? clipped.clippingPlanes : null;
+  drawSoon();
+}
+
+// The user's plane shows what is behind it.
+function cutFromNowOn() {
+  $("cuts-surface").checked = true;
+  cutSurface();
+}
+
 function turnPlane(direction) {
   setNormal(direction);
   movePlane();
@@ -146,7 +159,7 @@ light.position.set(-0.3, 0.5, 1);
 camera.add(light, new THREE.AmbientLight(0xffffff, 0.65));
 scene.add(camera);
 let renderer, isDrawn = true;
-let distance = 3.4 * radius(); // with 1 / sin 15° all directions would fit
+let distance = radius() / Math.sin(Math.PI / 12); // half the angle of view: the ball fits in all directions
 
 function turn(right, up) {
   camera.quaternion.multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(up, right, 0)));
@@ -166,6 +179,8 @@ function draw() {
 
 function fitWindow() {
   const {clientWidth: width, clientHeight: height} = renderer.domElement;
+  if (width === 0 || height === 0)
+    return;
   renderer.setPixelRatio(window.devicePixelRatio);
   renderer.setSize(width, height, false);
   camera.aspect = width / height;
@@ -191,16 +206,23 @@ function chooseAxis(name) {
 }
 
 function flipPlane() {
+  cutFromNowOn();
   $("plane").value = 1 - Number($("plane").value);
   turnPlane(normal.clone().negate());
 }
 
 function step(by) {
+  cutFromNowOn();
   $("plane").value = Number($("plane").value) + by;
   movePlane();
 }
 
-const keys = {x: () => chooseAxis("x"), y: () => chooseAxis("y"), z: () => chooseAxis("z"), v: () => chooseAxis("v"),
+function cutAlong(axis) {
+  cutFromNowOn();
+  chooseAxis(axis);
+}
+
+const keys = {x: () => cutAlong("x"), y: () => cutAlong("y"), z: () => cutAlong("z"), v: () => cutAlong("v"),
   f: flipPlane, w: () => $("whole").click(), ArrowLeft: () => step(-0.01), ArrowRight: () => step(0.01)};
 
 function pressKey(event) {
@@ -245,16 +267,21 @@ function followPointers(canvas) {
 function listen() {
   let isWaiting = false; // cut once a frame, however fast the slider moves
   $("plane").addEventListener("input", () => {
+    cutFromNowOn();
     if (!isWaiting)
       isWaiting = true, requestAnimationFrame(() => { isWaiting = false, movePlane(); });
   });
   $("whole").addEventListener("change", movePlane);
+  $("cuts-surface").addEventListener("change", cutSurface);
   for (const input of document.querySelectorAll("[name=axis]"))
-    input.addEventListener("change", () => chooseAxis(input.value));
+    input.addEventListener("change", () => cutAlong(input.value));
   window.addEventListener("keydown", pressKey);
   followPointers($("canvas"));
   new ResizeObserver(fitWindow).observe($("canvas"));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", paint);
+  // What was drawn before may be gone: sizes and styles come late, and a graphics card may be taken away for a while.
+  window.addEventListener("load", () => { fitWindow(), draw(); });
+  $("canvas").addEventListener("webglcontextrestored", () => { fitWindow(), draw(); });
 }
 
 // --- The beginning ---
@@ -269,12 +296,14 @@ function setUp() {
     for (const {id, object} of layers)
       $(`show-${id}`).checked = object.visible = wishes.get("show").split(",").includes(id);
   $("whole").checked = wishes.has("whole");
-  $("plane").value = wishes.get("plane") || 0.5;
+  $("plane").value = wishes.get("plane") || 0.6;
+  $("cuts-surface").checked = wishes.has("plane");
+  cutSurface();
   if (rounds.length > 0) {
     $("rounds-shown").value = wishes.get("rounds") || $("rounds-shown").max;
     showRounds();
   }
-  chooseAxis(wishes.get("axis") || "z");
+  chooseAxis(wishes.get("axis") || longestAxis());
 }
 
 function begin() {
@@ -289,6 +318,7 @@ function begin() {
   paint();
   setUp();
   fitWindow();
+  draw();
   listen();
 }
 

@@ -81,12 +81,18 @@ class Delaunay3:
     dimension: int
     """d: 3; less if all points lie in a plane, on a line or in one place; -1 if there are none."""
 
+    winding_numbers: Optional[np.ndarray]
+    """(m,) float64: how often the faces go around the centre of each tetrahedron, up to about 0.01 (Jacobson, Kavan,
+    Sorkine-Hornung 2013); None unless `delaunay3(…, inside=True)` was called. Near 1 or another whole number inside a
+    surface that is nearly closed, near 0 outside; in between near its gaps."""
+
     def __init__(self, points: np.ndarray, simplices: np.ndarray, neighbors: Optional[np.ndarray],
-                 vertices: np.ndarray, dimension: int, threads: int = 1):
+                 vertices: np.ndarray, dimension: int, threads: int = 1, winding_numbers: Optional[np.ndarray] = None):
         self.points = points
         self.simplices = simplices
         self.vertices = vertices
         self.dimension = dimension
+        self.winding_numbers = winding_numbers
         self._threads = threads
         if neighbors is not None:
             self.neighbors = neighbors
@@ -96,7 +102,7 @@ class Delaunay3:
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return (Delaunay3, (self.points, self.simplices, self.__dict__.get("neighbors"), self.vertices,
-                            self.dimension, self._threads))
+                            self.dimension, self._threads, self.winding_numbers))
 
     @property
     def ndim(self) -> int:
@@ -112,6 +118,13 @@ class Delaunay3:
     def nsimplex(self) -> int:
         """How many simplices there are."""
         return len(self.simplices)
+
+    @property
+    def inside(self) -> np.ndarray:
+        """(m,) bool: which tetrahedra are inside the faces: their winding numbers are 1/2 or more, or -1/2 or less."""
+        if self.winding_numbers is None:
+            raise ValueError("inside: it has not been asked for: delaunay3(…, inside=True)")
+        return np.abs(self.winding_numbers) >= 0.5
 
     @property
     def min_bound(self) -> np.ndarray:

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_UNIT_FRAME_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_UNIT_FRAME_H
+
+#include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+inline Vector_3d vector_of(const double* p)
+{
+  return {p[0], p[1], p[2]};
+}
+
+// Moves a box to 0, and shrinks it to about 1: no product of coordinates overflows.
+class Unit_frame
+{
+public:
+  explicit Unit_frame(const Point_array& points)
+  {
+    if (points.size() == 0)
+      return;
+    Vector_3d low = vector_of(points[0]), high = low;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Vector_3d p = vector_of(points[i]);
+      for (std::size_t j = 0; j < 3; ++j) {
+        low[j] = (std::min)(low[j], p[j]);
+        high[j] = (std::max)(high[j], p[j]);
+      }
+    }
+    double half = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      m_half_middle[j] = low[j] / 4 + high[j] / 4; // halves do not overflow
+      half = (std::max)(half, high[j] / 2 - low[j] / 2);
+    }
+    std::frexp(half, &m_exponent);
+  }
+
+  Vector_3d operator()(const Vector_3d& p) const
+  {
+    Vector_3d q;
+    for (std::size_t j = 0; j < 3; ++j)
+      q[j] = std::ldexp(p[j] / 2 - m_half_middle[j], 1 - m_exponent);
+    return q;
+  }
+
+private:
+  Vector_3d m_half_middle = {0, 0, 0};
+  int m_exponent = 0;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_UNIT_FRAME_H

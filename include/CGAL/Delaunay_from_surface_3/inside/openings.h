@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_OPENINGS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_OPENINGS_H
+
+// Where oriented faces are not closed: edges that they pass more often in one direction than in the
+// other. The winding number jumps nowhere else but at faces, and it is a whole number if there is no such
+// edge. How large the openings are is estimated: each connected set of these edges is joined with its
+// middle by triangles, which would close it. Linear, but for what is open.
+
+#include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+struct Open_edge
+{
+  std::size_t ends[2];
+  double times; // how much more often in one direction
+};
+
+// Of n points, of which those are one that have the same vertex_of(i).
+template <class FaceRange, class VertexOf>
+std::vector<Open_edge> open_edges(const FaceRange& faces, std::size_t n, const VertexOf& vertex_of)
+{
+  std::vector<std::uint32_t> lower, upper; // of each side; an upper end twice, and its direction
+  for (const auto& face : faces) {
+    std::size_t first = 0, last = 0;
+    bool has_begun = false;
+    const auto add_side = [&](std::size_t a, std::size_t b) {
+      if (a != b) {
+        lower.push_back(std::uint32_t((std::min)(a, b)));
+        upper.push_back(std::uint32_t(2 * (std::max)(a, b) + (a < b)));
+      }
+    };
+    for (const auto& index : face) {
+      const auto v = std::size_t(vertex_of(std::size_t(index)));
+      if (has_begun)
+        add_side(last, v);
+      else
+        first = v;
+      last = v;
+      has_begun = true;
+    }
+    if (has_begun)
+      add_side(last, first);
+  }
+  Lists<std::uint32_t> lists = in_lists<std::uint32_t>(
+      n, Listed_items(
+             lower.size(), [&](std::size_t k) { return std::size_t(lower[k]); },
+             [&](std::size_t k) { return upper[k]; }));
+  std::vector<Open_edge> open;
+  for (std::size_t a = 0; a < n; ++a) {
+    std::uint32_t* const end = lists.items.data() + lists.first[a + 1];
+    std::uint32_t* side = lists.items.data() + lists.first[a];
+    std::sort(side, end);
+    while (side != end) {
+      const std::uint32_t b = *side / 2;
+      int sum = 0;
+      for (; side != end && *side / 2 == b; ++side)
+        sum += *side % 2 == 0 ? -1 : 1;
+      if (sum != 0)
+        open.push_back({{a, b}, std::abs(double(sum))});
+    }
+  }
+  return open;
+}
+
+// Numbers the connected sets of the edges: that of each edge, and how many there are.
+inline std::pair<std::vector<std::size_t>, std::size_t>
+connected_sets(const std::vector<Open_edge>& edges)
+{
+  std::vector<std::size_t> vertices;
+  for (const Open_edge& e : edges)
+    vertices.insert(vertices.end(), e.ends, e.ends + 2);
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const auto place = [&](std::size_t v) {
+    return std::size_t(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  };
+  std::vector<std::size_t> parent(vertices.size());
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  const auto root = [&](std::size_t i) {
+    while (parent[i] != i)
+      i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const Open_edge& e : edges)
+    parent[root(place(e.ends[0]))] = root(place(e.ends[1]));
+  std::vector<std::size_t> number(vertices.size(), vertices.size()), sets;
+  std::size_t count = 0;
+  for (const Open_edge& e : edges) {
+    std::size_t& n = number[root(place(e.ends[0]))];
+    if (n == vertices.size())
+      n = count++;
+    sets.push_back(n);
+  }
+  return {std::move(sets), count};
+}
+
+// The area of the triangles that would close them; point_of(v) are coordinates that need no care.
+template <class PointOf>
+double area_of_openings(const std::vector<Open_edge>& edges, const PointOf& point_of)
+{
+  const auto [sets, number] = connected_sets(edges);
+  std::vector<Vector_3d> middle(number, Vector_3d{0, 0, 0});
+  std::vector<double> ends(number, 0);
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (const std::size_t v : edges[k].ends) {
+      const Vector_3d p = point_of(v);
+      for (std::size_t j = 0; j < 3; ++j)
+        middle[sets[k]][j] += p[j];
+      ++ends[sets[k]];
+    }
+  double area = 0;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    Vector_3d m = middle[sets[k]];
+    for (double& x : m)
+      x /= ends[sets[k]];
+    const Vector_3d n =
+        cross(minus(point_of(edges[k].ends[0]), m), minus(point_of(edges[k].ends[1]), m));
+    area += edges[k].times * std::sqrt(dot(n, n)) / 2;
+  }
+  return area;
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_OPENINGS_H

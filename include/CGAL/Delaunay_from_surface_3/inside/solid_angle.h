@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_SOLID_ANGLE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_SOLID_ANGLE_H
+
+// The solid angle of a triangle (van Oosterom, Strackee 1983): its tangent of a half is a quotient,
+// positive where the triangle is seen from behind.
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+using Vector_3d = std::array<double, 3>;
+
+inline double dot(const Vector_3d& a, const Vector_3d& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vector_3d cross(const Vector_3d& a, const Vector_3d& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Vector_3d minus(const Vector_3d& a, const Vector_3d& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+// Half of that of the triangle with these corners as seen from q. On the triangle itself it is π or
+// -π, at its corners 0.
+inline double half_solid_angle(const Vector_3d* corners, const Vector_3d& q)
+{
+  const Vector_3d a = minus(corners[0], q), b = minus(corners[1], q), c = minus(corners[2], q);
+  const double aa = std::sqrt(dot(a, a)), bb = std::sqrt(dot(b, b)), cc = std::sqrt(dot(c, c));
+  const double y = dot(a, cross(b, c));
+  const double x = aa * bb * cc + dot(a, b) * cc + dot(b, c) * aa + dot(c, a) * bb;
+  const double t = y / x;
+  if (x > 0 && t * t < 0.0004) // the series is as good, and most triangles are far away
+    return t * (1 - t * t * (1. / 3 - t * t * (1. / 5 - t * t / 7)));
+  return std::atan2(y, x);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_SOLID_ANGLE_H

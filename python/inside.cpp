@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// The winding numbers of tetrahedra around which a surface goes.
+
+#include "functions.h"
+#include "numpy_rows.h"
+
+#include <CGAL/Delaunay_from_surface_3/Inside_3.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
+#include <CGAL/Delaunay_from_surface_3/inside/find_inside.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+namespace core = CGAL::Delaunay_from_surface_3::internal;
+
+namespace {
+
+py::array winding_numbers(const python::Points& points, const python::Numbers& simplices,
+                          const python::Numbers& vertices, const py::object& faces,
+                          std::size_t threads)
+{
+  const python::Rows rows(simplices);
+  if (rows.corners() != 4)
+    throw py::value_error("inside: the surface has no inside: there are no tetrahedra");
+  const auto n = std::size_t(points.shape(0));
+  std::vector<double> coordinates;
+  python::copy_points(python::Points_view(points), n, "points: point", coordinates);
+  const std::vector<python::Index> vertex_of =
+      python::checked_copy(python::Rows(vertices.attr("reshape")(-1, 1)), n);
+  CGAL::Inside_3 inside = python::with_faces(faces, [&](const auto& read) {
+    const py::gil_scoped_release unlocked;
+    const core::Rounding_to_nearest rounding;
+    const core::Thread_executor executor(threads);
+    const core::Point_array array(coordinates.data(), n);
+    const core::Winding_field field = core::winding_field(array, read);
+    const double openings =
+        core::share_of_openings(field, array, read, [&](std::size_t i) { return vertex_of[i]; });
+    return core::find_inside(
+        field, rows.size(),
+        [&](std::size_t c) {
+          std::array<core::Vector_3d, 4> corners;
+          for (std::size_t k = 0; k < 4; ++k)
+            corners[k] = core::vector_of(array[std::size_t(rows.number(c, k, n))]);
+          return corners;
+        },
+        openings, executor);
+  });
+  return python::array_from(std::move(inside.winding_numbers), {py::ssize_t(rows.size())});
+}
+
+} // namespace
+
+void python::define_inside(py::module_& m)
+{
+  m.def("winding_numbers", &winding_numbers);
+}

@@ -1,0 +1,355 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Winding numbers: against exact solid angles, against sums without a hierarchy, and by the volumes of what
+// they call inside, on surfaces that are closed, hurt, nested, and none at all.
+
+#define BOOST_TEST_MODULE test_inside
+#include <boost/test/included/unit_test.hpp>
+
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
+#include <CGAL/Winding_number_3.h>
+#include <CGAL/delaunay_3_arrays.h>
+#include <CGAL/inside_of_surface_3.h>
+
+#include <Delaunay_from_surface_3_surfaces/edit.h>
+#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
+#include <Delaunay_from_surface_3_surfaces/sphere.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace internal = CGAL::Delaunay_from_surface_3::internal;
+using Coordinates = std::array<double, 3>;
+using Face = std::array<std::size_t, 3>;
+const double pi = std::acos(-1.);
+
+struct Soup
+{
+  std::vector<Coordinates> points;
+  std::vector<Face> faces;
+
+  std::size_t add_point(double x, double y, double z)
+  {
+    points.push_back({x, y, z});
+    return points.size() - 1;
+  }
+};
+
+Soup soup_of(const surfaces::Indexed_surface& surface)
+{
+  Soup soup;
+  for (const auto& p : surface.points)
+    soup.add_point(p.x(), p.y(), p.z());
+  soup.faces = surface.faces;
+  return soup;
+}
+
+// A box whose sides are n × n squares: all its triangles are Delaunay, whatever is around.
+Soup box(std::size_t n, double size = 1, double x = 0)
+{
+  Soup soup;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const bool is_far : {false, true}) {
+      const std::size_t first = soup.points.size();
+      for (std::size_t i = 0; i <= n; ++i)
+        for (std::size_t j = 0; j <= n; ++j) {
+          Coordinates p;
+          p[axis] = is_far ? size : 0;
+          p[(axis + 1) % 3] = size * double(i) / double(n);
+          p[(axis + 2) % 3] = size * double(j) / double(n);
+          for (double& c : p)
+            c += x;
+          soup.points.push_back(p);
+        }
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) {
+          const std::size_t a = first + (n + 1) * i + j, b = a + n + 1;
+          for (const Face& face : {Face{a, b, b + 1}, Face{a, b + 1, a + 1}})
+            soup.faces.push_back(is_far ? face : Face{face[0], face[2], face[1]});
+        }
+    }
+  return soup;
+}
+
+// Their points are numbered one after the other.
+Soup both(Soup first, const Soup& second)
+{
+  const std::size_t n = first.points.size();
+  first.points.insert(first.points.end(), second.points.begin(), second.points.end());
+  for (const Face& face : second.faces)
+    first.faces.push_back({face[0] + n, face[1] + n, face[2] + n});
+  return first;
+}
+
+Soup turned(Soup soup)
+{
+  for (Face& face : soup.faces)
+    std::swap(face[1], face[2]);
+  return soup;
+}
+
+double volume_of(const std::array<Coordinates, 4>& p)
+{
+  using internal::minus;
+  return internal::dot(minus(p[1], p[0]), internal::cross(minus(p[2], p[0]), minus(p[3], p[0]))) /
+         6;
+}
+
+// Six times the volume of the tetrahedron of a face and the origin, over all faces: that of what is inside.
+double volume_of(const Soup& soup)
+{
+  double sum = 0;
+  for (const Face& f : soup.faces)
+    sum += internal::dot(soup.points[f[0]], internal::cross(soup.points[f[1]], soup.points[f[2]]));
+  return sum / 6;
+}
+
+struct Found
+{
+  CGAL::Inside_3 inside;
+  double volume = 0;
+};
+
+// With two points far away, between which there is much that is outside.
+Found find(Soup soup, double far = 5)
+{
+  soup.add_point(far, far, far);
+  soup.add_point(-far, -far, far);
+  const auto arrays = CGAL::delaunay_3_arrays(soup.points);
+  Found found = {CGAL::inside_of_surface_3(soup.points, soup.faces, arrays)};
+  for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c)
+    if (found.inside[c]) {
+      const auto v = arrays.vertices(c);
+      const auto at = [&](std::size_t k) { return soup.points[std::size_t(v[k])]; };
+      found.volume += volume_of({at(0), at(1), at(2), at(3)});
+    }
+  return found;
+}
+
+void check_that_there_is_none(const Soup& soup, const std::string& message)
+{
+  BOOST_CHECK_EXCEPTION(find(soup), CGAL::Surface_input_error, [&](const auto& error) {
+    return std::string(error.what()).find(message) != std::string::npos;
+  });
+}
+
+BOOST_AUTO_TEST_CASE(test_exact_solid_angles)
+{
+  // A corner of a cube, the sides of a cube from its middle, a face of a regular tetrahedron.
+  const Coordinates zero = {0, 0, 0};
+  const Coordinates axes[] = {{2, 0, 0}, {0, 3, 0}, {0, 0, 5}};
+  BOOST_CHECK_SMALL(internal::half_solid_angle(axes, zero) - pi / 4, 1e-15);
+  const Coordinates side[] = {{1, 1, 1}, {-1, 1, 1}, {-1, -1, 1}}; // half of one
+  BOOST_CHECK_SMALL(internal::half_solid_angle(side, zero) - pi / 6, 1e-15);
+  const Coordinates face[] = {{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}};
+  BOOST_CHECK_SMALL(std::abs(internal::half_solid_angle(face, zero)) - pi / 2, 1e-15);
+  const Coordinates turned[] = {axes[0], axes[2], axes[1]};
+  BOOST_CHECK_SMALL(internal::half_solid_angle(turned, zero) + pi / 4, 1e-15);
+  // A rectangle above its corner at height h: Ω = atan(a b / (h sqrt(a² + b² + h²))).
+  for (const double h : {1e-3, .1, 1., 7., 40., 1e4}) {
+    const Coordinates first[] = {{0, 0, h}, {2, 0, h}, {2, 3, h}},
+                      second[] = {{0, 0, h}, {2, 3, h}, {0, 3, h}};
+    const double angle =
+        2 * (internal::half_solid_angle(first, zero) + internal::half_solid_angle(second, zero));
+    BOOST_CHECK_CLOSE(angle, std::atan(6 / (h * std::sqrt(13 + h * h))), 1e-9);
+  }
+  // In the plane of the triangle beside it, on it, at a corner.
+  const Coordinates flat[] = {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
+  BOOST_CHECK_EQUAL(internal::half_solid_angle(flat, {5, 5, 0}), 0);
+  BOOST_CHECK_CLOSE(std::abs(internal::half_solid_angle(flat, zero)), pi, 1e-9);
+  BOOST_CHECK_EQUAL(internal::half_solid_angle(flat, flat[0]), 0);
+}
+
+BOOST_AUTO_TEST_CASE(test_hierarchy)
+{
+  // What is far counts as a whole: the error is small, near and far, on closed surfaces and open ones.
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+  surfaces::Indexed_surface open = surfaces::sphere(2000);
+  open.faces.resize(open.faces.size() / 2);
+  for (const Soup& soup :
+       {soup_of(surfaces::sphere(3000, .05, 1)), soup_of(surfaces::grid_torus(3000)),
+        soup_of(surfaces::genus_surface(3, 3000, 0.05, 1)), soup_of(open)}) {
+    const CGAL::Winding_number_3 number(soup.points, soup.faces);
+    for (int k = 0; k < 300; ++k) {
+      const Coordinates q = {uniform(random), uniform(random), uniform(random)};
+      double sum = 0;
+      for (const Face& f : soup.faces) {
+        const Coordinates corners[] = {soup.points[f[0]], soup.points[f[1]], soup.points[f[2]]};
+        sum += internal::half_solid_angle(corners, q) / (2 * pi);
+      }
+      BOOST_CHECK_SMALL(number(q) - sum, 0.01);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(test_kinds_of_input)
+{
+  // Polygons, points of a kernel, faces of any integers, and no faces.
+  std::vector<surfaces::Indexed_surface::Point_3> points;
+  for (int k = 0; k < 8; ++k)
+    points.emplace_back(k & 1, k >> 1 & 1, k >> 2);
+  const std::vector<std::vector<int>> sides = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                               {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  const CGAL::Winding_number_3 number(points, sides);
+  BOOST_CHECK_CLOSE(number(surfaces::Indexed_surface::Point_3(.5, .3, .8)), 1, 1e-9);
+  BOOST_CHECK_SMALL(number(Coordinates{1.5, .3, .8}), 1e-9);
+  BOOST_CHECK_CLOSE(number(Coordinates{1, .5, .5}), .5, 1e-9);
+  const CGAL::Winding_number_3 nothing(points, std::vector<std::vector<int>>());
+  BOOST_CHECK_EQUAL(nothing(points[0]), 0);
+  BOOST_CHECK_THROW(CGAL::Winding_number_3(points, std::vector<std::vector<int>>{{0, 1, 8}}),
+                    CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(CGAL::Winding_number_3(std::vector<Coordinates>{{0, 0, NAN}}, sides),
+                    CGAL::Surface_input_error);
+}
+
+BOOST_AUTO_TEST_CASE(test_volumes)
+{
+  const Found cube = find(box(7));
+  BOOST_CHECK_CLOSE(cube.volume, 1, 1e-9);
+  BOOST_CHECK_EQUAL(cube.inside.number_of_doubtful, 0u);
+  BOOST_CHECK_EQUAL(cube.inside.number_of_multiple, 0u);
+  BOOST_CHECK_EQUAL(cube.inside.doubtful_volume, 0);
+  for (const Soup& soup : {soup_of(surfaces::sphere(4000)), soup_of(surfaces::grid_torus(4000)),
+                           soup_of(surfaces::genus_surface(5, 4000, 0.05, 3))}) {
+    const Found found = find(soup);
+    BOOST_CHECK_CLOSE(found.volume, std::abs(volume_of(soup)),
+                      0.1); // percent: not all triangles are Delaunay
+    BOOST_CHECK_LT(found.inside.doubtful_share(), 1e-3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(test_sizes)
+{
+  for (const double size : {1e-300, 1e-150, 1e150, 1e300}) {
+    Soup soup = box(3, size);
+    soup.add_point(-size, 2 * size, 3 * size);
+    const auto arrays = CGAL::delaunay_3_arrays(soup.points);
+    const auto inside = CGAL::inside_of_surface_3(soup.points, soup.faces, arrays);
+    double volume = 0;
+    for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c) {
+      std::array<Coordinates, 4> corners;
+      for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t j = 0; j < 3; ++j)
+          corners[k][j] = soup.points[std::size_t(arrays.vertices(c)[k])][j] / size;
+      volume += inside[c] ? volume_of(corners) : 0;
+    }
+    BOOST_CHECK_CLOSE(volume, 1, 1e-9);
+  }
+  const Found far = find(box(4, 1, 1e7), 1e7 + 5); // far from the origin
+  BOOST_CHECK_CLOSE(far.volume, 1, 1e-5);
+}
+
+// Holes, flips and faces that come twice, in a surface whose volume is known.
+BOOST_AUTO_TEST_CASE(test_hurt_surfaces)
+{
+  std::mt19937 random(3);
+  for (const std::size_t damages : {1, 10, 100}) {
+    Soup holes = box(20), flips = box(20), doubles = box(20), all = box(20);
+    for (std::size_t k = 0; k < damages; ++k) {
+      const std::size_t f = random() % holes.faces.size(), g = random() % 4000, h = random() % 4000;
+      holes.faces.erase(holes.faces.begin() + std::ptrdiff_t(f));
+      std::swap(flips.faces[g][0], flips.faces[g][1]);
+      doubles.faces.push_back(doubles.faces[h]);
+      std::swap(all.faces[g][0], all.faces[g][1]);
+      all.faces.push_back(all.faces[h]);
+      all.faces.erase(all.faces.begin() + std::ptrdiff_t(f));
+    }
+    for (const Soup& soup : {holes, flips, doubles, all}) {
+      const Found found = find(soup);
+      BOOST_CHECK_CLOSE(found.volume, 1, 0.01 * double(damages)); // percent
+      BOOST_CHECK_LT(found.inside.doubtful_volume, 0.003 * double(damages));
+    }
+    BOOST_CHECK_EQUAL(find(holes).inside.number_of_doubtful > 0, damages > 1);
+  }
+  surfaces::Indexed_surface punctured = surfaces::sphere(3000);
+  surfaces::puncture(punctured, 5, 1);
+  BOOST_CHECK_CLOSE(find(soup_of(punctured)).volume, volume_of(soup_of(surfaces::sphere(3000))),
+                    0.5);
+}
+
+BOOST_AUTO_TEST_CASE(test_several_parts)
+{
+  const Soup small = box(4), large = box(8, 3, -1);
+  // Inside out; beside each other, one inside out; coincident walls; a part twice.
+  BOOST_CHECK_CLOSE(find(turned(small)).volume, 1, 1e-9);
+  BOOST_CHECK_CLOSE(find(both(small, turned(box(4, 1, 2)))).volume, 2, 1e-9);
+  const Found twice = find(both(small, small));
+  BOOST_CHECK_CLOSE(twice.volume, 1, 1e-9);
+  BOOST_CHECK_GT(twice.inside.number_of_multiple, 0u);
+  // A part in a part, and a cavity: its walls look inwards.
+  const Found nested = find(both(small, large));
+  BOOST_CHECK_CLOSE(nested.volume, 27, 1e-9);
+  BOOST_CHECK_GT(nested.inside.number_of_multiple, 0u);
+  const Found cavity = find(both(turned(small), large));
+  BOOST_CHECK_CLOSE(cavity.volume, 26, 1e-9);
+  BOOST_CHECK_EQUAL(cavity.inside.number_of_multiple, 0u);
+  // Parts that overlap.
+  BOOST_CHECK_CLOSE(find(both(box(8, 2), box(8, 2, 1))).volume, 15, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(test_no_inside)
+{
+  Soup sheet;
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j)
+      sheet.add_point(i, j, 0.01 * ((i * i + j * 3) % 7));
+  for (std::size_t i = 0; i + 1 < 20; ++i)
+    for (std::size_t j = 0; j + 1 < 20; ++j) {
+      const std::size_t a = 20 * i + j;
+      sheet.faces.push_back({a, a + 20, a + 21});
+      sheet.faces.push_back({a, a + 21, a + 1});
+    }
+  const std::string message = "the surface has no inside: ";
+  check_that_there_is_none(sheet, message);
+
+  Soup strip; // Möbius'
+  const std::size_t n = 60;
+  for (std::size_t i = 0; i < n; ++i)
+    for (int k = 0; k < 2; ++k) {
+      const double t = 2 * pi * double(i) / double(n), w = k == 0 ? -.4 : .4;
+      strip.add_point((1 + w * std::cos(t / 2)) * std::cos(t),
+                      (1 + w * std::cos(t / 2)) * std::sin(t), w * std::sin(t / 2));
+    }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t a = 2 * i, b = a + 1, c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? a + 3 : 0;
+    strip.faces.push_back({a, c, d});
+    strip.faces.push_back({a, d, b});
+  }
+  check_that_there_is_none(strip, message);
+
+  surfaces::Indexed_surface half = surfaces::sphere(3000);
+  half.faces.erase(std::remove_if(half.faces.begin(), half.faces.end(),
+                                  [&](const auto& f) { return half.points[f[0]].z() > 0; }),
+                   half.faces.end());
+  check_that_there_is_none(soup_of(half), message);
+
+  Soup side = box(6);
+  side.faces.resize(72);
+  check_that_there_is_none(side, message);
+  side.faces.clear();
+  check_that_there_is_none(side, message);
+
+  Soup flat;
+  flat.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  flat.faces = {{0, 1, 2}};
+  BOOST_CHECK_THROW(
+      CGAL::inside_of_surface_3(flat.points, flat.faces, CGAL::delaunay_3_arrays(flat.points)),
+      CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(
+      CGAL::inside_of_surface_3(sheet.points, sheet.faces, CGAL::delaunay_3_arrays(box(2).points)),
+      CGAL::Surface_input_error);
+}
+
+} // namespace
