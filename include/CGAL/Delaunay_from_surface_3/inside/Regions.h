@@ -38,7 +38,12 @@ using Corners = std::array<std::uint32_t, 3>;
 // Three vertices in ascending order.
 inline Corners ascending(Corners corners)
 {
-  std::sort(corners.begin(), corners.end());
+  if (corners[0] > corners[1])
+    std::swap(corners[0], corners[1]);
+  if (corners[1] > corners[2])
+    std::swap(corners[1], corners[2]);
+  if (corners[0] > corners[1])
+    std::swap(corners[0], corners[1]);
   return corners;
 }
 
@@ -48,12 +53,12 @@ public:
   // Of m tetrahedra vertices_of(c) on n points, and triangles in ascending order.
   template <class VerticesOf>
   Regions(std::size_t m, std::size_t n, const VerticesOf& vertices_of,
-          const std::vector<Corners>& triangles)
+          const std::vector<Corners>& triangles, const Executor& executor)
     : m_parent(m)
     , m_is_cut(m, 0)
   {
     std::iota(m_parent.begin(), m_parent.end(), std::uint32_t(0));
-    find_facets(m, n, vertices_of, triangles);
+    find_facets(m, n, vertices_of, triangles, executor);
   }
 
   // Triangles that are no facets, by their numbers.
@@ -94,45 +99,69 @@ private:
     return ascending({at(1), at(2), at(3)});
   }
 
+  struct Item
+  {
+    std::uint64_t others;
+    std::uint32_t number; // of a tetrahedron or triangle
+    bool is_triangle;
+  };
+  struct Found
+  {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    std::vector<std::uint32_t> missing;
+  };
+
   // At each vertex, facets and triangles whose least vertex it is, in the order of the two others.
   template <class VerticesOf>
   void find_facets(std::size_t m, std::size_t n, const VerticesOf& vertices_of,
-                   const std::vector<Corners>& triangles)
+                   const std::vector<Corners>& triangles, const Executor& executor)
   {
-    struct Item
-    {
-      std::uint64_t others;
-      std::uint32_t number; // of a tetrahedron or triangle
-      bool is_triangle;
-    };
     const auto facets = in_lists<std::uint32_t>(
-        n, Listed_items(
-               4 * m, [&](std::size_t f) { return std::size_t(facet(vertices_of, f)[0]); },
-               [](std::size_t f) { return std::uint32_t(f); }));
+        n,
+        Listed_items(
+            4 * m, [&](std::size_t f) { return std::size_t(facet(vertices_of, f)[0]); },
+            [](std::size_t f) { return std::uint32_t(f); }),
+        executor);
     const auto lists = in_lists<std::uint32_t>(
-        n, Listed_items(
-               triangles.size(), [&](std::size_t t) { return std::size_t(triangles[t][0]); },
-               [](std::size_t t) { return std::uint32_t(t); }));
+        n,
+        Listed_items(
+            triangles.size(), [&](std::size_t t) { return std::size_t(triangles[t][0]); },
+            [](std::size_t t) { return std::uint32_t(t); }),
+        executor);
     const auto others = [](const Corners& c) { return std::uint64_t(c[1]) << 32 | c[2]; };
-    m_pairs.reserve(2 * m);
-    std::vector<Item> items;
-    for (std::size_t v = 0; v < n; ++v) {
-      items.clear();
-      for (const std::uint32_t* f = facets.begin(v); f != facets.end(v); ++f)
-        items.push_back({others(facet(vertices_of, *f)), *f / 4, false});
-      for (const std::uint32_t* t = lists.begin(v); t != lists.end(v); ++t)
-        items.push_back({others(triangles[*t]), *t, true});
-      std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
-        return a.others != b.others ? a.others < b.others : a.is_triangle < b.is_triangle;
-      });
-      for (std::size_t first = 0, last = 0; first < items.size(); first = last) {
-        while (last < items.size() && items[last].others == items[first].others)
-          ++last;
-        if (items[first].is_triangle)
-          m_missing.push_back(items[first].number);
-        else if (last - first == 2 && !items[first + 1].is_triangle)
-          m_pairs.emplace_back(items[first].number, items[first + 1].number);
-      }
+    std::vector<Found> found(number_of_blocks(executor, n, 4096));
+    for_each_block(executor, n, found.size(),
+                   [&](std::size_t first, std::size_t last, std::size_t block) {
+                     std::vector<Item> items;
+                     for (std::size_t v = first; v < last; ++v) {
+                       items.clear();
+                       for (const std::uint32_t* f = facets.begin(v); f != facets.end(v); ++f)
+                         items.push_back({others(facet(vertices_of, *f)), *f / 4, false});
+                       for (const std::uint32_t* t = lists.begin(v); t != lists.end(v); ++t)
+                         items.push_back({others(triangles[*t]), *t, true});
+                       match(items, found[block]);
+                     }
+                   });
+    for (Found& part : found) {
+      m_pairs.insert(m_pairs.end(), part.pairs.begin(), part.pairs.end());
+      m_missing.insert(m_missing.end(), part.missing.begin(), part.missing.end());
+      part = Found();
+    }
+  }
+
+  // Two facets are a pair if no triangle lies between them; a triangle without a facet is missing.
+  static void match(std::vector<Item>& items, Found& found)
+  {
+    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+      return a.others != b.others ? a.others < b.others : a.is_triangle < b.is_triangle;
+    });
+    for (std::size_t first = 0, last = 0; first < items.size(); first = last) {
+      while (last < items.size() && items[last].others == items[first].others)
+        ++last;
+      if (items[first].is_triangle)
+        found.missing.push_back(items[first].number);
+      else if (last - first == 2 && !items[first + 1].is_triangle)
+        found.pairs.emplace_back(items[first].number, items[first + 1].number);
     }
   }
 

@@ -71,19 +71,18 @@ public:
   }
 };
 
-// The tetrahedra vertices_of(c) of a triangulation, in the frame of the field.
+// The tetrahedra vertices_of(c) of a triangulation, in the frame of a field.
 template <class VerticesOf>
 struct Tetrahedra
 {
-  const Unit_frame& frame;
-  const Point_array& points;
+  const std::vector<Vector_3d>& points;
   std::size_t number;
   const VerticesOf& vertices_of;
 
   std::array<Vector_3d, 4> operator()(std::size_t c) const
   {
     const auto v = vertices_of(c);
-    const auto at = [&](std::size_t k) { return frame(vector_of(points[std::size_t(v[k])])); };
+    const auto at = [&](std::size_t k) { return points[std::size_t(v[k])]; };
     return {at(0), at(1), at(2), at(3)};
   }
   Vector_3d center(std::size_t c) const
@@ -137,12 +136,10 @@ void find_numbers_by_regions(const Winding_tree& tree, const Cells& cells,
                              const std::vector<Triangle_3d>& closing, double* numbers,
                              const Executor& executor)
 {
-  Regions regions(cells.number, cells.points.size(), cells.vertices_of, triangles);
+  Regions regions(cells.number, cells.points.size(), cells.vertices_of, triangles, executor);
   std::vector<Triangle_3d> cutting = closing;
   for (const std::uint32_t t : regions.missing()) {
-    const auto at = [&](std::size_t k) {
-      return cells.frame(vector_of(cells.points[triangles[t][k]]));
-    };
+    const auto at = [&](std::size_t k) { return cells.points[triangles[t][k]]; };
     cutting.push_back({at(0), at(1), at(2)});
   }
   regions.cut(Box_tree(std::move(cutting)), cells, executor);
@@ -195,10 +192,13 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
                      const Executor& executor)
 {
   const Winding_field field = winding_field(points, faces);
-  const Tetrahedra<VerticesOf> cells = {field.frame, points, m, vertices_of};
-  const std::vector<Triangle_3d> closing =
-      closing_triangles(open_edges(faces, points.size(), vertex_of),
-                        [&](std::size_t v) { return field.frame(vector_of(points[v])); });
+  std::vector<Vector_3d> in_frame;
+  in_frame.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    in_frame.push_back(field.frame(vector_of(points[i])));
+  const Tetrahedra<VerticesOf> cells = {in_frame, m, vertices_of};
+  const std::vector<Triangle_3d> closing = closing_triangles(
+      open_edges(faces, points.size(), vertex_of), [&](std::size_t v) { return in_frame[v]; });
   Inside_3 inside;
   inside.winding_numbers.resize(m);
   const std::vector<Corners> triangles = corners_of(faces, vertex_of);
