@@ -8,7 +8,6 @@
 #include "numpy_rows.h"
 
 #include <CGAL/Delaunay_from_surface_3/Inside_3.h>
-#include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
 #include <CGAL/Delaunay_from_surface_3/inside/find_inside.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
@@ -41,18 +40,13 @@ py::array winding_numbers(const python::Points& points, const python::Numbers& s
     const core::Rounding_to_nearest rounding;
     const core::Thread_executor executor(threads);
     const core::Point_array array(coordinates.data(), n);
-    const core::Winding_field field = core::winding_field(array, read);
-    const double openings =
-        core::share_of_openings(field, array, read, [&](std::size_t i) { return vertex_of[i]; });
     return core::find_inside(
-        field, rows.size(),
+        array, read, rows.size(),
         [&](std::size_t c) {
-          std::array<core::Vector_3d, 4> corners;
-          for (std::size_t k = 0; k < 4; ++k)
-            corners[k] = core::vector_of(array[std::size_t(rows.number(c, k, n))]);
-          return corners;
+          return std::array<python::Index, 4>{rows.number(c, 0, n), rows.number(c, 1, n),
+                                              rows.number(c, 2, n), rows.number(c, 3, n)};
         },
-        openings, executor);
+        [&](std::size_t i) { return vertex_of[i]; }, executor);
   });
   return python::array_from(std::move(inside.winding_numbers), {py::ssize_t(rows.size())});
 }

@@ -10,14 +10,12 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
-#include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
 #include <CGAL/Delaunay_from_surface_3/inside/find_inside.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <array>
 #include <cstddef>
 #include <string>
 
@@ -69,18 +67,10 @@ Inside_3 inside_of_surface_3(const PointRange& points, const FaceRange& faces,
                               " points, and " + std::to_string(array.size()) + " are given");
   if (arrays.dimension() < 3)
     throw Surface_input_error("the surface has no inside: there are no tetrahedra");
-  const Winding_field field = winding_field(array, faces);
-  const double openings = share_of_openings(
-      field, array, faces, [&](std::size_t i) { return arrays.vertex_of_point(i); });
   return find_inside(
-      field, arrays.number_of_simplices(),
-      [&](std::size_t c) {
-        std::array<Vector_3d, 4> corners;
-        for (std::size_t k = 0; k < 4; ++k)
-          corners[k] = vector_of(array[std::size_t(arrays.vertices(c)[k])]);
-        return corners;
-      },
-      openings, typename Executor_of_tag<ConcurrencyTag>::type());
+      array, faces, arrays.number_of_simplices(), [&](std::size_t c) { return arrays.vertices(c); },
+      [&](std::size_t i) { return arrays.vertex_of_point(i); },
+      typename Executor_of_tag<ConcurrencyTag>::type());
 }
 
 /// \cond SKIP_IN_MANUAL

@@ -194,6 +194,45 @@ BOOST_AUTO_TEST_CASE(test_hierarchy)
   }
 }
 
+// One tetrahedron is asked for a region; all others must have what they would say if they were asked.
+BOOST_AUTO_TEST_CASE(test_regions)
+{
+  surfaces::Indexed_surface holes = surfaces::genus_surface(3, 3000, 0.05, 1),
+                            noise = surfaces::sphere(2000, 0.1, 5);
+  surfaces::puncture(holes, 7, 1);
+  surfaces::puncture(noise, 3, 1);
+  std::vector<Soup> soups = {soup_of(holes),
+                             soup_of(noise),
+                             soup_of(surfaces::grid_torus(2000)),
+                             box(9),
+                             both(turned(box(4)), box(8, 3, -1)),
+                             both(box(8, 2), box(8, 2, 1)),
+                             both(box(3), box(3))};
+  soups.push_back(box(12));
+  soups.back().faces.erase(soups.back().faces.begin() + 100, soups.back().faces.begin() + 120);
+  std::swap(soups.back().faces[700][0], soups.back().faces[700][1]);
+  soups.back().faces.push_back(soups.back().faces[900]);
+  for (Soup& soup : soups) {
+    soup.add_point(5, 5, 5);
+    soup.add_point(-5, -5, 5);
+    const auto arrays = CGAL::delaunay_3_arrays(soup.points);
+    const auto inside = CGAL::inside_of_surface_3(soup.points, soup.faces, arrays);
+    const CGAL::Winding_number_3 number(soup.points, soup.faces);
+    for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c) {
+      std::array<Coordinates, 4> corners;
+      Coordinates center = {0, 0, 0};
+      for (std::size_t k = 0; k < 4; ++k) {
+        corners[k] = soup.points[std::size_t(arrays.vertices(c)[k])];
+        for (std::size_t j = 0; j < 3; ++j)
+          center[j] += corners[k][j] / 4;
+      }
+      if (volume_of(corners) < 1e-12) // so flat that its centre may come to lie outside
+        continue;
+      BOOST_REQUIRE_SMALL(inside.winding_numbers[c] - number(center), 0.03);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(test_kinds_of_input)
 {
   // Polygons, points of a kernel, faces of any integers, and no faces.

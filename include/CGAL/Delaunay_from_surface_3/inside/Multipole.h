@@ -35,6 +35,12 @@ inline Symmetric_matrix product(const Vector_3d& v, const Vector_3d& w)
           (v[1] * w[2] + v[2] * w[1]) / 2};
 }
 
+inline Vector_3d area_vector(const Triangle_3d& t)
+{
+  const Vector_3d n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
+  return {n[0] / 2, n[1] / 2, n[2] / 2};
+}
+
 class Multipole
 {
 public:

@@ -44,20 +44,23 @@ public:
       m_half_middle[j] = low[j] / 4 + high[j] / 4; // halves do not overflow
       half = (std::max)(half, high[j] / 2 - low[j] / 2);
     }
-    std::frexp(half, &m_exponent);
+    int exponent = 0;
+    std::frexp(half, &exponent);
+    m_factors[0] = std::ldexp(1., (1 - exponent) / 2);
+    m_factors[1] = std::ldexp(1., 1 - exponent - (1 - exponent) / 2);
   }
 
   Vector_3d operator()(const Vector_3d& p) const
   {
     Vector_3d q;
     for (std::size_t j = 0; j < 3; ++j)
-      q[j] = std::ldexp(p[j] / 2 - m_half_middle[j], 1 - m_exponent);
+      q[j] = (p[j] / 2 - m_half_middle[j]) * m_factors[0] * m_factors[1];
     return q;
   }
 
 private:
   Vector_3d m_half_middle = {0, 0, 0};
-  int m_exponent = 0;
+  double m_factors[2] = {1, 1}; // powers of 2; their product may be too large for one
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -10,12 +10,10 @@
 #include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Unit_frame.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_tree.h>
-#include <CGAL/Delaunay_from_surface_3/inside/openings.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -28,11 +26,6 @@ struct Winding_field
 {
   Unit_frame frame;
   Winding_tree tree;
-
-  std::array<Vector_3d, 4> in_frame(const std::array<Vector_3d, 4>& corners) const
-  {
-    return {frame(corners[0]), frame(corners[1]), frame(corners[2]), frame(corners[3])};
-  }
 };
 
 // The triangles of faces, polygons as fans, in the frame.
@@ -55,17 +48,6 @@ std::vector<Triangle_3d> triangles_in(const Unit_frame& frame, const FaceRange& 
     }
   }
   return triangles;
-}
-
-// What share the openings of the faces have of their area; equal points have one vertex_of(i).
-template <class FaceRange, class VertexOf>
-double share_of_openings(const Winding_field& field, const Point_array& points,
-                         const FaceRange& faces, const VertexOf& vertex_of)
-{
-  const double area = field.tree.area();
-  const auto point_of = [&](std::size_t v) { return field.frame(vector_of(points[v])); };
-  return area > 0 ? area_of_openings(open_edges(faces, points.size(), vertex_of), point_of) / area
-                  : 0;
 }
 
 // Throws Surface_input_error if a face has an index out of range.

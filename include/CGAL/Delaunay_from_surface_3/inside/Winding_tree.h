@@ -162,12 +162,6 @@ private:
     });
   }
 
-  static Vector_3d area_vector(const Triangle_3d& t)
-  {
-    const Vector_3d n = cross(minus(t[1], t[0]), minus(t[2], t[0]));
-    return {n[0] / 2, n[1] / 2, n[2] / 2};
-  }
-
   // Of few triangles: the middle by area, and the moments from there.
   Cluster cluster_of(std::size_t first, std::size_t last) const
   {

@@ -10,9 +10,13 @@
 #include <CGAL/Delaunay_from_surface_3/Inside_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Box_tree.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Regions.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Unit_frame.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_tree.h>
+#include <CGAL/Delaunay_from_surface_3/inside/openings.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -23,8 +27,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,59 +71,162 @@ public:
   }
 };
 
-// Of the queries first, …, last - 1, in an order in which successive ones are near each other.
-inline void find_numbers(const Winding_tree& tree, const Point_array& queries, std::size_t first,
-                         std::size_t last, double* numbers)
+// The tetrahedra vertices_of(c) of a triangulation, in the frame of a field.
+template <class VerticesOf>
+struct Tetrahedra
+{
+  const std::vector<Vector_3d>& points;
+  std::size_t number;
+  const VerticesOf& vertices_of;
+
+  std::array<Vector_3d, 4> operator()(std::size_t c) const
+  {
+    const auto v = vertices_of(c);
+    const auto at = [&](std::size_t k) { return points[std::size_t(v[k])]; };
+    return {at(0), at(1), at(2), at(3)};
+  }
+  Vector_3d center(std::size_t c) const
+  {
+    const std::array<Vector_3d, 4> p = (*this)(c);
+    Vector_3d x;
+    for (std::size_t j = 0; j < 3; ++j)
+      x[j] = (p[0][j] + p[1][j] + p[2][j] + p[3][j]) / 4;
+    return x;
+  }
+};
+
+// Of these tetrahedra, in an order in which successive ones are near each other.
+template <class Cells>
+void find_numbers(const Winding_tree& tree, const Cells& cells,
+                  const std::vector<std::uint32_t>& asked, double* numbers,
+                  const Executor& executor)
 {
   constexpr std::size_t most = Winding_tree::most;
-  std::vector<std::size_t> order(last - first);
-  std::iota(order.begin(), order.end(), first);
-  Sort_by_halves()(queries, order.data(), order.data() + order.size());
-  Vector_3d q[most];
-  double found[most];
-  for (std::size_t k = 0; k < order.size(); k += most) {
-    const std::size_t n = (std::min)(most, order.size() - k);
-    for (std::size_t i = 0; i < n; ++i)
-      q[i] = vector_of(queries[order[k + i]]);
-    tree(q, n, found);
-    for (std::size_t i = 0; i < n; ++i)
-      numbers[order[k + i]] = found[i];
-  }
+  const std::size_t blocks = number_of_blocks(executor, asked.size(), 1024);
+  for_each_block(executor, asked.size(), blocks,
+                 [&](std::size_t begin, std::size_t end, std::size_t) {
+                   std::vector<double> centers;
+                   centers.reserve(3 * (end - begin));
+                   for (std::size_t k = begin; k < end; ++k) {
+                     const Vector_3d x = cells.center(asked[k]);
+                     centers.insert(centers.end(), x.begin(), x.end());
+                   }
+                   const Point_array queries(centers.data(), end - begin);
+                   std::vector<std::size_t> order(end - begin);
+                   std::iota(order.begin(), order.end(), std::size_t(0));
+                   Sort_by_halves()(queries, order.data(), order.data() + order.size());
+                   Vector_3d q[most];
+                   double found[most];
+                   for (std::size_t k = 0; k < order.size(); k += most) {
+                     const std::size_t n = (std::min)(most, order.size() - k);
+                     for (std::size_t i = 0; i < n; ++i)
+                       q[i] = vector_of(queries[order[k + i]]);
+                     tree(q, n, found);
+                     for (std::size_t i = 0; i < n; ++i)
+                       numbers[asked[begin + order[k + i]]] = found[i];
+                   }
+                 });
 }
 
-// corners_of(c) are the four corners of tetrahedron c, of m. The area of what would close the surface has this
-// share in its own.
-template <class CornersOf>
-Inside_3 find_inside(const Winding_field& field, std::size_t m, const CornersOf& corners_of,
-                     double share_of_openings, const Executor& executor)
+// Those of all, by regions: there the number of the surface less that of the triangles that close it is
+// one whole number.
+template <class Cells>
+void find_numbers_by_regions(const Winding_tree& tree, const Cells& cells,
+                             const std::vector<Corners>& triangles,
+                             const std::vector<Triangle_3d>& closing, double* numbers,
+                             const Executor& executor)
 {
+  Regions regions(cells.number, cells.points.size(), cells.vertices_of, triangles, executor);
+  std::vector<Triangle_3d> cutting = closing;
+  for (const std::uint32_t t : regions.missing()) {
+    const auto at = [&](std::size_t k) { return cells.points[triangles[t][k]]; };
+    cutting.push_back({at(0), at(1), at(2)});
+  }
+  regions.cut(Box_tree(std::move(cutting)), cells, executor);
+  std::vector<std::uint32_t> asked;
+  for (std::uint32_t c = 0; c < cells.number; ++c)
+    if (regions.is_cut(c) || regions.root(c) == c)
+      asked.push_back(c);
+  find_numbers(tree, cells, asked, numbers, executor);
+
+  const Winding_tree closing_tree{std::vector<Triangle_3d>(closing)};
+  const auto of_closing = [&](std::size_t c) {
+    return closing.empty() ? 0 : closing_tree(cells.center(c));
+  };
+  for (const std::uint32_t c : asked)
+    if (!regions.is_cut(c)) // of the roots the whole numbers first
+      numbers[c] = std::round(numbers[c] - of_closing(c));
+  for (std::uint32_t c = 0; c < cells.number; ++c)
+    if (!regions.is_cut(c) && regions.root(c) != c)
+      numbers[c] = numbers[regions.root(c)] + of_closing(c);
+  for (const std::uint32_t c : asked)
+    if (!regions.is_cut(c))
+      numbers[c] += of_closing(c);
+}
+
+// The triangles of faces, polygons as fans, by their vertices; not those with a vertex twice.
+template <class FaceRange, class VertexOf>
+std::vector<Corners> corners_of(const FaceRange& faces, const VertexOf& vertex_of)
+{
+  std::vector<Corners> triangles;
+  for (const auto& face : faces) {
+    Corners corners = {0, 0, 0};
+    std::size_t k = 0;
+    for (const auto& index : face) {
+      corners[k < 2 ? k : 2] = std::uint32_t(vertex_of(std::size_t(index)));
+      if (++k > 2) {
+        const Corners sorted = ascending(corners);
+        if (sorted[0] != sorted[1] && sorted[1] != sorted[2])
+          triangles.push_back(sorted);
+        corners[1] = corners[2];
+      }
+    }
+  }
+  return triangles;
+}
+
+// Of m tetrahedra vertices_of(c), and faces whose points have the vertices vertex_of(i).
+template <class FaceRange, class VerticesOf, class VertexOf>
+Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::size_t m,
+                     const VerticesOf& vertices_of, const VertexOf& vertex_of,
+                     const Executor& executor)
+{
+  const Winding_field field = winding_field(points, faces);
+  std::vector<Vector_3d> in_frame;
+  in_frame.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    in_frame.push_back(field.frame(vector_of(points[i])));
+  const Tetrahedra<VerticesOf> cells = {in_frame, m, vertices_of};
+  const std::vector<Triangle_3d> closing = closing_triangles(
+      open_edges(faces, points.size(), vertex_of), [&](std::size_t v) { return in_frame[v]; });
   Inside_3 inside;
   inside.winding_numbers.resize(m);
-  std::vector<double> centers(3 * m);
-  const std::size_t blocks = number_of_blocks(executor, m, 1024);
-  for_each_block(executor, m, blocks, [&](std::size_t first, std::size_t last, std::size_t) {
-    for (std::size_t c = first; c < last; ++c) {
-      const std::array<Vector_3d, 4> corners = field.in_frame(corners_of(c));
-      for (std::size_t j = 0; j < 3; ++j)
-        centers[3 * c + j] = (corners[0][j] + corners[1][j] + corners[2][j] + corners[3][j]) / 4;
-    }
-    find_numbers(field.tree, Point_array(centers.data(), m), first, last,
-                 inside.winding_numbers.data());
-  });
+  const std::vector<Corners> triangles = corners_of(faces, vertex_of);
+  if (closing.size() <= triangles.size() / 8) {
+    find_numbers_by_regions(field.tree, cells, triangles, closing, inside.winding_numbers.data(),
+                            executor);
+  } else {
+    std::vector<std::uint32_t> all(m);
+    std::iota(all.begin(), all.end(), std::uint32_t(0));
+    find_numbers(field.tree, cells, all, inside.winding_numbers.data(), executor);
+  }
+
+  for (const Triangle_3d& t : closing)
+    inside.share_of_openings += std::sqrt(dot(area_vector(t), area_vector(t)));
+  if (field.tree.area() > 0)
+    inside.share_of_openings /= field.tree.area();
   Judge_inside judge;
   for (std::size_t c = 0; c < m; ++c) {
-    const std::array<Vector_3d, 4> corners = field.in_frame(corners_of(c));
-    const double volume = dot(minus(corners[1], corners[0]),
-                              cross(minus(corners[2], corners[0]), minus(corners[3], corners[0])));
+    const std::array<Vector_3d, 4> p = cells(c);
+    const double volume = dot(minus(p[1], p[0]), cross(minus(p[2], p[0]), minus(p[3], p[0])));
     judge.add(inside.winding_numbers[c], std::abs(volume), inside);
   }
   inside.doubtful_volume = judge.doubtful_volume();
-  inside.share_of_openings = share_of_openings;
-  if (!judge.has_inside(share_of_openings))
+  if (!judge.has_inside(inside.share_of_openings))
     throw Surface_input_error(
         "the surface has no inside: by its winding numbers more is in doubt than inside, and its "
         "openings have " +
-        std::to_string(std::lround(100 * share_of_openings)) + " % of its area");
+        std::to_string(std::lround(100 * inside.share_of_openings)) + " % of its area");
   return inside;
 }
 

@@ -10,14 +10,15 @@
 // edge. How large the openings are is estimated: each connected set of these edges is joined with its
 // middle by triangles, which would close it. Linear, but for what is open.
 
+#include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -29,8 +30,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 struct Open_edge
 {
-  std::size_t ends[2];
-  double times; // how much more often in one direction
+  std::size_t ends[2]; // in the direction in which they pass it more often
+  std::size_t times;   // how much more often
 };
 
 // Of n points, of which those are one that have the same vertex_of(i).
@@ -74,7 +75,7 @@ std::vector<Open_edge> open_edges(const FaceRange& faces, std::size_t n, const V
       for (; side != end && *side / 2 == b; ++side)
         sum += *side % 2 == 0 ? -1 : 1;
       if (sum != 0)
-        open.push_back({{a, b}, std::abs(double(sum))});
+        open.push_back({{sum > 0 ? a : b, sum > 0 ? b : a}, std::size_t(std::abs(sum))});
     }
   }
   return open;
@@ -112,30 +113,30 @@ connected_sets(const std::vector<Open_edge>& edges)
   return {std::move(sets), count};
 }
 
-// The area of the triangles that would close them; point_of(v) are coordinates that need no care.
+// The triangles that would close them; point_of(v) are coordinates that need no care.
 template <class PointOf>
-double area_of_openings(const std::vector<Open_edge>& edges, const PointOf& point_of)
+std::vector<Triangle_3d> closing_triangles(const std::vector<Open_edge>& edges,
+                                           const PointOf& point_of)
 {
   const auto [sets, number] = connected_sets(edges);
-  std::vector<Vector_3d> middle(number, Vector_3d{0, 0, 0});
+  std::vector<Vector_3d> middles(number, Vector_3d{0, 0, 0});
   std::vector<double> ends(number, 0);
   for (std::size_t k = 0; k < edges.size(); ++k)
     for (const std::size_t v : edges[k].ends) {
       const Vector_3d p = point_of(v);
       for (std::size_t j = 0; j < 3; ++j)
-        middle[sets[k]][j] += p[j];
+        middles[sets[k]][j] += p[j];
       ++ends[sets[k]];
     }
-  double area = 0;
+  std::vector<Triangle_3d> triangles;
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    Vector_3d m = middle[sets[k]];
-    for (double& x : m)
+    Vector_3d middle = middles[sets[k]];
+    for (double& x : middle)
       x /= ends[sets[k]];
-    const Vector_3d n =
-        cross(minus(point_of(edges[k].ends[0]), m), minus(point_of(edges[k].ends[1]), m));
-    area += edges[k].times * std::sqrt(dot(n, n)) / 2;
+    triangles.insert(triangles.end(), edges[k].times,
+                     {point_of(edges[k].ends[0]), point_of(edges[k].ends[1]), middle});
   }
-  return area;
+  return triangles;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
