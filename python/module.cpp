@@ -144,4 +144,5 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
   m.def("delaunay3", &delaunay3);
   python::define_surface_functions(m);
   python::define_queries(m);
+  python::define_tiles(m);
 }

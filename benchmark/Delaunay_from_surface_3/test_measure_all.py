@@ -20,7 +20,7 @@ PACKAGE = HERE.parents[1]
 MANUAL = Path("doc/Delaunay_from_surface_3")
 FOLDER = Path("benchmark/Delaunay_from_surface_3")
 PROGRAMS = ["compare_with_plain", "measure_threads", "measure_orders", "measure_flat_and_far", "measure_consumers", "measure_thinning",
-            "measure_sources", "measure_uniform_samples", "measure_subgraphs", "location_costs"]
+            "measure_sources", "measure_uniform_samples", "measure_tiles", "measure_subgraphs", "location_costs"]
 OTHERS = {"demo_meshes", "small_meshes", "single_calls", "python", "compile_time"}  # by other programs
 STAND_IN = """#!/bin/sh
 printf '%s\\n' "$(basename "$0") $*" >> calls

@@ -12,6 +12,7 @@ namespace python {
 // What the files beside module.cpp add to the extension.
 void define_surface_functions(pybind11::module_& m);
 void define_queries(pybind11::module_& m);
+void define_tiles(pybind11::module_& m);
 
 } // namespace python
 

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +27,13 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 class Tile_tree
 {
 public:
+  // The node of what lies below the plane follows; that of the rest is `above`.
+  struct Node
+  {
+    double plane;
+    std::uint32_t axis, above;
+  };
+
   // So many tiles, which have about equal shares of the sample. Its points are reordered.
   Tile_tree(std::vector<Tile_point>& sample, std::uint32_t number_of_tiles)
     : m_number_of_tiles(number_of_tiles)
@@ -33,7 +41,15 @@ public:
     split(sample.data(), sample.data() + sample.size(), number_of_tiles);
   }
 
+  // As it was.
+  Tile_tree(std::vector<Node> nodes, std::uint32_t number_of_tiles)
+    : m_number_of_tiles(number_of_tiles)
+    , m_nodes(std::move(nodes))
+  {
+  }
+
   std::uint32_t number_of_tiles() const { return m_number_of_tiles; }
+  const std::vector<Node>& nodes() const { return m_nodes; }
 
   std::uint32_t owner(const double* p) const
   {
@@ -54,14 +70,6 @@ public:
   }
 
 private:
-  // The node of what lies below the plane follows; that of the rest is `above`.
-  struct Node
-  {
-    double plane;
-    unsigned axis;
-    std::size_t above;
-  };
-
   void split(Tile_point* first, Tile_point* last, std::uint32_t tiles)
   {
     if (tiles <= 1)
@@ -76,7 +84,7 @@ private:
     });
     m_nodes.push_back({middle == last ? 0. : middle->coordinates[axis], axis, 0});
     split(first, middle, below);
-    m_nodes[node].above = m_nodes.size();
+    m_nodes[node].above = std::uint32_t(m_nodes.size());
     split(middle, last, tiles - below);
   }
 
