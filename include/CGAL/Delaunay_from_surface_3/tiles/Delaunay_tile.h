@@ -102,7 +102,7 @@ public:
   // of both. Those of the partner are questions. If the two see different common cells, one of them learns
   // something: of a cell that the partner does not have it either takes a vertex that it lacked, or its
   // answer has a point in conflict with the cell; that gets all vertices of the cell as neighbours, so it is
-  // not refused (witnesses, as in star splaying: Shewchuk 2005).
+  // not refused (witnesses, as in star splaying).
   std::vector<Tile_message> witnesses(const std::vector<std::uint32_t>& partners) const
   {
     std::vector<Tile_message> messages;
