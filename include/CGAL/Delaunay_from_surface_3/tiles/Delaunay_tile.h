@@ -32,6 +32,8 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -150,6 +152,8 @@ private:
       std::uint32_t owners[4];
       for (unsigned k = 0; k < 4; ++k)
         owners[k] = m_triangulation.owner(cell.v[k]);
+      if (owners[0] == owners[1] && owners[1] == owners[2] && owners[2] == owners[3])
+        return;
       for (unsigned i = 0; i < 4; ++i)
         for (unsigned k = 0; k < 4; ++k)
           if (owners[k] != owners[i] && owners[k] != m_number &&
@@ -205,26 +209,35 @@ private:
     return messages;
   }
 
-  // Who asks about a point of the tile's own is told of its neighbours.
+  // Who asks about a point of the tile's own is told of its neighbours, but for those of the asker's, which
+  // would be questions.
   void answer(const std::vector<Tile_message>& questions, std::vector<Tile_message>& messages)
   {
-    for (const Tile_message& question : questions) {
-      std::vector<char> is_asked(m_triangulation.vertices_end());
+    std::multimap<Id, std::size_t> asked; // who asks, by vertex
+    for (std::size_t a = 0; a < questions.size(); ++a)
       m_triangulation.insert(
-          question.points, m_number, [] { return false; },
+          questions[a].points, m_number, [] { return false; },
           [&](Id v, std::uint64_t, std::uint64_t) {
-            is_asked[v] = 1;
+            asked.emplace(v, a);
             return false; // who asks does not know better
           });
-      Tile_message message{m_number, question.from, points_around([&](const Cell& cell) {
-                             return std::any_of(cell.v, cell.v + 4,
-                                                [&](Id v) { return is_asked[v] != 0; });
-                           })};
-      const auto is_theirs = [&](const Tile_point& p) { // and so a question
-        return m_tiling.tree.owner(p.coordinates) == question.from;
-      };
-      message.points.erase(std::remove_if(message.points.begin(), message.points.end(), is_theirs),
-                           message.points.end());
+    if (asked.empty())
+      return;
+    std::vector<char> is_asked(m_triangulation.vertices_end());
+    for (const auto& [v, a] : asked)
+      is_asked[v] = 1;
+    std::vector<std::set<Id>> answers(questions.size());
+    m_triangulation.for_each_cell([&](const Cell& cell) {
+      for (const Id v : cell.v)
+        if (is_asked[v])
+          for (auto [i, end] = asked.equal_range(v); i != end; ++i)
+            answers[i->second].insert(cell.v, cell.v + 4);
+    });
+    for (std::size_t a = 0; a < questions.size(); ++a) {
+      Tile_message message{m_number, questions[a].from, {}};
+      for (const Id v : answers[a])
+        if (v != 0 && m_triangulation.owner(v) != message.to)
+          message.points.push_back(m_triangulation.point(v));
       messages.push_back(std::move(message));
     }
   }
