@@ -175,7 +175,7 @@ try {
                         return make(n, s, surfaces::Numbering(0));
                       }});
   inputs.push_back(
-      {"tilted planes", "", 100, [](std::size_t n, std::uint64_t) { return tilted_planes(n); }});
+      {"tilted-planes", "", 100, [](std::size_t n, std::uint64_t) { return tilted_planes(n); }});
   inputs.push_back({"cube", "", 100, [](std::size_t n, std::uint64_t s) {
                       return comparison::points_in_box(n, 1, 1, 1, s);
                     }});

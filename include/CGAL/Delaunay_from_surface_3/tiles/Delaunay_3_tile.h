@@ -46,8 +46,11 @@ struct Delaunay_3_tile
   /// then the infinite ones that it owns, then all others.
   std::vector<Cell> cells;
 
-  /// How many cells the tile owns, and how many of these are finite.
-  std::size_t number_of_owned_cells = 0, number_of_owned_finite_cells = 0;
+  /// How many cells the tile owns.
+  std::size_t number_of_owned_cells = 0;
+
+  /// How many of these are finite.
+  std::size_t number_of_owned_finite_cells = 0;
 
   /// Points of the tile that have the place of another: their ids, and those of their vertices.
   std::vector<std::array<std::uint64_t, 2>> equal_points;
