@@ -880,6 +880,69 @@ class Surfaces(unittest.TestCase):
             dfs.subgraph([[0, 1, 2, 3]])
 
 
+class OutOfCore(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.points = random_points(2000)
+        self.file = self.folder / "points.npy"
+        np.save(self.file, self.points)
+
+    def test_the_same_as_in_memory(self):
+        steps = []
+        tiles = dfs.delaunay3_tiles(self.file, self.folder / "tiles", tiles=5, workers=2, vtu=True,
+                                    progress=lambda *step: steps.append(step))
+        self.assertEqual((len(tiles), tiles.report["points"], tiles.report["certified"]), (5, 2000, True))
+        cells = set()
+        for k, (points, local) in enumerate(tiles):
+            ids = tiles[k].ids
+            np.testing.assert_array_equal(points, self.points[ids])
+            cells |= cell_set(ids[local])
+        self.assertEqual(cells, cell_set(dfs.delaunay3(self.points).simplices))
+        self.assertIn(("writing", 5, 5), steps)
+        self.assertTrue((self.folder / "tiles/tiles.pvtu").exists())
+        with self.assertRaises(IndexError):
+            tiles[5]
+
+    def test_several_files_and_float32(self):
+        np.save(self.folder / "more.npy", random_points(500, 2).astype(np.float32))
+        tiles = dfs.delaunay3_tiles([self.file, str(self.folder / "more.npy")], self.folder / "tiles", memory="1M")
+        self.assertEqual(tiles.report["points"], 2500)
+
+    def test_stop_and_go_on(self):
+        def stop(what, done, _):
+            return not (what == "round 1" and done == 2)
+        with self.assertRaises(dfs.Stopped):
+            dfs.delaunay3_tiles(self.file, self.folder / "tiles", tiles=4, progress=stop)
+        with self.assertRaisesRegex(FileNotFoundError, "tiles.json"):
+            dfs.Tiles(self.folder / "tiles")
+        with self.assertRaises(ZeroDivisionError):
+            dfs.delaunay3_tiles(self.file, self.folder / "tiles", tiles=4, workers=2, progress=lambda *_: 1 / 0)
+        whats = []
+        dfs.delaunay3_tiles(self.file, self.folder / "tiles", tiles=4, progress=lambda what, *_: whats.append(what))
+        self.assertNotIn("round 0", whats)
+
+    def test_refusals(self):
+        output = self.folder / "tiles"
+        np.save(self.folder / "flat.npy", np.zeros((10, 3)))
+        np.save(self.folder / "ints.npy", np.zeros((10, 3), int))
+        np.save(self.folder / "nan.npy", np.full((10, 3), np.nan))
+        for file, error, says in (("none.npy", OSError, "none.npy"), ("ints.npy", OSError, "float64 and float32"),
+                                  ("flat.npy", ValueError, "one plane"), ("nan.npy", ValueError, "point 0")):
+            with self.assertRaisesRegex(error, says):
+                dfs.delaunay3_tiles(self.folder / file, output / file, tiles=2)
+        for arguments in ({"memory": "8X"}, {"memory": 5}, {"tiles": 0}, {"workers": 0}):
+            with self.assertRaises(ValueError):
+                dfs.delaunay3_tiles(self.file, output, **arguments)
+        with self.assertRaisesRegex(MemoryError, "tiles would do"):
+            np.save(self.file, random_points(5000))
+            dfs.delaunay3_tiles(self.file, output, tiles=1, memory=10**6)
+        dfs.delaunay3_tiles(self.file, self.folder / "other", tiles=2)
+        with self.assertRaisesRegex(OSError, "2 tiles"):
+            dfs.delaunay3_tiles(self.file, self.folder / "other", tiles=3)
+
+
 class Module(unittest.TestCase):
     def test_needs_no_other_library(self):
         for library in (b"libgmp", b"libmpfr", b"libtbb", b"libboost"):
@@ -889,7 +952,7 @@ class Module(unittest.TestCase):
         self.assertEqual(doctest.testmod(dfs).failed, 0)
         for name in dfs.__all__:
             self.assertTrue(getattr(dfs, name).__doc__, name)
-        for function in (dfs.delaunay3, dfs.subgraph, dfs.surface_topology):
+        for function in (dfs.delaunay3, dfs.delaunay3_tiles, dfs.subgraph, dfs.surface_topology):
             self.assertIn("return", typing.get_type_hints(function))
         self.assertRegex(dfs.__version__, r"^\d+\.\d+\.\d+$")
         self.assertTrue(Path(dfs.__file__).with_name("py.typed").exists())

@@ -16,6 +16,7 @@
 #include "insertion_statistics.h"
 #include "read_surface.h"
 #include "surface_statistics.h"
+#include "tiles_command.h"
 #include "write_output.h"
 #include "write_view.h"
 
@@ -27,6 +28,7 @@
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -179,9 +181,21 @@ int fail(const std::string& message)
   return EXIT_FAILURE;
 }
 
+bool asks_for_help(int argc, char* argv[])
+{
+  return std::any_of(argv + 1, argv + argc, [](const std::string& argument) {
+    return argument == "--help" || argument == "-h";
+  });
+}
+
 int main(int argc, char* argv[])
 {
   try {
+    if (argc > 1 && std::string(argv[1]) == "tiles" && !asks_for_help(argc, argv)) {
+      const int exit_code = tiles_command(argc - 1, argv + 1);
+      return std::cout.flush() ? exit_code
+                               : fail("the results cannot be written to the standard output");
+    }
     std::optional<Options> options;
     try {
       options = parse_command_line(argc, argv);

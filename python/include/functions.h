@@ -13,6 +13,7 @@ namespace python {
 void define_surface_functions(pybind11::module_& m);
 void define_queries(pybind11::module_& m);
 void define_inside(pybind11::module_& m);
+void define_tiles(pybind11::module_& m);
 
 } // namespace python
 

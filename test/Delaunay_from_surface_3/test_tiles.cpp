@@ -10,9 +10,10 @@
 
 #include "named_surfaces.h"
 
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_here.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/run_tiles.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
 #include <CGAL/delaunay_3_arrays.h>
+#include <CGAL/delaunay_3_tiles.h>
 
 #include <algorithm>
 #include <array>
@@ -52,15 +53,35 @@ Cells cells_of(const CGAL::Delaunay_3_arrays<>& arrays)
 Cells cells_of(const core::Tiles_here& engine)
 {
   Cells cells;
-  for (const auto& tile : engine.tiles())
-    tile->for_each_owned_cell([&](const auto& cell) { append_sorted(cell, cells); });
+  for (const auto& tile : engine.tiles()) {
+    const core::Tile_triangulation& tr = tile->triangulation();
+    tr.for_each_cell([&](const auto& cell) {
+      if (tr.owner_of(cell) == tile->number())
+        append_sorted(tr.ids_of(cell), cells);
+    });
+  }
   std::sort(cells.begin(), cells.end());
   return cells;
 }
 
-core::Point_array view(const Points& points)
+CGAL::Tile_array_source_3 source_of(const Points& points)
 {
-  return core::Point_array(points.front().data(), points.size());
+  return {points.front().data(), points.size()};
+}
+
+CGAL::Tiles_options options_of(std::uint32_t tiles, std::size_t share = 8)
+{
+  CGAL::Tiles_options options;
+  options.number_of_tiles = tiles;
+  options.sample_share = share;
+  options.least_points = 1;
+  return options;
+}
+
+template <class Engine>
+CGAL::Tiles_report run_to_rest(Engine& engine)
+{
+  return core::run_tiles(engine, [] { return std::uint64_t(1); });
 }
 
 Points points_of(const tests::Named_surface& named)
@@ -77,14 +98,18 @@ void check_tiles(const Points& points, const std::string& name)
   if (arrays.dimension() < 3)
     return; // one tile's affair
   const Cells expected = cells_of(arrays);
-  for (const std::uint32_t tiles : {1u, 2u, 16u, 64u, 256u})
-    BOOST_TEST_CONTEXT(name << ", " << tiles << " tiles")
+  for (const std::uint32_t most : {1u, 2u, 16u, 64u, 256u})
+    BOOST_TEST_CONTEXT(name << ", " << most << " tiles")
     {
-      core::Tiles_here engine(view(points), tiles);
-      const core::Tiles_report report = core::run_tiles(engine, 1);
+      core::Tiles_here engine;
+      CGAL::Tiles_options options = options_of(most);
+      options.least_points = most > 64 ? 20 : 1;
+      engine.begin(source_of(points), options);
+      const CGAL::Tiles_report report = run_to_rest(engine);
       BOOST_TEST(report.is_certified);
+      BOOST_TEST(report.cells == expected.size());
       BOOST_TEST((cells_of(engine) == expected));
-      BOOST_TEST(report.rounds < 12);
+      BOOST_TEST(report.rounds < (points.size() > 64 * most ? 12u : 60u));
     }
 }
 
@@ -151,7 +176,9 @@ BOOST_AUTO_TEST_CASE(messages_that_are_lost_doubled_and_out_of_order)
     if (arrays.dimension() < 3)
       continue;
     const bool loses = run % 2 == 1;
-    core::Tiles_here engine(view(points), 1 + random() % 9, 1 + random() % 20);
+    const Cells expected = cells_of(arrays);
+    core::Tiles_here engine;
+    engine.begin(source_of(points), options_of(1 + random() % 9, 1 + random() % 20));
     const auto post = [&](core::Tile_message& message) {
       std::shuffle(message.points.begin(), message.points.end(), random);
       if (loses && random() % 4 == 0)
@@ -161,23 +188,109 @@ BOOST_AUTO_TEST_CASE(messages_that_are_lost_doubled_and_out_of_order)
     };
     while (engine.exchange(post) > 0)
       ;
-    const bool is_certified = core::is_certified(engine.gather(random()));
-    const bool is_right = cells_of(engine) == cells_of(arrays);
+    const auto certificates = engine.gather(random());
+    const bool is_certified =
+        core::is_certified(certificates, engine.number_of_tiles(), points.size());
+    const bool is_right = cells_of(engine) == expected;
     BOOST_TEST((is_right || (loses && !is_certified)));
     BOOST_TEST((is_certified || loses));
     wrong += !is_right;
     refused += !is_certified;
+    if (is_certified)
+      continue;
+    BOOST_TEST(!core::tiles_that_differ(certificates).empty()); // they show each other why
+    engine.show(core::tiles_that_differ(certificates));
+    BOOST_TEST(run_to_rest(engine).is_certified);
+    BOOST_TEST((cells_of(engine) == expected));
   }
   BOOST_TEST(wrong > 20);
   BOOST_TEST(refused >= wrong);
+}
+
+namespace {
+
+// What can go wrong, by name; the certificate shall see it if the union is wrong.
+enum Mutation {
+  A_POINT_DOES_NOT_REACH_A_TILE,
+  NOTHING_IS_TOLD_AFTER_THE_FIRST_ROUND,
+  A_COORDINATE_CHANGES_ON_THE_WAY,
+  AN_ID_CHANGES_ON_THE_WAY,
+  A_POINT_COMES_HOME_TO_ANOTHER_TILE,
+  A_POINT_DOES_NOT_COME_HOME,
+  MUTATIONS
+};
+
+struct Outcome
+{
+  bool is_right, is_certified;
+};
+
+Outcome run_mutated(Mutation mutation, const Points& points, const Cells& expected,
+                    std::mt19937& random)
+{
+  core::Tiles_here engine;
+  const std::uint32_t tiles = 2 + random() % 6;
+  engine.begin(source_of(points), options_of(tiles), [&](auto& own) {
+    auto& from = own[random() % tiles];
+    if (mutation < A_POINT_COMES_HOME_TO_ANOTHER_TILE || from.empty())
+      return;
+    if (mutation == A_POINT_COMES_HOME_TO_ANOTHER_TILE)
+      own[random() % tiles].push_back(from.back());
+    from.pop_back();
+  });
+  const std::uint64_t id = random() % points.size(), other = random() % points.size();
+  const std::uint32_t tile = random() % tiles;
+  std::size_t round = 0;
+  const auto post = [&](core::Tile_message& message) {
+    if (mutation == NOTHING_IS_TOLD_AFTER_THE_FIRST_ROUND && round > 0)
+      message.points.clear();
+    if (message.to != tile)
+      return;
+    auto& told = message.points;
+    const auto is_it = [&](const core::Tile_point& p) { return p.id == id; };
+    const auto found = std::find_if(told.begin(), told.end(), is_it);
+    if (found == told.end())
+      return;
+    if (mutation == A_POINT_DOES_NOT_REACH_A_TILE)
+      told.erase(found);
+    else if (mutation == A_COORDINATE_CHANGES_ON_THE_WAY)
+      found->coordinates[0] += 1;
+    else if (mutation == AN_ID_CHANGES_ON_THE_WAY)
+      found->id = other;
+  };
+  for (; round < 30 && engine.exchange(post) > 0; ++round)
+    ;
+  return {cells_of(engine) == expected,
+          core::is_certified(engine.gather(random()), tiles, points.size())};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(mutations_of_the_protocol)
+{
+  std::mt19937 random(2);
+  int wrong[MUTATIONS] = {};
+  for (int run = 0; run < 100; ++run) {
+    const Points points = few_points(random);
+    const auto arrays = CGAL::delaunay_3_arrays(points);
+    const Cells expected = cells_of(arrays);
+    for (int m = 0; m < MUTATIONS && arrays.dimension() == 3; ++m) {
+      const Outcome outcome = run_mutated(Mutation(m), points, expected, random);
+      BOOST_TEST((outcome.is_right || !outcome.is_certified), "mutation " << m << ", run " << run);
+      wrong[m] += !outcome.is_right;
+    }
+  }
+  for (int m = 0; m < MUTATIONS; ++m)
+    BOOST_TEST(wrong[m] > 3, "mutation " << m << ": " << wrong[m]);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_told_and_kept)
 {
   // On a surface a tile keeps its own points, and about as many again of others'.
   const Points points = points_of(tests::ordinary_surfaces(20000)[1]);
-  core::Tiles_here engine(view(points), 8);
-  const core::Tiles_report report = core::run_tiles(engine, 1);
+  core::Tiles_here engine;
+  engine.begin(source_of(points), options_of(8));
+  const CGAL::Tiles_report report = run_to_rest(engine);
   std::size_t kept = 0;
   for (const auto& tile : engine.tiles())
     kept += tile->number_of_points_kept();
@@ -186,4 +299,92 @@ BOOST_AUTO_TEST_CASE(what_is_told_and_kept)
   BOOST_TEST_MESSAGE("told " << report.told << ", kept " << kept << " of " << points.size());
   BOOST_TEST(report.told < 3 * points.size());
   BOOST_TEST(kept < 2.5 * double(points.size()));
+}
+
+BOOST_AUTO_TEST_CASE(more_tiles_than_points_and_tiles_without_any)
+{
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, 1}};
+  check_tiles(points, "six points");
+}
+
+BOOST_AUTO_TEST_CASE(what_a_sink_gets)
+{
+  const Points points = points_of(tests::ordinary_surfaces(1500)[0]);
+  Points with_equal = points;
+  with_equal.insert(with_equal.end(), points.begin(), points.begin() + 50);
+  const auto arrays = CGAL::delaunay_3_arrays(with_equal);
+  CGAL::Tiles_here_3 engine(2);
+  Cells owned;
+  std::size_t vertices = 0, around = 0, equal = 0;
+  const auto report = CGAL::delaunay_3_tiles(
+      engine, source_of(with_equal),
+      [&](const CGAL::Delaunay_3_tile& tile) {
+        vertices += tile.number_of_own_vertices;
+        for (std::size_t v = 0; v < tile.ids.size(); ++v)
+          BOOST_TEST((tile.points[v] == with_equal[tile.ids[v]]));
+        for (const auto& [id, vertex] : tile.equal_points)
+          equal += vertex + points.size() == id && vertex < 50;
+        for (std::size_t c = 0; c < tile.cells.size(); ++c) {
+          std::array<std::int64_t, 4> ids;
+          bool has_own = false;
+          for (unsigned k = 0; k < 4; ++k) {
+            const std::int32_t v = tile.cells[c][k];
+            ids[k] = v < 0 ? -1 : std::int64_t(tile.ids[std::size_t(v)]);
+            has_own = has_own || (v >= 0 && std::size_t(v) < tile.number_of_own_vertices);
+          }
+          BOOST_TEST(has_own);
+          BOOST_TEST((c < tile.number_of_owned_finite_cells ? ids[3] >= 0 : true));
+          if (c < tile.number_of_owned_cells)
+            append_sorted(ids, owned);
+          around += c >= tile.number_of_owned_cells;
+        }
+      },
+      options_of(5));
+  std::sort(owned.begin(), owned.end());
+  BOOST_TEST((owned == cells_of(arrays)));
+  BOOST_TEST(vertices == points.size());
+  BOOST_TEST(equal == 50u);
+  BOOST_TEST(around > 0u);
+  BOOST_TEST(report.points == with_equal.size());
+}
+
+BOOST_AUTO_TEST_CASE(a_hub_is_to_blame)
+{
+  Points points = {{0, 0, 5}, {0, 0, 1}};
+  for (int k = 0; k < 600; ++k)
+    points.push_back({std::cos(k * 0.0104719), std::sin(k * 0.0104719), 0});
+  CGAL::Tiles_here_3 engine;
+  CGAL::Tiles_options options = options_of(4);
+  options.memory = 250 * 300; // a tile may keep 250 points
+  const auto ignore = [](const CGAL::Delaunay_3_tile&) {};
+  BOOST_CHECK_EXCEPTION(CGAL::delaunay_3_tiles(engine, source_of(points), ignore, options),
+                        core::Tile_too_large, [](const core::Tile_too_large& error) {
+                          const std::string message = error.what();
+                          BOOST_TEST_MESSAGE(message);
+                          return error.number_of_tiles() == 0 &&
+                                 message.find("; point 0 ") != std::string::npos;
+                        });
+
+  // Others only need more tiles, and get them.
+  const Points surface = points_of(tests::ordinary_surfaces(3000)[0]);
+  options.memory = 300 * 2000;
+  options.number_of_tiles = 1;
+  const auto report = CGAL::delaunay_3_tiles(engine, source_of(surface), ignore, options);
+  BOOST_TEST(report.tiles > 1u);
+  BOOST_TEST(report.is_certified);
+}
+
+BOOST_AUTO_TEST_CASE(a_certificate_needs_all_tiles_and_all_points)
+{
+  const Points points = points_of(tests::ordinary_surfaces(1500)[0]);
+  core::Tiles_here engine;
+  engine.begin(source_of(points), options_of(4));
+  run_to_rest(engine);
+  auto certificates = engine.gather(5);
+  BOOST_TEST(core::is_certified(certificates, 4, points.size()));
+  BOOST_TEST(!core::is_certified(certificates, 4, points.size() + 1));
+  BOOST_TEST(!core::is_certified(certificates, 5, points.size()));
+  certificates.pop_back();
+  BOOST_TEST(!core::is_certified(certificates, 4, points.size()));
+  BOOST_TEST(!core::is_certified({}, 0, 0));
 }

@@ -9,7 +9,8 @@
 //
 // It triangulates them, and then *tells*: of each edge between points of two tiles the owner of each end
 // is told of the other. What it is told it *offers* to its triangulation, where a point that would get no
-// neighbour of the tile's own is refused. When nobody has anything to tell, the star of each own point is
+// neighbour of the tile's own is refused. To be told of one's own point is a question: the answer are its
+// neighbours. When nobody has anything to tell, the star of each own point is
 // that in the triangulation of all points (Brédif et al. 2020 tell without refusal);
 // Tile_certificate.h asks whether it is so.
 //
@@ -18,25 +19,21 @@
 //
 // Cost: that of the insertions; each telling looks at the cells made since the one before.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Power_of_scale.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_news.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_tree.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <limits>
 #include <map>
-#include <numeric>
-#include <unordered_set>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -45,246 +42,250 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What all tiles know.
-struct Tiling
-{
-  Tile_tree tree;
-  std::array<Tile_point, 4> start; // positively oriented; every tile keeps these
-  double largest, least; // coordinates, in absolute value; the least of those that are not 0
-};
-
 class Delaunay_tile
 {
-  using Id = std::uint32_t;
-  using Complex = Compact_complex<Id>;
-
 public:
-  static constexpr std::uint64_t infinite_id = std::uint64_t(-1);
-  using Cell = std::array<std::uint64_t, 4>; // ids of vertices
+  using Id = Tile_triangulation::Id;
+  using Cell = Tile_triangulation::Cell;
 
-  // Of the points that are the tile's own. Keeps a reference to what all know.
-  Delaunay_tile(const Tiling& tiling, std::uint32_t number, const std::vector<Tile_point>& own)
+  // Of the points that are the tile's own, as it was in a state. Keeps a reference to what all know. If
+  // more than `limit` points are kept, Tile_too_large is thrown.
+  Delaunay_tile(const Tiling& tiling, std::uint32_t number, std::vector<Tile_point> own,
+                Tile_state state = {},
+                std::size_t limit = (std::numeric_limits<std::size_t>::max)())
     : m_tiling(tiling)
     , m_number(number)
-    , m_scaled(tiling.largest, tiling.least)
-    , m_complex(4, [&](std::size_t i) { return m_scaled(tiling.start[i].coordinates); })
-    , m_inserter(m_complex)
+    , m_limit(limit)
+    , m_known(std::move(state.known))
+    , m_told(std::move(state.told))
+    , m_triangulation(tiling, own.size() + state.kept.size())
   {
-    m_points.push_back({infinite_id, {0, 0, 0}});
-    m_owners.push_back(nobody);
-    for (const Tile_point& p : tiling.start)
-      note_vertex(p);
-    if (!m_scaled.is_exact())
-      for (const Tile_point& p : tiling.start)
-        m_complex.add_own_coordinates({p.coordinates[0], p.coordinates[1], p.coordinates[2]});
-    m_complex.start({1, 2, 3, 4});
-    insert_own(own);
+    for (const Tile_point& p : own)
+      m_number_of_own_points += tiling.tree.owner(p.coordinates) == number;
+    own.insert(own.end(), state.kept.begin(), state.kept.end());
+    if (own.size() > limit)
+      throw too_large();
+    const bool is_new = state.kept.empty() && m_known.empty();
+    state = {};
+    m_triangulation.insert(
+        own, number, [] { return true; },
+        [&](Id, std::uint64_t p, std::uint64_t q) {
+          if (p != q)
+            m_equal.push_back({(std::max)(p, q), (std::min)(p, q)});
+          return true;
+        });
+    m_first_untold = is_new ? 0 : m_triangulation.vertices_end();
   }
-  Delaunay_tile(const Delaunay_tile&) = delete;
 
   std::uint32_t number() const { return m_number; }
+  std::size_t number_of_own_points() const { return m_number_of_own_points; }
+  std::size_t number_of_points_kept() const { return m_triangulation.vertices_end() - 1; }
+  const Tile_triangulation& triangulation() const { return m_triangulation; }
+  const std::vector<std::uint64_t>& known() const { return m_known; }
+  bool is_own(Id v) const { return m_triangulation.owner(v) == m_number; }
 
-  // Offers what others have told, or a sample of all points, and returns what there is to tell now.
-  std::vector<Tile_message> absorb(const std::vector<Tile_point>& told)
+  // Own points that have the place of others: the id, and that of one of them with a smaller id.
+  const std::vector<std::array<std::uint64_t, 2>>& equal_points() const { return m_equal; }
+
+  // Offers what is new to the tile, answers questions, and returns what there is to tell now.
+  std::vector<Tile_message> absorb(const Tile_news& news)
   {
-    for (const std::size_t i : order_of(told))
-      offer(told[i]);
-    return tell();
-  }
-
-  // When nobody has anything to tell.
-  Tile_certificate certificate(std::uint64_t seed) const
-  {
-    Tile_certificate result{m_number, {}, 0, 0};
-    std::vector<char> is_on_hull(m_points.size());
-    for_each_cell([&](const Compact_cell<Id>& cell) {
-      const Cell ids = ids_of(cell);
-      std::array<std::uint32_t, 4> owners;
-      for (unsigned k = 0; k < 4; ++k) {
-        owners[k] = m_owners[cell.v[k]];
-        if (Complex::is_infinite(cell) && owners[k] == m_number && is_on_hull[cell.v[k]] == 0) {
-          is_on_hull[cell.v[k]] = 1;
-          ++result.hull_vertices;
-        }
-      }
-      if (std::find(owners.begin(), owners.end(), m_number) == owners.end())
-        return;
-      result.hull_facets += Complex::is_infinite(cell) && is_owned(cell);
-      std::sort(owners.begin(), owners.end());
-      Cell sorted = ids;
-      std::sort(sorted.begin(), sorted.end());
-      for (unsigned k = 0; k < 4; ++k)
-        if (owners[k] != m_number && owners[k] != nobody && (k == 0 || owners[k] != owners[k - 1]))
-          add_cell(result.common[owners[k]], sorted, seed);
-    });
-    return result;
-  }
-
-  // Calls visit(cell) for each cell whose smallest vertex is the tile's own, as ids in positive
-  // orientation, infinite_id last.
-  template <class Visit>
-  void for_each_owned_cell(const Visit& visit) const
-  {
-    for_each_cell([&](const Compact_cell<Id>& cell) {
-      if (is_owned(cell))
-        visit(ids_of(cell));
-    });
-  }
-
-  std::size_t number_of_points_kept() const { return m_points.size() - 1; }
-
-private:
-  static constexpr std::uint32_t nobody = std::uint32_t(-1);
-
-  // Own points in random rounds, each sorted by halves; each is inserted from the one before.
-  void insert_own(const std::vector<Tile_point>& own)
-  {
-    const std::vector<double> coordinates = coordinates_of(own);
-    for (const std::size_t i :
-         geometric_rounds(Point_array(coordinates.data(), own.size()), m_number, 0.125, 64).order)
-      insert_if(own[i], [](Id) { return true; });
-  }
-
-  void offer(const Tile_point& p)
-  {
-    if (m_known.insert(p.id).second)
-      insert_if(p, [&](Id) { return gets_own_neighbor(); });
-  }
-
-  // Of a point whose conflict zone is dug: its neighbours are the corners of the zone.
-  bool gets_own_neighbor() const
-  {
-    const auto& zone = m_inserter.zone;
-    for (std::size_t f = 0; f < zone.number_of_facets; ++f)
-      for (const Id v : zone.facets[f].corners)
-        if (m_owners[v] == m_number)
-          return true;
-    return false;
-  }
-
-  template <class Wants>
-  void insert_if(const Tile_point& point, const Wants& wants)
-  {
-    const double* const c = point.coordinates;
-    const Id p = m_complex.add_vertex(m_scaled(c));
-    if (!m_scaled.is_exact())
-      m_complex.add_own_coordinates({c[0], c[1], c[2]});
-    const auto location = m_inserter.walk(p, m_complex.vertex(m_previous).cell, Read_alone());
-    if (location.vertex != 0) { // of equal points the smallest number stands for all
-      m_complex.drop_last_vertex();
-      std::uint64_t& id = m_points[location.vertex].id;
-      id = (std::min)(id, point.id);
-      m_previous = location.vertex;
-      return;
-    }
-    m_inserter.dig(p, location.cell);
-    if (!wants(p)) {
-      m_inserter.zone.revive(m_complex);
-      m_complex.drop_last_vertex();
-      m_previous = Complex::first_vertex(m_complex.cell(location.cell)); // the infinite one is last
-      return;
-    }
-    m_inserter.fill(p);
-    note_vertex(point);
-    m_previous = p;
-  }
-
-  void note_vertex(const Tile_point& p)
-  {
-    m_points.push_back(p);
-    m_owners.push_back(m_tiling.tree.owner(p.coordinates));
-  }
-
-  // Of each edge between points of two tiles the owner of each end is told of the other, once.
-  std::vector<Tile_message> tell()
-  {
-    std::map<std::uint32_t, std::vector<Tile_point>> told;
-    for_each_cell([&](const Compact_cell<Id>& cell) { // new edges are those of new vertices
-      if (*std::max_element(cell.v, cell.v + 4) < m_first_untold)
-        return;
-      for (const Id v : cell.v)
-        for (const Id w : cell.v)
-          if (const std::uint32_t to = m_owners[w]; to != m_owners[v] && to != m_number &&
-                                                    to != nobody && v != Complex::infinite &&
-                                                    m_told.insert({m_points[v].id, to}).second)
-            told[to].push_back(m_points[v]);
-    });
-    m_first_untold = m_points.size();
-    std::vector<Tile_message> messages;
-    messages.reserve(told.size());
-    for (auto& [to, points] : told)
-      messages.push_back({m_number, to, std::move(points)});
+    const bool is_first = m_first_untold == 0;
+    note_known(news.offers);
+    m_triangulation.insert(
+        news.offers, m_number, [&] { return wants(); },
+        [](Id, std::uint64_t, std::uint64_t) { return true; });
+    std::vector<Tile_message> messages = tell(is_first);
+    answer(news.questions, messages);
     return messages;
   }
 
-  Cell ids_of(const Compact_cell<Id>& cell) const
+  // If the certificate does not hold: for each of these partners, all vertices of cells that have a vertex
+  // of both. Those of the partner are questions. If the two see different common cells, one of them learns
+  // something: of a cell that the partner does not have it either takes a vertex that it lacked, or its
+  // answer has a point in conflict with the cell; that gets all vertices of the cell as neighbours, so it is
+  // not refused (witnesses, as in star splaying).
+  std::vector<Tile_message> witnesses(const std::vector<std::uint32_t>& partners) const
   {
-    return {m_points[cell.v[0]].id, m_points[cell.v[1]].id, m_points[cell.v[2]].id,
-            m_points[cell.v[3]].id};
+    std::vector<Tile_message> messages;
+    for (const std::uint32_t to : partners)
+      messages.push_back({m_number, to, points_around([&](const Cell& cell) {
+                            return has_vertex_of(cell, m_number) && has_vertex_of(cell, to);
+                          })});
+    return messages;
   }
 
-  // Is the vertex with the smallest id the tile's own?
-  bool is_owned(const Compact_cell<Id>& cell) const
+  Tile_state state() const
   {
-    const Id* const first = std::min_element(
-        cell.v, cell.v + 4, [&](Id v, Id w) { return m_points[v].id < m_points[w].id; });
-    return m_owners[*first] == m_number;
+    Tile_state state{{}, m_known, m_told};
+    for (std::size_t v = 5; v < m_triangulation.vertices_end(); ++v) // after those all tiles keep
+      if (!is_own(Id(v)))
+        state.kept.push_back(m_triangulation.point(Id(v)));
+    return state;
   }
 
+private:
+  bool wants() const
+  {
+    const bool is_wanted = m_triangulation.find_neighbor([&](Id v) { return is_own(v); });
+    if (is_wanted && number_of_points_kept() >= m_limit)
+      throw too_large();
+    return is_wanted;
+  }
+
+  void note_known(const std::vector<Tile_point>& told)
+  {
+    const std::size_t before = m_known.size();
+    for (const Tile_point& p : told)
+      m_known.push_back(p.id);
+    std::inplace_merge(m_known.begin(), m_known.begin() + std::ptrdiff_t(before), m_known.end());
+  }
+
+  // Calls visit(v, to) for each edge of a new cell from a finite vertex v to one of the tile `to`,
+  // which is another than the owner of v and than this one; edges again and again.
   template <class Visit>
-  void for_each_cell(const Visit& visit) const
+  void for_each_new_edge(const Visit& visit) const
   {
-    for (std::size_t c = 0; c < m_complex.cells_end(); ++c)
-      if (!Complex::is_dead(m_complex.cell(c)))
-        visit(m_complex.cell(c));
+    m_triangulation.for_each_cell([&](const Cell& cell) { // new edges are in cells of new vertices
+      if (*std::max_element(cell.v, cell.v + 4) < m_first_untold)
+        return;
+      std::uint32_t owners[4];
+      for (unsigned k = 0; k < 4; ++k)
+        owners[k] = m_triangulation.owner(cell.v[k]);
+      if (owners[0] == owners[1] && owners[1] == owners[2] && owners[2] == owners[3])
+        return;
+      for (unsigned i = 0; i < 4; ++i)
+        for (unsigned k = 0; k < 4; ++k)
+          if (owners[k] != owners[i] && owners[k] != m_number &&
+              owners[k] != Tile_triangulation::nobody && owners[i] != Tile_triangulation::nobody)
+            visit(cell.v[i], owners[k]);
+    });
   }
 
-  static std::vector<double> coordinates_of(const std::vector<Tile_point>& points)
+  struct Tell
   {
-    std::vector<double> coordinates;
-    coordinates.reserve(3 * points.size());
-    for (const Tile_point& p : points)
-      coordinates.insert(coordinates.end(), p.coordinates, p.coordinates + 3);
-    return coordinates;
-  }
-
-  // Points that follow each other are near each other.
-  static std::vector<std::size_t> order_of(const std::vector<Tile_point>& points)
-  {
-    const std::vector<double> coordinates = coordinates_of(points);
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    Sort_by_halves()(Point_array(coordinates.data(), points.size()), order.data(),
-                     order.data() + order.size());
-    return order;
-  }
-
-  // Of which point whom.
-  struct Told
-  {
-    std::uint64_t id;
     std::uint32_t to;
-    friend bool operator==(const Told& s, const Told& t) { return s.id == t.id && s.to == t.to; }
+    Id v;
+    bool operator<(const Tell& t) const { return to != t.to ? to < t.to : v < t.v; }
+    bool operator==(const Tell& t) const { return to == t.to && v == t.v; }
   };
-  struct Hash_of_told
+
+  // Of each edge between points of two tiles the owner of each end is told of the other, once. Nobody has
+  // told of the points that all tiles get: the first time their owners are asked about those that have
+  // neighbours of the tile's own. No such edge is made later, and an owner who would refuse the other
+  // end has no other reason to say so.
+  std::vector<Tile_message> tell(bool asks)
   {
-    std::size_t operator()(const Told& t) const
-    {
-      return std::size_t(Split_mix(t.id ^ std::uint64_t(t.to) << 40)());
+    std::vector<Tell> tells;
+    std::vector<std::uint32_t> last(m_triangulation.vertices_end(), Tile_triangulation::nobody);
+    for_each_new_edge([&](Id v, std::uint32_t to) {
+      if (last[v] != to) // nearly always the same one
+        tells.push_back({to, v});
+      last[v] = to;
+    });
+    if (asks)
+      m_triangulation.for_each_cell([&](const Cell& cell) {
+        for (const Id v : cell.v)
+          if (!is_own(v) && v != 0 && has_vertex_of(cell, m_number))
+            tells.push_back({m_triangulation.owner(v), v});
+      });
+    std::sort(tells.begin(), tells.end());
+    tells.erase(std::unique(tells.begin(), tells.end()), tells.end());
+    m_first_untold = m_triangulation.vertices_end();
+
+    std::vector<Tile_message> messages;
+    const std::size_t before = m_told.size();
+    for (const Tell& t : tells) {
+      const Told told = {m_triangulation.id(t.v), t.to};
+      if (std::binary_search(m_told.begin(), m_told.begin() + std::ptrdiff_t(before), told))
+        continue;
+      m_told.push_back(told);
+      if (messages.empty() || messages.back().to != t.to)
+        messages.push_back({m_number, t.to, {}});
+      messages.back().points.push_back(m_triangulation.point(t.v));
     }
-  };
+    std::sort(m_told.begin() + std::ptrdiff_t(before), m_told.end());
+    std::inplace_merge(m_told.begin(), m_told.begin() + std::ptrdiff_t(before), m_told.end());
+    return messages;
+  }
+
+  // Who asks about a point of the tile's own is told of its neighbours, but for those of the asker's, which
+  // would be questions.
+  void answer(const std::vector<Tile_message>& questions, std::vector<Tile_message>& messages)
+  {
+    std::multimap<Id, std::size_t> asked; // who asks, by vertex
+    for (std::size_t a = 0; a < questions.size(); ++a)
+      m_triangulation.insert(
+          questions[a].points, m_number, [] { return false; },
+          [&](Id v, std::uint64_t, std::uint64_t) {
+            asked.emplace(v, a);
+            return false; // who asks does not know better
+          });
+    if (asked.empty())
+      return;
+    std::vector<char> is_asked(m_triangulation.vertices_end());
+    for (const auto& [v, a] : asked)
+      is_asked[v] = 1;
+    std::vector<std::set<Id>> answers(questions.size());
+    m_triangulation.for_each_cell([&](const Cell& cell) {
+      for (const Id v : cell.v)
+        if (is_asked[v])
+          for (auto [i, end] = asked.equal_range(v); i != end; ++i)
+            answers[i->second].insert(cell.v, cell.v + 4);
+    });
+    for (std::size_t a = 0; a < questions.size(); ++a) {
+      Tile_message message{m_number, questions[a].from, {}};
+      for (const Id v : answers[a])
+        if (v != 0 && m_triangulation.owner(v) != message.to)
+          message.points.push_back(m_triangulation.point(v));
+      messages.push_back(std::move(message));
+    }
+  }
+
+  bool has_vertex_of(const Cell& cell, std::uint32_t tile) const
+  {
+    return std::any_of(cell.v, cell.v + 4, [&](Id v) { return m_triangulation.owner(v) == tile; });
+  }
+
+  // The vertices of certain cells.
+  template <class Selects>
+  std::vector<Tile_point> points_around(const Selects& selects) const
+  {
+    std::vector<char> is_around(m_triangulation.vertices_end());
+    m_triangulation.for_each_cell([&](const Cell& cell) {
+      if (selects(cell))
+        for (const Id v : cell.v)
+          is_around[v] = 1;
+    });
+    std::vector<Tile_point> points;
+    for (std::size_t v = 1; v < is_around.size(); ++v)
+      if (is_around[v])
+        points.push_back(m_triangulation.point(Id(v)));
+    return points;
+  }
+
+  // The vertex with the most neighbours is to blame.
+  Tile_too_large too_large() const
+  {
+    std::vector<std::uint32_t> cells(m_triangulation.vertices_end());
+    m_triangulation.for_each_cell([&](const Cell& cell) {
+      for (const Id v : cell.v)
+        ++cells[v];
+    });
+    const auto hub = Id(std::max_element(cells.begin() + 1, cells.end()) - cells.begin());
+    return Tile_too_large(m_number, m_number_of_own_points, m_limit, m_triangulation.id(hub),
+                          cells[hub] / 2 + 2, m_tiling.tree.number_of_tiles());
+  }
 
   const Tiling& m_tiling;
   const std::uint32_t m_number;
-  const Power_of_scale m_scaled;
-  Complex m_complex;
-  Inserter<Alone_with_complex<Id>> m_inserter;
-  Id m_previous = 1;
-  std::vector<Tile_point> m_points;    // by vertex, with the id that stands for all that are equal
-  std::vector<std::uint32_t> m_owners; // by vertex
-  std::size_t m_first_untold = 0;      // vertex
-  std::unordered_set<std::uint64_t> m_known; // ids that were offered
-  std::unordered_set<Told, Hash_of_told> m_told;
+  const std::size_t m_limit;
+  std::size_t m_number_of_own_points = 0;
+  std::vector<std::uint64_t> m_known; // ids that were offered, ascending
+  std::vector<Told> m_told;           // ascending
+  std::vector<std::array<std::uint64_t, 2>> m_equal;
+  Tile_triangulation m_triangulation;
+  std::size_t m_first_untold = 0; // vertex
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -9,21 +9,38 @@
 // is the Delaunay triangulation of all points: for each partner the cells that have vertices of both,
 // and the part of the convex hull that is its own.
 //
-// If, of each two tiles, both see the same common cells, the union is a closed 3-manifold in which
-// each star is in one tile's Delaunay triangulation. The lifted, perturbed complex is then locally
-// convex, and a complete, locally convex, connected hypersurface bounds a convex body (van Heijenoort
-// 1952). Hence each component is the Delaunay triangulation of its vertices; and there is one if the
-// hull is a sphere: V - E + F = 2, that is 2 V - F = 4 where facets are triangles.
+// If
+//   (a) of each two tiles both see the same common cells,
+//   (b) the hull that the infinite cells form is a sphere: V - E + F = 2, that is 2 V - F = 4 where
+//       facets are triangles,
+//   (c) every point is in the tile that owns it,
+// then the union of the stars is the Delaunay triangulation of all points. Proof. A cell is seen by all
+// owners of its vertices, so by (a) the union is a closed 3-manifold, and the star of each vertex in it is
+// that in its owner's Delaunay triangulation. Lift the points to the paraboloid, perturbed as the
+// predicates do it: at each vertex the lifted star is a part of the boundary of a convex body, the lower
+// hull of the owner's points, or a vertical wall over a facet of their hull. So the lifted complex is
+// locally convex at each vertex, hence everywhere; walls over coplanar facets are only weakly convex. It
+// is complete, and strictly convex at a vertex of the hull. A complete, connected, locally convex
+// hypersurface with a strictly convex point is the boundary of a convex body (van Heijenoort 1952), for
+// each perturbation that is small enough. So each component is the Delaunay triangulation of its
+// vertices, with a hull of its own. By (b) there is one component, and by (c) it has all points. Equal
+// points are one vertex, which has the smallest of their ids, and one owner.
 //
-// Cells are compared by sums of hashes of 128 bits, keyed by a seed that is drawn when no cell changes
-// any more: up to a collision.
+// Cells are compared by sums of hashes of 128 bits of their vertices' ids and coordinates, keyed by a
+// seed that is drawn when no cell changes any more: "up to a collision" of probability 2^-128; or, if
+// asked for, by their ids, too.
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_triangulation.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <vector>
 
@@ -44,43 +61,148 @@ struct Cell_sum
 };
 
 // The ids of the cell's vertices in ascending order; that of the infinite vertex is the largest number.
-inline void add_cell(Cell_sum& sum, const std::array<std::uint64_t, 4>& sorted_ids,
-                     std::uint64_t seed)
+using Sorted_cell = std::array<std::uint64_t, 4>;
+
+// A key of each vertex.
+struct Vertex_keys
 {
-  ++sum.number;
-  for (std::uint64_t half = 0; half < 2; ++half) {
-    std::uint64_t h = Split_mix(seed + half)();
-    for (const std::uint64_t id : sorted_ids)
-      h = Split_mix(h ^ id)();
-    sum.hash[half] += h;
+  std::vector<std::array<std::uint64_t, 2>> keys;
+
+  Vertex_keys(const Tile_triangulation& tr, std::uint64_t seed)
+  {
+    keys.reserve(tr.vertices_end());
+    for (std::size_t v = 0; v < tr.vertices_end(); ++v) {
+      const auto vertex = Tile_triangulation::Id(v);
+      Tile_point point{Tile_triangulation::infinite_id, {0, 0, 0}};
+      if (v != 0)
+        point = tr.point(vertex);
+      keys.emplace_back();
+      for (std::uint64_t half = 0; half < 2; ++half) {
+        std::uint64_t h = Split_mix(Split_mix(seed + half)() ^ point.id)();
+        for (const double x : point.coordinates) {
+          const double of_any_zero = x + 0.; // 0 and -0 are one place
+          std::uint64_t bits;
+          std::memcpy(&bits, &of_any_zero, sizeof(bits));
+          h = Split_mix(h ^ bits)();
+        }
+        keys.back()[half] = h;
+      }
+    }
   }
-}
+
+  // Of vertices in the order of their ids.
+  void add(Cell_sum& sum, const std::array<Tile_triangulation::Id, 4>& sorted) const
+  {
+    ++sum.number;
+    for (std::size_t half = 0; half < 2; ++half) {
+      std::uint64_t h = 0;
+      for (const auto v : sorted)
+        h = Split_mix(h ^ keys[v][half])();
+      sum.hash[half] += h;
+    }
+  }
+};
 
 struct Tile_certificate
 {
   std::uint32_t tile;
-  std::map<std::uint32_t, Cell_sum> common; // by partner
-  std::uint64_t hull_vertices = 0;          // its own
-  std::uint64_t hull_facets = 0;            // whose smallest vertex is its own
+  std::map<std::uint32_t, Cell_sum> common;                // by partner
+  std::map<std::uint32_t, std::vector<Sorted_cell>> cells; // the same, sorted, if asked for
+  std::uint64_t hull_vertices = 0;                         // its own
+  std::uint64_t hull_facets = 0;                           // whose smallest vertex is its own
+  std::uint64_t own_points = 0, points_kept = 0;
+  std::uint64_t owned_cells = 0, hash = 0; // whose smallest vertex is its own; of their ids
 };
 
-// Do all tiles together have the Delaunay triangulation of all points? By tile, of all tiles.
-inline bool is_certified(const std::vector<Tile_certificate>& tiles)
+// When nobody has anything to tell. Linear.
+inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t seed,
+                                       bool with_cells = false)
 {
-  std::uint64_t vertices = 0, facets = 0;
-  for (const Tile_certificate& a : tiles) {
-    vertices += a.hull_vertices;
-    facets += a.hull_facets;
-    for (const auto& [partner, sum] : a.common) {
-      if (partner >= tiles.size() || tiles[partner].tile != partner)
-        return false;
-      const auto& theirs = tiles[partner].common;
-      const auto found = theirs.find(a.tile); // it need not have listed this one
-      if (found == theirs.end() || !(found->second == sum))
-        return false;
+  const Tile_triangulation& tr = tile.triangulation();
+  Tile_certificate result{
+      tile.number(), {}, {}, 0, 0, tile.number_of_own_points(), tile.number_of_points_kept(), 0, 0};
+  const Vertex_keys keys(tr, seed);
+  std::vector<char> is_on_hull(tr.vertices_end());
+  tr.for_each_cell([&](const Tile_triangulation::Cell& cell) {
+    std::array<std::uint32_t, 4> owners;
+    for (unsigned k = 0; k < 4; ++k)
+      owners[k] = tr.owner(cell.v[k]);
+    if (std::find(owners.begin(), owners.end(), tile.number()) == owners.end())
+      return;
+    const bool is_infinite = Tile_triangulation::Complex::is_infinite(cell);
+    for (unsigned k = 0; k < 4 && is_infinite; ++k)
+      if (owners[k] == tile.number() && is_on_hull[cell.v[k]] == 0) {
+        is_on_hull[cell.v[k]] = 1;
+        ++result.hull_vertices;
+      }
+    std::array<Tile_triangulation::Id, 4> sorted = {cell.v[0], cell.v[1], cell.v[2], cell.v[3]};
+    std::sort(sorted.begin(), sorted.end(), [&](auto v, auto w) { return tr.id(v) < tr.id(w); });
+    if (tr.owner(sorted[0]) == tile.number()) {
+      result.hull_facets += is_infinite;
+      ++result.owned_cells;
+      std::uint64_t h = 0;
+      for (const auto v : sorted)
+        h = Split_mix(h ^ tr.id(v))();
+      result.hash += h;
     }
+    std::sort(owners.begin(), owners.end());
+    for (unsigned k = 0; k < 4; ++k)
+      if (owners[k] != tile.number() && owners[k] != Tile_triangulation::nobody &&
+          (k == 0 || owners[k] != owners[k - 1])) {
+        keys.add(result.common[owners[k]], sorted);
+        if (with_cells)
+          result.cells[owners[k]].push_back(
+              {tr.id(sorted[0]), tr.id(sorted[1]), tr.id(sorted[2]), tr.id(sorted[3])});
+      }
+  });
+  for (auto& [partner, cells] : result.cells)
+    std::sort(cells.begin(), cells.end());
+  return result;
+}
+
+using Tile_pairs = std::vector<std::array<std::uint32_t, 2>>;
+
+// The pairs of tiles that see different common cells, of the certificates of all tiles, by number.
+inline Tile_pairs tiles_that_differ(const std::vector<Tile_certificate>& tiles)
+{
+  Tile_pairs result;
+  for (const Tile_certificate& a : tiles)
+    for (const auto& [partner, sum] : a.common) {
+      const Tile_certificate& b = tiles.at(partner);
+      const auto found = b.common.find(a.tile); // it need not have listed this one
+      const bool is_same = found != b.common.end() && found->second == sum && [&] {
+        const auto ours = a.cells.find(partner), theirs = b.cells.find(a.tile);
+        return (ours == a.cells.end() && theirs == b.cells.end()) ||
+               (ours != a.cells.end() && theirs != b.cells.end() && ours->second == theirs->second);
+      }();
+      if (!is_same)
+        result.push_back({(std::min)(a.tile, partner), (std::max)(a.tile, partner)});
+    }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// Do so many tiles together have the Delaunay triangulation of so many points? False, too, if the list
+// is not that of all tiles in their order.
+inline bool is_certified(const std::vector<Tile_certificate>& tiles, std::size_t number_of_tiles,
+                         std::uint64_t number_of_points)
+{
+  if (tiles.size() != number_of_tiles)
+    return false;
+  std::uint64_t vertices = 0, facets = 0, points = 0;
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    if (tiles[t].tile != t)
+      return false;
+    for (const auto& [partner, sum] : tiles[t].common)
+      if (partner >= tiles.size() || sum.number == 0)
+        return false;
+    vertices += tiles[t].hull_vertices;
+    facets += tiles[t].hull_facets;
+    points += tiles[t].own_points;
   }
-  return 2 * vertices == facets + 4;
+  return points == number_of_points && 2 * vertices == facets + 4 &&
+         tiles_that_differ(tiles).empty();
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -29,6 +29,26 @@ struct Tile_message
   std::vector<Tile_point> points;
 };
 
+// Who was told of a point.
+struct Told
+{
+  std::uint64_t id, to;
+
+  friend bool operator==(const Told& s, const Told& t) { return s.id == t.id && s.to == t.to; }
+  friend bool operator<(const Told& s, const Told& t)
+  {
+    return s.id != t.id ? s.id < t.id : s.to < t.to;
+  }
+};
+
+// What makes a tile again as it was, beside its own points.
+struct Tile_state
+{
+  std::vector<Tile_point> kept;     // others' points in its triangulation
+  std::vector<std::uint64_t> known; // ids of all that was offered, ascending
+  std::vector<Told> told;           // ascending
+};
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3

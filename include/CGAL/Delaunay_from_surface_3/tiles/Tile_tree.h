@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +27,13 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 class Tile_tree
 {
 public:
+  // The node of what lies below the plane follows; that of the rest is `above`.
+  struct Node
+  {
+    double plane;
+    std::uint32_t axis, above;
+  };
+
   // So many tiles, which have about equal shares of the sample. Its points are reordered.
   Tile_tree(std::vector<Tile_point>& sample, std::uint32_t number_of_tiles)
     : m_number_of_tiles(number_of_tiles)
@@ -33,7 +41,15 @@ public:
     split(sample.data(), sample.data() + sample.size(), number_of_tiles);
   }
 
+  // As it was.
+  Tile_tree(std::vector<Node> nodes, std::uint32_t number_of_tiles)
+    : m_number_of_tiles(number_of_tiles)
+    , m_nodes(std::move(nodes))
+  {
+  }
+
   std::uint32_t number_of_tiles() const { return m_number_of_tiles; }
+  const std::vector<Node>& nodes() const { return m_nodes; }
 
   std::uint32_t owner(const double* p) const
   {
@@ -54,12 +70,11 @@ public:
   }
 
 private:
-  // The node of what lies below the plane follows; that of the rest is `above`.
-  struct Node
+  struct Cut
   {
-    double plane;
-    unsigned axis;
-    std::size_t above;
+    double plane = 0;
+    unsigned axis = 0;
+    std::ptrdiff_t below = 0, error = -1; // points below it; how far that is from what is wanted
   };
 
   void split(Tile_point* first, Tile_point* last, std::uint32_t tiles)
@@ -67,35 +82,62 @@ private:
     if (tiles <= 1)
       return;
     const std::size_t node = m_nodes.size();
-    const unsigned axis = longest_axis(first, last);
     const std::uint32_t below = tiles / 2;
-    Tile_point* const middle =
-        first + (last - first) * std::ptrdiff_t(below) / std::ptrdiff_t(tiles);
-    std::nth_element(first, middle, last, [axis](const Tile_point& p, const Tile_point& q) {
-      return p.coordinates[axis] < q.coordinates[axis];
-    });
-    m_nodes.push_back({middle == last ? 0. : middle->coordinates[axis], axis, 0});
+    const Cut cut =
+        best_cut(first, last, (last - first) * std::ptrdiff_t(below) / std::ptrdiff_t(tiles));
+    Tile_point* const middle = std::partition(
+        first, last, [&](const Tile_point& p) { return p.coordinates[cut.axis] < cut.plane; });
+    m_nodes.push_back({cut.plane, cut.axis, 0});
     split(first, middle, below);
-    m_nodes[node].above = m_nodes.size();
+    m_nodes[node].above = std::uint32_t(m_nodes.size());
     split(middle, last, tiles - below);
   }
 
-  static unsigned longest_axis(const Tile_point* first, const Tile_point* last)
+  // Across the longest axis on which about as many points are below as are wanted: many may share a
+  // coordinate, as in a plane.
+  static Cut best_cut(Tile_point* first, Tile_point* last, std::ptrdiff_t wanted)
   {
-    unsigned longest = 0;
-    double length = -1;
+    double length[3] = {};
+    unsigned axes[3] = {0, 1, 2};
     for (unsigned axis = 0; axis < 3 && first != last; ++axis) {
       const auto [low, high] =
           std::minmax_element(first, last, [axis](const Tile_point& p, const Tile_point& q) {
             return p.coordinates[axis] < q.coordinates[axis];
           });
-      const double l = high->coordinates[axis] / 2 - low->coordinates[axis] / 2; // finite
-      if (l > length) {
-        length = l;
-        longest = axis;
-      }
+      length[axis] = high->coordinates[axis] / 2 - low->coordinates[axis] / 2; // finite
     }
-    return longest;
+    std::stable_sort(axes, axes + 3, [&](unsigned a, unsigned b) { return length[a] > length[b]; });
+    Cut best;
+    for (const unsigned axis : axes) {
+      const Cut cut = cut_across(first, last, wanted, axis);
+      if (best.error < 0 || cut.error < best.error)
+        best = cut;
+      if (4 * best.error <= last - first)
+        break;
+    }
+    return best;
+  }
+
+  // At the coordinate of the point that has so many before it, or at the next one.
+  static Cut cut_across(Tile_point* first, Tile_point* last, std::ptrdiff_t wanted, unsigned axis)
+  {
+    if (first == last)
+      return {0, axis, 0, 0};
+    std::nth_element(first, first + wanted, last, [axis](const Tile_point& p, const Tile_point& q) {
+      return p.coordinates[axis] < q.coordinates[axis];
+    });
+    const double at = first[wanted].coordinates[axis];
+    double next = at;
+    std::ptrdiff_t less = 0, same = 0;
+    for (const Tile_point* p = first; p != last; ++p) {
+      const double x = p->coordinates[axis];
+      less += x < at;
+      same += x == at;
+      next = x > at && (next == at || x < next) ? x : next;
+    }
+    if (next != at && less + same - wanted < wanted - less)
+      return {next, axis, less + same, less + same - wanted};
+    return {at, axis, less, wanted - less};
   }
 
   std::uint32_t m_number_of_tiles;

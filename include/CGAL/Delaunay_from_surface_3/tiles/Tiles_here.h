@@ -5,27 +5,29 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_HERE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_HERE_H
 
-// An engine for tiles that are all in this process: for tests, and the one that others are compared
-// with. Two verbs: exchange, gather.
+// An engine for tiles that are all in this process: for tests, and the one that others are compared with.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
-#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
-#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_news.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_tree.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/piece_of_tile.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/run_tasks.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,94 +38,124 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 class Tiles_here
 {
 public:
-  // The points are numbered by their places. So many of a tile's points as 1 / sample_share come into
-  // the sample that all tiles see. The points do not lie in one plane.
-  Tiles_here(const Point_array& points, std::uint32_t number_of_tiles, std::size_t sample_share = 8)
-    : m_tiling(tiling_of(points, number_of_tiles, sample_share, m_sample))
+  explicit Tiles_here(std::size_t number_of_threads = 1)
+    : m_executor(number_of_threads)
   {
-    const Rounding_to_nearest rounding;
-    std::vector<std::vector<Tile_point>> own(number_of_tiles);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      own[m_tiling.tree.owner(points[i])].push_back(tile_point(points, i));
-    for (std::uint32_t t = 0; t < number_of_tiles; ++t) {
-      m_tiles.push_back(std::make_unique<Delaunay_tile>(m_tiling, t, own[t]));
-      m_inboxes.push_back(m_sample);
-    }
+  }
+  Tiles_here(const Tiles_here&) = delete; // tiles refer to what all know
+
+  // Makes the tiles, each of its own points.
+  void begin(const Tile_source_3& source, const Tiles_options& options)
+  {
+    begin(source, options, [](std::vector<std::vector<Tile_point>>&) {});
   }
 
+  // The same if points may get lost on their way home, as tests have it.
+  template <class Home>
+  void begin(const Tile_source_3& source, const Tiles_options& options, const Home& home)
+  {
+    const Rounding_to_nearest rounding;
+    const std::uint64_t n = source.size();
+    const std::uint32_t tiles = internal::number_of_tiles(options, n, 1);
+    const Sampling sampling(n, tiles, options.sample_share);
+    m_tiles.clear();
+    m_rounds = 0;
+    m_told = 0;
+    m_with_cells = options.compares_cells;
+    m_tiling.emplace(tiling_of({summary_of_range(source, 0, n, sampling)}, n, tiles, sampling));
+    std::vector<std::vector<Tile_point>> own(tiles);
+    const std::vector<double> coordinates = read_range(source, 0, n);
+    for (std::size_t i = 0; i < n; ++i)
+      own[m_tiling->tree.owner(&coordinates[3 * i])].push_back(tile_point(i, &coordinates[3 * i]));
+    home(own);
+    m_tiles.resize(tiles);
+    m_inboxes.clear();
+    for (std::uint32_t t = 0; t < tiles; ++t)
+      m_inboxes.push_back({{t, t, m_tiling->sample}});
+    const std::size_t limit = most_points_kept(options, 1);
+    for_each([&](std::size_t t) {
+      m_tiles[t] = std::make_unique<Delaunay_tile>(*m_tiling, std::uint32_t(t), std::move(own[t]),
+                                                   Tile_state(), limit);
+    });
+  }
+
+  std::uint64_t number_of_points() const { return m_tiling->number_of_points; }
+  std::uint32_t number_of_tiles() const { return m_tiling->tree.number_of_tiles(); }
+  std::size_t rounds() const { return m_rounds; }
+  std::uint64_t told() const { return m_told; }
+
   // Every tile hears what was told, and tells. Returns how many points were told.
-  std::size_t exchange()
+  std::uint64_t exchange()
   {
     return exchange([](Tile_message&) {});
   }
 
   // The same by a post that may lose or change messages, as tests have it.
   template <class Post>
-  std::size_t exchange(const Post& post)
+  std::uint64_t exchange(const Post& post)
   {
-    const Rounding_to_nearest rounding;
-    std::vector<std::vector<Tile_point>> inboxes(m_tiles.size());
-    std::size_t told = 0;
-    for (std::size_t t = 0; t < m_tiles.size(); ++t) {
-      for (Tile_message& message : m_tiles[t]->absorb(m_inboxes[t])) {
-        post(message);
-        auto& inbox = inboxes[message.to];
-        inbox.insert(inbox.end(), message.points.begin(), message.points.end());
+    std::vector<std::vector<Tile_message>> messages(m_tiles.size());
+    for_each([&](std::size_t t) {
+      messages[t] = m_tiles[t]->absorb(
+          news_of(m_inboxes[t], *m_tiling, std::uint32_t(t), m_tiles[t]->known()));
+    });
+    m_inboxes.assign(m_tiles.size(), {});
+    std::uint64_t told = 0;
+    for (auto& from : messages)
+      for (Tile_message& message : from) {
         told += message.points.size();
+        post(message);
+        m_inboxes[message.to].push_back(std::move(message));
       }
-    }
-    m_inboxes.swap(inboxes);
+    ++m_rounds;
+    m_told += told;
     return told;
   }
 
   std::vector<Tile_certificate> gather(std::uint64_t seed) const
   {
-    std::vector<Tile_certificate> certificates;
-    for (const auto& tile : m_tiles)
-      certificates.push_back(tile->certificate(seed));
+    std::vector<Tile_certificate> certificates(m_tiles.size());
+    for_each(
+        [&](std::size_t t) { certificates[t] = certificate_of(*m_tiles[t], seed, m_with_cells); });
     return certificates;
   }
 
-  Tiles_here(const Tiles_here&) = delete; // tiles refer to what all know
+  void show(const Tile_pairs& pairs)
+  {
+    const auto deliver_all = [&](std::uint32_t from, std::uint32_t to) {
+      for (Tile_message& message : m_tiles[from]->witnesses({to}))
+        m_inboxes[to].push_back(std::move(message));
+    };
+    for (const auto& [a, b] : pairs) {
+      deliver_all(a, b);
+      deliver_all(b, a);
+    }
+  }
+
+  // What tile t has.
+  Delaunay_3_tile tile(std::uint32_t t) const { return piece_of(*m_tiles[t]); }
+
+  void forget() { m_tiles.clear(); }
 
   const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles; }
 
 private:
-  static Tile_point tile_point(const Point_array& points, std::size_t i)
+  template <class Function>
+  void for_each(const Function& f) const
   {
-    return {i, {points[i][0], points[i][1], points[i][2]}};
+    run_tasks(m_executor, m_tiles.size(), [&](std::size_t t) {
+      const Rounding_to_nearest rounding;
+      f(t);
+    });
   }
 
-  // The sample is drawn by a hash of the ids.
-  static Tiling tiling_of(const Point_array& points, std::uint32_t number_of_tiles,
-                          std::size_t sample_share, std::vector<Tile_point>& sample)
-  {
-    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(number_of_tiles > 0 && sample_share > 0);
-    const std::size_t share = sample_share * number_of_tiles;
-    double largest = 0, least = (std::numeric_limits<double>::max)();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (Split_mix(i)() % share == 0)
-        sample.push_back(tile_point(points, i));
-      for (unsigned k = 0; k < 3; ++k) {
-        const double size = std::abs(points[i][k]);
-        largest = (std::max)(largest, size);
-        least = size == 0 ? least : (std::min)(least, size);
-      }
-    }
-    const Starting_simplex simplex =
-        starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
-    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(simplex.dimension == 3);
-    std::array<Tile_point, 4> start;
-    for (unsigned k = 0; k < 4; ++k)
-      start[k] = tile_point(points, simplex.points[k]);
-    std::vector<Tile_point> cut = sample;
-    return {Tile_tree(cut, number_of_tiles), start, largest, least};
-  }
-
-  std::vector<Tile_point> m_sample;
-  const Tiling m_tiling;
+  Thread_executor m_executor;
+  std::optional<Tiling> m_tiling;
+  bool m_with_cells = false;
+  std::size_t m_rounds = 0;
+  std::uint64_t m_told = 0;
   std::vector<std::unique_ptr<Delaunay_tile>> m_tiles;
-  std::vector<std::vector<Tile_point>> m_inboxes;
+  std::vector<std::vector<Tile_message>> m_inboxes;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -5,9 +5,18 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RUN_TILES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RUN_TILES_H
 
+// The driver: tiles tell each other until nobody has anything to tell, and then compare what they have.
+// If that is not the same, those that differ show each other why, and go on.
+//
+// An engine has three verbs: exchange() has every tile hear what it was told, and tell, and returns how
+// many points were told; gather(seed) returns the certificates of all tiles; show(pairs) has each tile
+// of a pair tell the other what is around the cells that both see (Delaunay_tile::witnesses()).
+
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,25 +25,41 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What a run of tiles was like.
-struct Tiles_report
+// The certificates' part of the report, and whether they hold.
+inline void report_certificates(const std::vector<Tile_certificate>& certificates,
+                                Tiles_report& report)
 {
-  std::size_t rounds = 0;
-  std::size_t told = 0; // points, of all tiles
-  bool is_certified = false;
-};
+  report.kept = report.most_kept = report.cells = report.hash = 0;
+  for (const Tile_certificate& c : certificates) {
+    report.kept += c.points_kept;
+    report.most_kept = (std::max)(report.most_kept, c.points_kept);
+    report.cells += c.owned_cells;
+    report.hash += c.hash;
+  }
+  report.is_certified = is_certified(certificates, report.tiles, report.points);
+}
 
-// Tiles tell each other until nobody has anything to tell, and then compare what they have.
-template <class Engine>
-Tiles_report run_tiles(Engine& engine, std::uint64_t seed)
+constexpr int most_repairs = 64; // none is needed where tiles have more than a few dozen points
+
+// `draw` draws a seed, when no cell changes any more.
+template <class Engine, class Draw>
+Tiles_report run_tiles(Engine& engine, const Draw& draw)
 {
   Tiles_report report;
-  for (std::size_t told = 1; told > 0; ++report.rounds) {
-    told = engine.exchange();
-    report.told += told;
+  report.points = engine.number_of_points();
+  report.tiles = engine.number_of_tiles();
+  for (int repairs = 0;; ++repairs) {
+    while (engine.exchange() > 0)
+      ;
+    const auto certificates = engine.gather(draw());
+    report.rounds = engine.rounds();
+    report.told = engine.told();
+    report_certificates(certificates, report);
+    const auto differing = tiles_that_differ(certificates);
+    if (report.is_certified || differing.empty() || repairs == most_repairs)
+      return report;
+    engine.show(differing);
   }
-  report.is_certified = is_certified(engine.gather(seed));
-  return report;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

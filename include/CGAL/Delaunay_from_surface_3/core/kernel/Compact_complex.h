@@ -91,6 +91,10 @@ public:
     m_own_coordinates.resize((std::min)(m_own_coordinates.size(), m_number_of_vertices - 1));
   }
   void add_own_coordinates(const std::array<double, 3>& p) { m_own_coordinates.push_back(p); }
+  const std::array<double, 3>& own_coordinates(Id v) const
+  {
+    return m_own_coordinates[point_of_vertex(v)];
+  }
 
   // The coordinates of the points before they were scaled, if that rounded any.
   void keep_own_coordinates(std::vector<std::array<double, 3>>&& coordinates)
@@ -102,7 +106,7 @@ public:
   // Of a finite vertex, but for a power of 2 that all have in common.
   const double* exact_coordinates(Id v) const
   {
-    return is_rounded() ? m_own_coordinates[point_of_vertex(v)].data() : vertex(v).coordinates;
+    return is_rounded() ? own_coordinates(v).data() : vertex(v).coordinates;
   }
 
   Cell* cells() { return m_cells.data(); }
@@ -133,6 +137,10 @@ public:
     m_cells.reserve((std::min)(n, max_cells), m_cells_end);
   }
   std::size_t capacity() const { return m_cells.capacity(); }
+  void make_room_for_vertices(std::size_t n)
+  {
+    m_vertices.reserve((std::min)(n, max_vertices), m_number_of_vertices);
+  }
 
   // How many there should be room for where that for n is not enough. Cells that move are touched
   // anew, so they shall not move often.

@@ -56,6 +56,12 @@ public:
     return {p[0] * m_factor, p[1] * m_factor, p[2] * m_factor};
   }
 
+  // What was scaled, if that is exact: the inverse of the power is one, too.
+  std::array<double, 3> before(const double* p) const
+  {
+    return {p[0] / m_factor, p[1] / m_factor, p[2] / m_factor};
+  }
+
 private:
   void look_at(const double* p)
   {

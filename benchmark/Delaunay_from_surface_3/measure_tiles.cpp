@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Counts what tiles tell each other and keep, on surfaces, solids, spheres, planes and cubes; and takes
+// the time of the sequential call of arrays beside it. Writes JSON.
+
+#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/surfaces.h>
+#include <Delaunay_from_surface_3_comparison/walk_cases.h>
+#include <Delaunay_from_surface_3_surfaces/cad.h>
+
+#include <CGAL/delaunay_3_arrays.h>
+#include <CGAL/delaunay_3_tiles.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace po = boost::program_options;
+namespace core = CGAL::Delaunay_from_surface_3::internal;
+using Json = nlohmann::ordered_json;
+using Points = std::vector<std::array<double, 3>>;
+
+constexpr std::uint64_t seed = 2024;
+
+struct Options
+{
+  std::vector<std::size_t> sizes = {300000}, tiles = {16, 64, 256};
+  std::vector<std::string> only;
+  std::string data = ".", output = "tiles.json";
+};
+
+Options read_options(int argc, char** argv)
+{
+  Options o;
+  po::options_description all("Counts what tiles tell each other and keep");
+  all.add_options()("help", "print this text")("sizes", po::value(&o.sizes)->multitoken(),
+                                               "numbers of points (300000)")(
+      "tiles", po::value(&o.tiles)->multitoken(), "numbers of tiles (16 64 256)")(
+      "only", po::value(&o.only)->multitoken(), "names of inputs; all if not given")(
+      "data", po::value(&o.data), "the folder with bunny00.off, refined_elephant.off and others")(
+      "output", po::value(&o.output), "the file for the results (tiles.json)");
+  comparison::read_command_line(argc, argv, all);
+  return o;
+}
+
+double seconds_since(std::clock_t start)
+{
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+double rounded(double x)
+{
+  return std::round(x * 1000) / 1000;
+}
+
+// Of something that each tile has so much of, for each of its own points.
+struct Share
+{
+  double sum = 0, worst = 0;
+  std::size_t own = 0;
+
+  void add(double part, std::size_t points)
+  {
+    sum += part;
+    own += points;
+    if (points > 0)
+      worst = (std::max)(worst, part / double(points));
+  }
+  Json json() const { return {{"mean", rounded(sum / double(own))}, {"worst", rounded(worst)}}; }
+};
+
+// The tiles run to their end, and what each was told is counted on the way.
+Json count_tiles(const Points& points, std::uint32_t tiles)
+{
+  CGAL::Tiles_options options;
+  options.number_of_tiles = tiles;
+  const std::clock_t start = std::clock();
+  CGAL::Tiles_here_3 engine;
+  engine.begin(CGAL::Tile_array_source_3(points.front().data(), points.size()), options);
+  const double own_seconds = seconds_since(start);
+  std::vector<std::uint64_t> told(tiles);
+  std::vector<std::uint64_t> by_round;
+  do
+    by_round.push_back(engine.exchange(
+        [&](core::Tile_message& message) { told[message.to] += message.points.size(); }));
+  while (by_round.back() > 0);
+  const double rest = seconds_since(start);
+  const auto certificates = engine.gather(seed);
+  const double all = seconds_since(start);
+  if (!core::is_certified(certificates, tiles, points.size()))
+    throw std::runtime_error("the certificate does not hold");
+  Share shares_told, kept, needed;
+  for (std::uint32_t t = 0; t < tiles; ++t) {
+    const auto own = std::size_t(certificates[t].own_points);
+    const auto piece = engine.tile(t);
+    shares_told.add(double(told[t]), own);
+    kept.add(double(certificates[t].points_kept), own);
+    needed.add(double(piece.ids.size() - piece.number_of_own_vertices), own);
+  }
+  return {{"tiles", tiles},
+          {"rounds", by_round.size()},
+          {"told_by_round", by_round},
+          {"needed", needed.json()},
+          {"told", shares_told.json()},
+          {"kept", kept.json()},
+          {"seconds_own", rounded(own_seconds)},
+          {"seconds_offers", rounded(rest - own_seconds)},
+          {"seconds_certificate", rounded(all - rest)}};
+}
+
+Json measure(const std::string& name, const surfaces::Indexed_surface& surface,
+             const Options& options)
+{
+  Points points;
+  for (const auto& p : surface.points)
+    points.push_back({p.x(), p.y(), p.z()});
+  const std::clock_t start = std::clock();
+  const auto arrays = CGAL::delaunay_3_arrays(points);
+  Json result = {{"input", name},
+                 {"points", points.size()},
+                 {"cells", arrays.number_of_cells()},
+                 {"seconds_arrays", rounded(seconds_since(start))},
+                 {"counts", Json::array()}};
+  for (const std::size_t tiles : options.tiles)
+    result["counts"].push_back(count_tiles(points, std::uint32_t(tiles)));
+  std::cerr << result.dump() << '\n';
+  return result;
+}
+
+// Points exactly in two planes that meet at an angle.
+surfaces::Indexed_surface tilted_planes(std::size_t n)
+{
+  surfaces::Indexed_surface points;
+  const auto side = std::size_t(std::sqrt(double(n / 2)));
+  for (std::size_t i = 0; i < side; ++i)
+    for (std::size_t j = 0; j < side; ++j) {
+      points.points.emplace_back(double(i), double(j), 0.);
+      points.points.emplace_back(double(i), double(j), double(i + side));
+    }
+  return points;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  const Options options = read_options(argc, argv);
+  Json report =
+      comparison::begin_report("measure_tiles", argc, argv, DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
+  report["results"] = Json::array();
+  auto inputs = comparison::named_surfaces(options.data);
+  for (const char* name : {"dragon", "cheese"}) {
+    const std::string file =
+        name == std::string("dragon") ? "ChineseDragon-10kv.off" : "cheese.off";
+    inputs.push_back(comparison::densified_mesh(name, 20000, options.data + "/" + file));
+  }
+  for (const auto& family : surfaces::cad_families())
+    inputs.push_back({family.name, "", 100, [make = family.make](std::size_t n, std::uint64_t s) {
+                        return make(n, s, surfaces::Numbering(0));
+                      }});
+  inputs.push_back(
+      {"tilted-planes", "", 100, [](std::size_t n, std::uint64_t) { return tilted_planes(n); }});
+  inputs.push_back({"cube", "", 100, [](std::size_t n, std::uint64_t s) {
+                      return comparison::points_in_box(n, 1, 1, 1, s);
+                    }});
+  for (const std::size_t n : options.sizes)
+    for (const auto& input : inputs)
+      if (options.only.empty() ||
+          std::find(options.only.begin(), options.only.end(), input.name) != options.only.end())
+        report["results"].push_back(measure(input.name, input.make(n, seed), options));
+  comparison::write_report(options.output, report);
+} catch (const std::exception& e) {
+  std::cerr << "measure_tiles: " << e.what() << "\n";
+  return EXIT_FAILURE;
+}

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_COMMAND_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_COMMAND_H
+
+#include "Messages.h"
+#include "Options.h"
+#include "Report.h"
+
+#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
+
+#include <boost/program_options.hpp>
+
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What comes after `delaunay_from_surface tiles`.
+struct Tiles_command
+{
+  std::vector<std::string> inputs;
+  std::string output, join;
+  CGAL::Tiles_options options;
+  unsigned int threads = 1;
+  std::optional<unsigned int> task;
+  bool next = false, vtu = false, neighbors = false, json = false, quiet = false, verbose = false;
+};
+
+// 8G, 500M, … as bytes.
+inline std::uint64_t parse_memory(const std::string& text)
+{
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  static const std::string units = "KMGT";
+  double factor = 1;
+  if (*end != 0) {
+    const std::size_t unit = units.find(char(std::toupper(static_cast<unsigned char>(*end++))));
+    factor = unit == std::string::npos ? 0 : double(std::uint64_t(1) << (10 * (unit + 1)));
+  }
+  if (text.empty() || *end != 0 || !(number * factor >= 1e6) || number * factor > 1e18)
+    throw std::runtime_error("option '--memory' needs a size of at least 1M, as 500M, 8G or 1T");
+  return std::uint64_t(number * factor);
+}
+
+inline Tiles_command parse_tiles_command(int argc, char* argv[])
+{
+  namespace po = boost::program_options;
+  Tiles_command command;
+  std::string memory = "4G";
+  long long tiles = 0, threads = 1, task = 0;
+  po::options_description all; // help.txt explains them
+  all.add_options()("output,o", po::value(&command.output))("tiles", po::value(&tiles))(
+      "memory", po::value(&memory))("threads", po::value(&threads))(
+      "vtu", po::bool_switch(&command.vtu))("neighbors", po::bool_switch(&command.neighbors))(
+      "join", po::value(&command.join))("compare-cells",
+                                        po::bool_switch(&command.options.compares_cells))(
+      "next", po::bool_switch(&command.next))("task", po::value(&task))(
+      "json", po::bool_switch(&command.json))("quiet", po::bool_switch(&command.quiet))(
+      "verbose", po::bool_switch(&command.verbose))("input", po::value(&command.inputs));
+  const po::positional_options_description positional =
+      po::positional_options_description().add("input", -1);
+  po::variables_map given;
+  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+  po::store(
+      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+      given);
+  po::notify(given);
+  if (command.inputs.empty())
+    throw std::runtime_error("no points given");
+  if (command.output.empty())
+    throw std::runtime_error("option '--output' needs a folder for the tiles");
+  command.options.memory = parse_memory(memory);
+  if (given.count("tiles") != 0) {
+    command.options.number_of_tiles = checked_number("tiles", tiles, 1, 1000000);
+    command.options.starts_again = false;
+  }
+  command.threads = checked_number("threads", threads, 1, most_threads);
+  if (given.count("task") != 0)
+    command.task = checked_number("task", task, 0);
+  if (command.neighbors && (command.next || command.task))
+    throw std::runtime_error("'--neighbors' is done by one process, when all tasks are");
+  if (command.next && command.task)
+    throw std::runtime_error("'--next' and '--task' exclude each other");
+  return command;
+}
+
+inline void report_tiles(const Tiles_command& command, const CGAL::Tiles_report& result,
+                         Report& report)
+{
+  report("output", command.output);
+  report("points", result.points);
+  report("tiles", result.tiles);
+  report("rounds", result.rounds);
+  report("points told", result.told);
+  report("points kept", result.kept);
+  report("most points kept by a tile", result.most_kept);
+  report("cells", result.cells);
+  report(
+      "certificate",
+      command.options.compares_cells
+          ? "holds: the tiles are the Delaunay triangulation of all points"
+          : "holds: the tiles are the Delaunay triangulation of all points, up to a collision of "
+            "hashes of 128 bits");
+}
+
+inline int run_tiles_command(Tiles_command& command)
+{
+  namespace core = CGAL::Delaunay_from_surface_3::internal;
+  Messages messages(command.quiet     ? Messages::Volume::QUIET
+                    : command.verbose ? Messages::Volume::VERBOSE
+                                      : Messages::Volume::NORMAL);
+  const CGAL::Point_files_3 points(
+      std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
+  core::Tiles_to_files tiles(command.output, command.threads, command.vtu, command.neighbors);
+  // What is read at once is a part of the memory, too: 24 bytes of input and 36 of what it becomes.
+  command.options.points_at_once = std::size_t(
+      (std::min)(std::uint64_t(4000000), command.options.memory / command.threads / 100));
+  command.options.progress = [&](const char* what, std::size_t done, std::size_t all) {
+    const std::string text =
+        std::string(what) + ": " + std::to_string(done) + " of " + std::to_string(all);
+    done == 0 ? messages.step(text) : messages.show(text);
+    return true;
+  };
+  if (command.next) {
+    std::cout << tiles.next(points, command.options) << '\n';
+    return EXIT_SUCCESS;
+  }
+  if (command.task) {
+    tiles.do_task(points, command.options, *command.task);
+    return EXIT_SUCCESS;
+  }
+  const CGAL::Tiles_report result = tiles.run(points, command.options);
+  messages.clear();
+  Report report(std::cout, command.json    ? Report::Style::JSON
+                           : command.quiet ? Report::Style::NONE
+                                           : Report::Style::TEXT);
+  report_tiles(command, result, report);
+  if (!command.join.empty())
+    report("finite cells joined", core::join_tiles(command.output, command.join));
+  if (!command.join.empty() && command.neighbors) {
+    const std::filesystem::path file = command.join;
+    core::join_tiles(command.output, file.parent_path() / (file.stem().string() + "-neighbors.npy"),
+                     "neighbors");
+  }
+  report.finish();
+  return EXIT_SUCCESS;
+}
+
+inline int tiles_command(int argc, char* argv[])
+{
+  Tiles_command command;
+  try {
+    command = parse_tiles_command(argc, argv);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string(error.what()) + " (--help explains all options)");
+  }
+  try {
+    return run_tiles_command(command);
+  } catch (const CGAL::Surface_input_error& error) {
+    throw std::runtime_error(error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_COMMAND_H

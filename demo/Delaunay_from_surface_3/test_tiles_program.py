@@ -1,0 +1,165 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Runs `delaunay_from_surface tiles` as a user would: killed again and again, with little memory, task by task by several
+processes, and on bad input. With LONG=1 in the environment the points are 30 million, and the limit is 2 GB."""
+
+import array
+import ast
+import json
+import os
+import random
+import resource
+import struct
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["DELAUNAY_FROM_SURFACE"]
+LONG = os.environ.get("LONG") == "1"
+POINTS, MEMORY, LIMIT, LAPSE = (30000000, "1200M", 2000, 240.) if LONG else (60000, "4M", 300, 1.5)
+
+
+def write_points(path, n, seed=1):
+    """Random ones near a sphere, which is as large as it is far from the origin."""
+    source = random.Random(seed)
+    with open(path, "wb") as file:
+        for first in range(0, n, 100000):
+            numbers = array.array("d")
+            for _ in range(min(100000, n - first)):
+                x, y, z = (source.gauss(0, 1) for _ in range(3))
+                scale = source.uniform(.98, 1) / (x * x + y * y + z * z) ** .5
+                numbers.extend((1 + scale * x, scale * y, scale * z))
+            numbers.tofile(file)
+
+
+def read_npy(path):
+    """Its type, shape and numbers."""
+    data = path.read_bytes()
+    length, = struct.unpack("<H", data[8:10])
+    head = ast.literal_eval(data[10:10 + length].decode())
+    numbers = array.array({"<i8": "q", "<f8": "d"}[head["descr"]])
+    numbers.frombytes(data[10 + length:])
+    return head["shape"], numbers
+
+
+class Tiles(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def command(self, *arguments):
+        return [PROGRAM, "tiles", *map(str, arguments)]
+
+    def works(self, *arguments, **options):
+        run = subprocess.run(self.command(*arguments), capture_output=True, text=True, check=False, **options)
+        self.assertEqual((run.stderr, run.returncode), ("", 0))
+        return run.stdout
+
+    def fails(self, *arguments, says, **options):
+        run = subprocess.run(self.command(*arguments), capture_output=True, text=True, check=False, **options)
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(run.stderr, f"^error: .*{says}.*\n$")
+
+    def test_killed_and_resumed_with_little_memory(self):
+        points = self.folder / "points.raw"
+        write_points(points, POINTS)
+
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (LIMIT * 2**20, LIMIT * 2**20))
+        arguments = (points, "--memory", MEMORY, "--output")
+        whole = self.folder / "whole"
+        report = json.loads(self.works(*arguments, whole, "--json", preexec_fn=limit))
+        self.assertEqual(report["points"], POINTS)
+        self.assertIn("holds", report["certificate"])
+        source, kills = random.Random(2), 0
+        while True:
+            with subprocess.Popen(self.command(*arguments, self.folder / "killed"), stdout=subprocess.DEVNULL,
+                                  preexec_fn=limit) as process:
+                try:
+                    process.wait(timeout=source.uniform(LAPSE / 20, LAPSE))
+                    break
+                except subprocess.TimeoutExpired:
+                    self.assertFalse((self.folder / "killed/tiles.json").exists())
+                    process.kill()
+                    kills += 1
+        self.assertEqual(process.returncode, 0)
+        self.assertGreater(kills, 0)
+        self.assertEqual(json.loads((whole / "tiles.json").read_text()),
+                         json.loads((self.folder / "killed/tiles.json").read_text()))
+        if not LONG:
+            for file in whole.glob("*.npy"):
+                self.assertEqual(file.read_bytes(), (self.folder / "killed" / file.name).read_bytes())
+        self.assertEqual([], [*self.folder.glob("**/*.unfinished")])
+        self.works(*arguments, whole, "--quiet")  # nothing is left to be done
+
+    def test_by_several_processes(self):
+        points, output = self.folder / "points.raw", self.folder / "tiles"
+        write_points(points, 3000)
+        arguments = (points, "--tiles", 5, "--output", output, "--vtu")
+        stages = 0
+        while (n := int(self.works(*arguments, "--next"))) > 0:
+            tasks = [*range(n), 0]  # one twice
+            random.Random(stages).shuffle(tasks)
+            processes = [subprocess.Popen(self.command(*arguments, "--task", k)) for k in tasks]
+            self.assertEqual({process.wait() for process in processes}, {0})
+            stages += 1
+        self.assertGreater(stages, 5)
+        self.fails(*arguments, "--task", 5, says="there are tasks 0 to 4 only")
+        here = self.folder / "here"
+        self.works(points, "--tiles", 5, "--output", here, "--threads", 2, "--join", self.folder / "all.npy",
+                   "--compare-cells", "--quiet")
+        self.assertEqual((here / "tiles.json").read_text(), (output / "tiles.json").read_text())
+        shape, joined = read_npy(self.folder / "all.npy")
+        cells = []
+        for t in range(5):
+            (vertices, _), coordinates = read_npy(output / f"points-{t:05}.npy")
+            (same,), ids = read_npy(output / f"ids-{t:05}.npy")
+            self.assertEqual((vertices, len(coordinates)), (same, 3 * len(ids)))
+            cells += read_npy(output / f"cells-{t:05}.npy")[1]
+            piece = (output / f"tile-{t:05}.vtu").read_bytes()
+            self.assertIn(b'GlobalIds="id"', piece)
+            self.assertTrue(piece.endswith(b"</VTKFile>\n"))
+            self.assertIn(f'Source="tile-{t:05}.vtu"', (output / "tiles.pvtu").read_text())
+        self.assertEqual((shape, cells), ((len(cells) // 4, 4), list(joined)))
+        numbers = array.array("d")
+        numbers.frombytes(points.read_bytes())
+        self.assertEqual(list(coordinates[:3]), list(numbers[3 * ids[0]:3 * ids[0] + 3]))
+
+    def test_bad_input(self):
+        points, output = self.folder / "points.raw", self.folder / "tiles"
+        write_points(points, 500)
+        self.fails("--output", output, says="no points given")
+        self.fails(points, says="'--output' needs a folder")
+        self.fails(self.folder / "none.npy", "--output", output, says="none.npy: cannot be read: No such file")
+        for memory in ("", "8X", "1K", "-1G", "nan", "8GG"):
+            self.fails(points, "--output", output, f"--memory={memory}", says="memory")
+        for tiles in (0, -1, 1000001, "x"):
+            self.fails(points, "--output", output, f"--tiles={tiles}", says="tiles")
+        self.fails(points, "--output", output, "--next", "--task", 0, says="exclude each other")
+        self.fails(points, "--output", points, says="points.raw/state: cannot be written")
+        bad = self.folder / "bad.raw"
+        bad.write_bytes(points.read_bytes() + struct.pack("<3d", 1, float("inf"), 1))
+        self.fails(points, bad, "--output", output, says="bad.raw: point 500: a coordinate is not a finite number")
+        self.assertFalse((output / "tiles.json").exists())
+        self.fails(points, "--output", output, says="holds the state of a run on another input, of 1001 points")
+        full = self.folder / "full"
+        self.fails(points, "--output", full, "--tiles", 3, says="File too large|No space left|cannot be written",
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (8000, 8000)), restore_signals=False)
+        self.assertEqual([], [*full.glob("**/*.unfinished"), *full.glob("*.npy")])
+        self.works(points, "--output", full, "--tiles", 3, "--quiet")  # goes on when there is room
+
+    def test_a_tile_that_is_too_large(self):
+        points = self.folder / "points.raw"
+        write_points(points, 20000)
+        self.fails(points, "--output", self.folder / "given", "--tiles", 2, "--memory", "2M",
+                   says="tile [01] of .* keeps more than .* that it may; point .* tiles would do")
+        report = json.loads(self.works(points, "--output", self.folder / "chosen", "--memory", "2M", "--json"))
+        self.assertGreater(report["tiles"], 4)
+
+
+if __name__ == "__main__":
+    unittest.main()

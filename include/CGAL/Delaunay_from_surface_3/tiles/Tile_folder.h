@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_FOLDER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_FOLDER_H
+
+// A folder with the state of a run of tiles: what each kind of file is called and holds. Ranges of the
+// input are numbered as tiles are.
+//
+//   input            what the run is of
+//   range-K          what is to be known of a range before there are tiles; then: tiling
+//   home-K           its points, by owner; then: homes
+//   tile-T-R         what tile T was after round R, if it heard anything in it
+//   post-T-R         what it told then; then: closed-R, where each message is
+//   show-R           which tiles show each other why they differ, before round R
+//   piece-T, certificate-T    what it has when all is done; then: certified
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_tree.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// What a run is of.
+struct Tiles_input
+{
+  std::uint64_t points, fingerprint, sample_share, points_at_once;
+  std::uint32_t tiles, compares_cells;
+};
+
+// Where a message is in the file of its sender, and how many points it has.
+struct Posted
+{
+  std::uint32_t from, to;
+  std::uint64_t offset, number;
+};
+
+struct Closed_round
+{
+  std::uint64_t told = 0, seed = 0;       // of the certificates, if nothing was told
+  std::vector<Posted> posts;              // by sender
+  std::vector<std::uint32_t> last_rounds; // by tile: that of its last state
+};
+
+class Tile_folder
+{
+public:
+  explicit Tile_folder(std::filesystem::path place)
+    : m_place(std::move(place))
+  {
+  }
+
+  const std::filesystem::path& place() const { return m_place; }
+  void set_run(std::uint64_t run) { m_run = run; }
+
+  std::filesystem::path file(const std::string& name) const { return m_place / name; }
+  std::filesystem::path file(const char* kind, std::size_t k) const
+  {
+    return m_place / (kind + ("-" + std::to_string(k)));
+  }
+  std::filesystem::path file(const char* kind, std::size_t k, std::size_t round) const
+  {
+    return m_place / (kind + ("-" + std::to_string(k)) + "-" + std::to_string(round));
+  }
+
+  void write_mark(const char* name) const { Record_writer(file(name), name, m_run).finish(); }
+
+  void write_input(const Tiles_input& input) const { write(file("input"), "input", input); }
+  Tiles_input read_input()
+  {
+    Record_reader from(file("input"), "input", 0);
+    m_run = from.run();
+    return from.get<Tiles_input>();
+  }
+
+  void write_summary(std::size_t k, const Range_summary& summary) const
+  {
+    write(file("range", k), "range", summary.largest, summary.least, summary.basis, summary.sample);
+  }
+  Range_summary read_summary(std::size_t k) const
+  {
+    Range_summary summary;
+    read(file("range", k), "range", summary.largest, summary.least, summary.basis, summary.sample);
+    return summary;
+  }
+
+  void write_tiling(const Tiling& tiling) const
+  {
+    write(file("tiling"), "tiling", tiling.tree.number_of_tiles(), tiling.tree.nodes(),
+          tiling.start, tiling.largest, tiling.least, tiling.number_of_points, tiling.sample);
+  }
+  Tiling read_tiling() const
+  {
+    std::uint32_t tiles = 0;
+    std::vector<Tile_tree::Node> nodes;
+    Tiling tiling{Tile_tree({}, 0), {}, 0, 0, 0, {}};
+    read(file("tiling"), "tiling", tiles, nodes, tiling.start, tiling.largest, tiling.least,
+         tiling.number_of_points, tiling.sample);
+    tiling.tree = Tile_tree(std::move(nodes), tiles);
+    return tiling;
+  }
+
+  // The points of a range, sorted by owner; those of tile t are those from ends[t] to ends[t + 1].
+  void write_home(std::size_t k, const std::vector<std::uint64_t>& ends,
+                  const std::vector<Tile_point>& points) const
+  {
+    write(file("home", k), "home", ends, points);
+  }
+  void append_home(std::size_t k, std::uint32_t tile, std::vector<Tile_point>& points) const
+  {
+    Record_reader from(file("home", k), "home", m_run);
+    const auto tiles = from.get<std::uint64_t>() - 1;
+    const std::uint64_t first = sizeof(Record_head) + 8;
+    std::vector<std::uint64_t> ends;
+    from.append_at(first + 8 * tile, 2, ends);
+    from.append_at(first + 8 * (tiles + 1) + 8 + sizeof(Tile_point) * ends[0], ends[1] - ends[0],
+                   points);
+  }
+
+  void write_state(std::uint32_t t, std::size_t round, const Tile_state& state) const
+  {
+    write(file("tile", t, round), "tile", state.kept, state.known, state.told);
+  }
+  Tile_state read_state(std::uint32_t t, std::size_t round) const
+  {
+    Tile_state state;
+    read(file("tile", t, round), "tile", state.kept, state.known, state.told);
+    return state;
+  }
+
+  void write_post(std::uint32_t t, std::size_t round,
+                  const std::vector<Tile_message>& messages) const
+  {
+    std::vector<Posted> posts;
+    std::uint64_t offset = sizeof(Record_head) + 8 + sizeof(Posted) * messages.size();
+    for (const Tile_message& m : messages) {
+      posts.push_back({m.from, m.to, offset, m.points.size()});
+      offset += 8 + sizeof(Tile_point) * m.points.size();
+    }
+    Record_writer to(file("post", t, round), "post", m_run);
+    to.put(posts);
+    for (const Tile_message& m : messages)
+      to.put(m.points);
+    to.finish();
+  }
+  std::vector<Posted> read_posts(std::uint32_t t, std::size_t round) const
+  {
+    std::vector<Posted> posts;
+    read(file("post", t, round), "post", posts);
+    return posts;
+  }
+  void append_message(const Posted& posted, std::size_t round,
+                      std::vector<Tile_point>& points) const
+  {
+    Record_reader(file("post", posted.from, round), "post", m_run)
+        .append_at(posted.offset + 8, posted.number, points);
+  }
+
+  void write_closed(std::size_t round, const Closed_round& closed) const
+  {
+    write(file("closed", round), "closed", closed.told, closed.seed, closed.posts,
+          closed.last_rounds);
+  }
+  Closed_round read_closed(std::size_t round) const
+  {
+    Closed_round closed;
+    read(file("closed", round), "closed", closed.told, closed.seed, closed.posts,
+         closed.last_rounds);
+    return closed;
+  }
+
+  void write_show(std::size_t round, const Tile_pairs& pairs) const
+  {
+    write(file("show", round), "show", pairs);
+  }
+  Tile_pairs read_show(std::size_t round) const
+  {
+    Tile_pairs pairs;
+    read(file("show", round), "show", pairs);
+    return pairs;
+  }
+
+  void write_certificate(const Tile_certificate& c) const
+  {
+    Record_writer to(file("certificate", c.tile), "certificate", m_run);
+    for (const std::uint64_t n :
+         {c.hull_vertices, c.hull_facets, c.own_points, c.points_kept, c.owned_cells, c.hash})
+      to.put(n);
+    to.put(std::uint64_t(c.common.size()));
+    for (const auto& [partner, sum] : c.common) {
+      to.put(partner);
+      to.put(sum);
+      const auto cells = c.cells.find(partner);
+      to.put(cells == c.cells.end() ? std::vector<Sorted_cell>() : cells->second);
+    }
+    to.finish();
+  }
+  Tile_certificate read_certificate(std::uint32_t t) const
+  {
+    Record_reader from(file("certificate", t), "certificate", m_run);
+    Tile_certificate c;
+    c.tile = t;
+    for (std::uint64_t* n :
+         {&c.hull_vertices, &c.hull_facets, &c.own_points, &c.points_kept, &c.owned_cells, &c.hash})
+      from.get(*n);
+    for (auto partners = from.get<std::uint64_t>(); partners > 0; --partners) {
+      const auto partner = from.get<std::uint32_t>();
+      from.get(c.common[partner]);
+      std::vector<Sorted_cell> cells;
+      from.get(cells);
+      if (!cells.empty())
+        c.cells[partner] = std::move(cells);
+    }
+    return c;
+  }
+
+  void write_piece(const Delaunay_3_tile& piece) const
+  {
+    write(file("piece", piece.number), "piece", piece.ids, piece.points,
+          std::uint64_t(piece.number_of_own_vertices), piece.cells,
+          std::uint64_t(piece.number_of_owned_cells),
+          std::uint64_t(piece.number_of_owned_finite_cells), piece.equal_points);
+  }
+  Delaunay_3_tile read_piece(std::uint32_t t) const
+  {
+    Delaunay_3_tile piece;
+    std::uint64_t own = 0, owned = 0, finite = 0;
+    read(file("piece", t), "piece", piece.ids, piece.points, own, piece.cells, owned, finite,
+         piece.equal_points);
+    piece.number = t;
+    piece.number_of_own_vertices = std::size_t(own);
+    piece.number_of_owned_cells = std::size_t(owned);
+    piece.number_of_owned_finite_cells = std::size_t(finite);
+    return piece;
+  }
+
+private:
+  template <class... Items>
+  void write(const std::filesystem::path& place, const char* kind, const Items&... items) const
+  {
+    Record_writer to(place, kind, m_run);
+    (to.put(items), ...);
+    to.finish();
+  }
+
+  template <class... Items>
+  void read(const std::filesystem::path& place, const char* kind, Items&... items) const
+  {
+    Record_reader from(place, kind, m_run);
+    (from.get(items), ...);
+  }
+
+  const std::filesystem::path m_place;
+  std::uint64_t m_run = 0;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_FOLDER_H

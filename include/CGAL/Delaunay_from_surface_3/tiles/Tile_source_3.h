@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_SOURCE_3_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_SOURCE_3_H
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace CGAL {
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
+
+/*!
+\ingroup PkgDelaunayFromSurface3Tiles
+
+is where `delaunay_3_tiles()` takes points from: any range of them at any time, by any thread. A point's
+id is its place, from 0 on.
+*/
+class Tile_source_3
+{
+public:
+  virtual ~Tile_source_3() = default;
+
+  /// returns the number of points.
+  virtual std::uint64_t size() const = 0;
+
+  /// writes the coordinates of the points `first`, …, `first + n - 1`, three of each.
+  virtual void read(std::uint64_t first, std::size_t n, double* coordinates) const = 0;
+
+  /// returns a name of a point, for messages.
+  virtual std::string name_of(std::uint64_t i) const { return "point " + std::to_string(i); }
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Tiles
+
+has `n` points that lie in memory, as `3 n` numbers that are somebody else's.
+*/
+class Tile_array_source_3 : public Tile_source_3
+{
+public:
+  /// keeps the pointer.
+  Tile_array_source_3(const double* coordinates, std::uint64_t n)
+    : m_coordinates(coordinates)
+    , m_size(n)
+  {
+  }
+
+  std::uint64_t size() const override { return m_size; }
+  void read(std::uint64_t first, std::size_t n, double* coordinates) const override
+  {
+    std::copy(m_coordinates + 3 * first, m_coordinates + 3 * (first + n), coordinates);
+  }
+
+private:
+  const double* m_coordinates;
+  std::uint64_t m_size;
+};
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+/// \endcond
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_SOURCE_3_H

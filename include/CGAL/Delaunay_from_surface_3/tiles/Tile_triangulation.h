@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_TRIANGULATION_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_TRIANGULATION_H
+
+// The triangulation that a tile has: its own points, and those of others that it keeps. Beside the
+// complex there are 12 bytes for a vertex, since coordinates are those of the complex.
+
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Power_of_scale.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+class Tile_triangulation
+{
+public:
+  using Id = std::uint32_t;
+  using Complex = Compact_complex<Id>;
+  using Cell = Compact_cell<Id>;
+
+  static constexpr std::uint64_t infinite_id = std::uint64_t(-1);
+  static constexpr std::uint32_t nobody = std::uint32_t(-1); // who owns the infinite vertex
+
+  // Of the four points that all tiles keep, with room for others. Keeps a reference.
+  Tile_triangulation(const Tiling& tiling, std::size_t number_of_points)
+    : m_tiling(tiling)
+    , m_scaled(tiling.largest, tiling.least)
+    , m_complex(4, [&](std::size_t i) { return m_scaled(tiling.start[i].coordinates); })
+    , m_inserter(m_complex)
+  {
+    m_ids.reserve(number_of_points + 5);
+    m_owners.reserve(number_of_points + 5);
+    m_ids.push_back(infinite_id);
+    m_owners.push_back(nobody);
+    for (const Tile_point& p : tiling.start)
+      note_vertex(p);
+    if (!m_scaled.is_exact())
+      for (const Tile_point& p : tiling.start)
+        m_complex.add_own_coordinates({p.coordinates[0], p.coordinates[1], p.coordinates[2]});
+    m_complex.start({1, 2, 3, 4});
+    m_complex.make_room_for_vertices(number_of_points + 5);
+    m_complex.make_room(8 * number_of_points + 64);
+  }
+  Tile_triangulation(const Tile_triangulation&) = delete;
+
+  // Inserts those that wants() when the zone of conflict is dug, in random rounds, each sorted by halves,
+  // and each point from the one before. If p has the place of vertex v, equal(v, id of p, id of v) says
+  // whether the smaller id is that of v then.
+  template <class Wants, class Equal>
+  void insert(const std::vector<Tile_point>& points, unsigned int seed, const Wants& wants,
+              const Equal& equal)
+  {
+    for (const std::size_t i : order_of(points, seed))
+      insert(points[i], wants, equal);
+  }
+
+  // While wants() is asked: the corners of the zone, each more than once, until visit(v) is true.
+  template <class Visit>
+  bool find_neighbor(const Visit& visit) const
+  {
+    const auto& zone = m_inserter.zone;
+    for (std::size_t f = 0; f < zone.number_of_facets; ++f)
+      for (const Id v : zone.facets[f].corners)
+        if (visit(v))
+          return true;
+    return false;
+  }
+
+  // The number of vertices, the infinite one, which is 0, included.
+  std::size_t vertices_end() const { return m_ids.size(); }
+  std::uint64_t id(Id v) const { return m_ids[v]; }
+  std::uint32_t owner(Id v) const { return m_owners[v]; }
+  Tile_point point(Id v) const
+  {
+    const auto c = m_complex.is_rounded() ? m_complex.own_coordinates(v)
+                                          : m_scaled.before(m_complex.vertex(v).coordinates);
+    return {m_ids[v], {c[0], c[1], c[2]}};
+  }
+
+  std::array<std::uint64_t, 4> ids_of(const Cell& cell) const
+  {
+    return {m_ids[cell.v[0]], m_ids[cell.v[1]], m_ids[cell.v[2]], m_ids[cell.v[3]]};
+  }
+
+  // Whose vertex has the smallest id.
+  std::uint32_t owner_of(const Cell& cell) const
+  {
+    return m_owners[*std::min_element(cell.v, cell.v + 4,
+                                      [&](Id v, Id w) { return m_ids[v] < m_ids[w]; })];
+  }
+
+  template <class Visit>
+  void for_each_cell(const Visit& visit) const
+  {
+    for (std::size_t c = 0; c < m_complex.cells_end(); ++c)
+      if (!Complex::is_dead(m_complex.cell(c)))
+        visit(m_complex.cell(c));
+  }
+
+private:
+  static std::vector<std::size_t> order_of(const std::vector<Tile_point>& points, unsigned int seed)
+  {
+    std::vector<double> coordinates;
+    coordinates.reserve(3 * points.size());
+    for (const Tile_point& p : points)
+      coordinates.insert(coordinates.end(), p.coordinates, p.coordinates + 3);
+    return geometric_rounds(Point_array(coordinates.data(), points.size()), seed, 0.125, 64).order;
+  }
+
+  template <class Wants, class Equal>
+  void insert(const Tile_point& point, const Wants& wants, const Equal& equal)
+  {
+    const double* const c = point.coordinates;
+    const Id p = m_complex.add_vertex(m_scaled(c));
+    if (!m_scaled.is_exact())
+      m_complex.add_own_coordinates({c[0], c[1], c[2]});
+    const auto location = m_inserter.walk(p, m_complex.vertex(m_previous).cell, Read_alone());
+    if (location.vertex != 0) { // of equal points the smallest number stands for all
+      m_complex.drop_last_vertex();
+      m_previous = location.vertex;
+      std::uint64_t& id = m_ids[location.vertex];
+      if (equal(location.vertex, point.id, id))
+        id = (std::min)(id, point.id);
+      return;
+    }
+    m_inserter.dig(p, location.cell);
+    if (!wants()) {
+      m_inserter.zone.revive(m_complex);
+      m_complex.drop_last_vertex();
+      m_previous = Complex::first_vertex(m_complex.cell(location.cell)); // the infinite one is last
+      return;
+    }
+    m_inserter.fill(p);
+    note_vertex(point);
+    m_previous = p;
+  }
+
+  void note_vertex(const Tile_point& p)
+  {
+    m_ids.push_back(p.id);
+    m_owners.push_back(m_tiling.tree.owner(p.coordinates));
+  }
+
+  const Tiling& m_tiling;
+  const Power_of_scale m_scaled;
+  Complex m_complex;
+  Inserter<Alone_with_complex<Id>> m_inserter;
+  Id m_previous = 1;
+  std::vector<std::uint64_t> m_ids; // by vertex; the smallest of those of equal points
+  std::vector<std::uint32_t> m_owners;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_TRIANGULATION_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_JOIN_TILES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_JOIN_TILES_H
+
+// One array from those of all tiles.
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Point_file_layout.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// How many rows the array of a tile has; they begin at byte 128 of the file, or where its head says.
+struct Rows_of_npy
+{
+  std::uint64_t number = 0, first = 0;
+
+  explicit Rows_of_npy(const std::filesystem::path& file)
+  {
+    Bytes_reader from(file);
+    unsigned char start[10] = {};
+    from.read(start, 10);
+    std::string head(start[8] + 256u * start[9], ' ');
+    from.read(head.data(), head.size());
+    first = 10 + head.size();
+    number = std::strtoull(value_of_key(head, "shape", ",").c_str(), nullptr, 10);
+    if (size_of_file(file) != first + number * sizeof(Global_cell))
+      refuse_file(file, "has another size than its head says");
+  }
+};
+
+// Writes the cells of all tiles, or their neighbors, in the order of the tiles, into one .npy. Returns how
+// many cells there are.
+inline std::uint64_t join_tiles(const std::filesystem::path& folder,
+                                const std::filesystem::path& output, const char* kind = "cells")
+{
+  if (!std::filesystem::exists(folder / "tiles.json"))
+    throw Tile_files_error(folder.string() + ": has no tiles.json: no run has ended there");
+  std::uint64_t rows = 0;
+  std::uint32_t tiles = 0;
+  for (; std::filesystem::exists(file_of_tile(folder, kind, tiles, "npy")); ++tiles)
+    rows += Rows_of_npy(file_of_tile(folder, kind, tiles, "npy")).number;
+  Bytes_writer to(output);
+  const std::string head = head_of_npy("i8", rows, 4);
+  to.write(head.data(), head.size());
+  std::vector<Global_cell> some(65536);
+  for (std::uint32_t t = 0; t < tiles; ++t) {
+    const auto file = file_of_tile(folder, kind, t, "npy");
+    const Rows_of_npy of_tile(file);
+    Bytes_reader from(file);
+    from.seek(of_tile.first);
+    for (std::uint64_t left = of_tile.number; left > 0;) {
+      const std::size_t n = std::size_t((std::min)(left, std::uint64_t(some.size())));
+      from.read(some.data(), n * sizeof(Global_cell));
+      to.write(some.data(), n * sizeof(Global_cell));
+      left -= n;
+    }
+  }
+  to.finish();
+  return rows;
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TILES_JOIN_TILES_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_NUMBER_OF_TILES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_NUMBER_OF_TILES_H
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+constexpr std::uint64_t bytes_per_point_kept = 300;
+constexpr std::uint64_t most_points_of_tile = std::uint64_t(1) << 27; // 30 bits for its cells
+
+// How many points a tile may keep, of so many that are in memory at once.
+inline std::size_t most_points_kept(const Tiles_options& options, std::size_t at_once)
+{
+  const std::uint64_t memory = options.memory / (std::max)(at_once, std::size_t(1));
+  return std::size_t(memory == 0
+                         ? most_points_of_tile
+                         : (std::min)(most_points_of_tile, (std::max)(memory / bytes_per_point_kept,
+                                                                      std::uint64_t(64))));
+}
+
+// For n points, if the worst tile keeps five times its own points, which are up to a tenth more than
+// those of others.
+inline std::uint32_t number_of_tiles(const Tiles_options& options, std::uint64_t n,
+                                     std::size_t at_once)
+{
+  const std::uint64_t most = n / (std::max)(options.least_points, std::uint32_t(1)) + 1;
+  if (options.number_of_tiles > 0)
+    return std::uint32_t((std::min)(most, std::uint64_t(options.number_of_tiles)));
+  const double kept = 5.5 * double(n);
+  const double tiles = kept / double(most_points_kept(options, at_once)) + 1;
+  return std::uint32_t((std::min)(double(most), (std::min)(tiles, 1e6)));
+}
+
+// After a tile of n points in all was too large: asks for as many as would do. False if there are none, or
+// not to be asked for.
+inline bool ask_for_more_tiles(Tiles_options& options, const Tile_too_large& error, std::uint64_t n,
+                               std::uint32_t tiles)
+{
+  options.number_of_tiles = error.number_of_tiles();
+  return options.starts_again && error.number_of_tiles() > 0 &&
+         number_of_tiles(options, n, 1) > tiles;
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TILES_NUMBER_OF_TILES_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_3_TILES_H
+#define CGAL_DELAUNAY_3_TILES_H
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_here.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/run_tiles.h>
+
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+
+namespace CGAL {
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
+
+/*!
+\ingroup PkgDelaunayFromSurface3Tiles
+
+is an engine of `delaunay_3_tiles()`: all tiles are in memory. It is constructed from the number of its
+threads.
+*/
+using Tiles_here_3 = Delaunay_from_surface_3::internal::Tiles_here;
+
+/*!
+\ingroup PkgDelaunayFromSurface3Tiles
+
+is an engine of `delaunay_3_tiles()`, out of core: what tiles keep is in files, and one tile for each
+thread in memory. It is constructed from a folder and the number of its threads. A process may be killed
+at any moment; the next call goes on where it was. The folder is made if need be.
+*/
+using Tiles_in_files_3 = Delaunay_from_surface_3::internal::Tiles_in_files;
+
+/*!
+\ingroup PkgDelaunayFromSurface3Tiles
+
+builds the Delaunay triangulation of more points than fit into memory, in tiles, and gives `sink` one
+tile after the other. The union of the cells that tiles own is that which `delaunay_3_arrays()` has,
+with the same perturbation. This is checked, not only proved: nothing is given before a certificate holds.
+
+<b>Complexity</b>: on surfaces each tile keeps about twice its own points and the tiles tell each other
+two to three points for each, in six to eight rounds; the worst tile measured kept six times its own. One
+vertex with n neighbors is kept with all of these by one tile.
+
+<b>Memory</b>, with `Tiles_in_files_3`: about 300 bytes for each point that a tile keeps, for each thread.
+<b>Disk</b>: the points (32 bytes each), 32 bytes for each that is kept, twice, and 16 for each cell of a tile.
+
+\tparam Engine `Tiles_here_3` or `Tiles_in_files_3`
+\tparam Sink a callable with an argument `Delaunay_3_tile`
+
+\param engine where the work is done
+\param source the points
+\param sink is called for each tile, in their order
+\param options what else there is to say
+
+\throws Surface_input_error if a coordinate is not finite, or all points lie in one plane
+\throws Tile_files_error if a file cannot be read or written, or the folder holds the state of another
+input or another number of tiles
+\throws Delaunay_from_surface_3::internal::Tile_too_large if a tile needs more memory than it may have,
+and beginning again with more tiles does not help
+\throws Tiles_stopped if `options.progress` returned `false`
+\throws std::runtime_error if the certificate does not hold in the end; this was never seen
+
+\sa `delaunay_3_arrays()`
+*/
+template <class Engine, class Sink>
+Tiles_report delaunay_3_tiles(Engine& engine, const Tile_source_3& source, Sink&& sink,
+                              Tiles_options options = Tiles_options())
+{
+  using namespace Delaunay_from_surface_3::internal;
+  for (;;) {
+    try {
+      engine.begin(source, options);
+      const Tiles_report report = run_tiles(engine, [] {
+        std::random_device random;
+        return std::uint64_t(random()) << 32 | random();
+      });
+      if (!report.is_certified)
+        throw std::runtime_error("the tiles do not fit together: the certificate does not hold");
+      for (std::uint32_t t = 0; t < report.tiles; ++t)
+        sink(engine.tile(t));
+      return report;
+    } catch (const Tile_too_large& error) {
+      if (!ask_for_more_tiles(options, error, engine.number_of_points(), engine.number_of_tiles()))
+        throw;
+      engine.forget();
+    }
+  }
+}
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+/// \endcond
+
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_3_TILES_H

@@ -1,0 +1,125 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""More points than fit into memory: files of points become files of tiles."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from pathlib import Path
+from typing import Any, Callable, Iterable, Iterator, NamedTuple, Optional, Tuple, Union
+
+import numpy as np
+
+from . import _delaunay_from_surface as _core
+from ._result import number_of_threads
+
+Place = Union[str, "os.PathLike[str]"]
+
+
+class Tile(NamedTuple):
+    """The cells that a tile owns; each cell of the triangulation is owned by one tile."""
+
+    ids: np.ndarray
+    """By vertex its place in the input, of equal points the smallest."""
+    points: np.ndarray
+    """By vertex its coordinates: array of shape (k, 3)."""
+    cells: np.ndarray
+    """By cell its four vertices, as places in `points`: array of shape (m, 4)."""
+
+
+class Tiles:
+    """A Delaunay triangulation in a folder, as `delaunay3_tiles` or the program writes it.
+
+    It is as long as there are tiles, and `tiles[k]` reads one. To go through it gives, tile by tile, the
+    arrays (points, cells) of a `Tile`: what streams through needs memory for one tile.
+    """
+
+    def __init__(self, folder: Place) -> None:
+        self.folder = Path(folder)
+        report = self.folder / "tiles.json"
+        if not report.is_file():
+            raise FileNotFoundError(f"{report}: there is none, so no run has ended there")
+        self.report: dict[str, Any] = json.loads(report.read_text(encoding="utf-8"))
+        """How many points, tiles and cells there are, how many points were told and kept, in how many rounds."""
+
+    def __len__(self) -> int:
+        return int(self.report["tiles"])
+
+    def file(self, kind: str, k: int) -> Path:
+        """The file of tile k with its "cells", "ids" or "points"."""
+        return self.folder / f"{kind}-{k:05}.npy"
+
+    def __getitem__(self, k: int) -> Tile:
+        if not 0 <= k < len(self):
+            raise IndexError(f"there are tiles 0 to {len(self) - 1}")
+        ids, points, cells = (np.load(self.file(kind, k)) for kind in ("ids", "points", "cells"))
+        order = np.argsort(ids)
+        return Tile(ids, points, order[np.searchsorted(ids, cells, sorter=order)])
+
+    def __iter__(self) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+        for k in range(len(self)):
+            tile = self[k]
+            yield tile.points, tile.cells
+
+
+def bytes_of(memory: Union[int, str]) -> int:
+    """A size such as 8000000000, "500M" or "8G", in bytes."""
+    if isinstance(memory, str):
+        found = re.fullmatch(r"(\d+(?:\.\d*)?)([KMGT]?)B?", memory.strip().upper())
+        if not found:
+            raise ValueError(f"memory: {memory!r} is no size such as '500M' or '8G'")
+        memory = int(float(found.group(1)) * 1024 ** " KMGT".index(found.group(2) or " "))
+    if memory < 10**6:
+        raise ValueError("memory: a tile needs 1 MB at least")
+    return int(memory)
+
+
+def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memory: Union[int, str] = "4G",
+                    tiles: Optional[int] = None, workers: Optional[int] = 1, vtu: bool = False,
+                    progress: Optional[Callable[[str, int, int], Optional[bool]]] = None) -> Tiles:
+    """Write the Delaunay triangulation of more points than fit into memory, tile by tile.
+
+    What was stopped, by whatever, goes on when it is called again. The union of the tiles is what `delaunay3`
+    would return for all points, and a certificate is checked before this returns.
+
+    Parameters
+    ----------
+    files
+        One file or several, whose points are numbered one after the other: .npy with an array of shape (n, 3) of
+        float64 or float32, stored row by row; binary .ply; or .raw, .bin, .f64 with little-endian float64 alone.
+        They are read by ranges.
+    output
+        The folder for the tiles, and for the state of the work. It is made if need be.
+    memory
+        What the tiles that are in memory at once may have: bytes, or a text such as "8G". It decides how many tiles
+        there are, at about 300 bytes for a point that a tile keeps; a tile keeps up to five times its own points.
+    tiles
+        How many tiles there are, if `memory` shall not decide.
+    workers
+        How many tiles are in memory at once; None: as many as there are processors.
+    vtu
+        Whether to write .vtu files for ParaView, too, with tiles.pvtu over them.
+    progress
+        Is called after each task with a word for what is done, how much of it is done and how much there is. If it
+        returns False, the work stops and `Stopped` is raised. The interpreter lock is released in between.
+
+    Raises
+    ------
+    OSError
+        If a file cannot be read or written, or is not what it should be, or the folder is that of another input.
+    ValueError
+        If a coordinate is not a finite number, all points lie in one plane, or an argument is out of range.
+    MemoryError
+        If a tile keeps more points than it may, and more tiles do not help or their number was given.
+    """
+    if isinstance(files, (str, os.PathLike)):
+        files = [files]
+    if tiles is not None and not 1 <= tiles <= 10**6:
+        raise ValueError("tiles: a number from 1 to 1000000 is needed")
+    _core.delaunay3_tiles([os.fspath(file) for file in files], os.fspath(output), tiles or 0, bytes_of(memory),
+                          number_of_threads(workers), vtu, progress)
+    return Tiles(output)

@@ -1,0 +1,392 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Tiles out of core: the same as tiles in memory, however often the work is stopped, and in whatever order
+// tasks are done; points from files of all kinds; and bad input, which is refused on one line.
+
+#define BOOST_TEST_MODULE test_tiles_in_files
+#include <boost/test/included/unit_test.hpp>
+
+#include <Delaunay_from_surface_3_surfaces/sphere.h>
+
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
+#include <CGAL/delaunay_3_arrays.h>
+#include <CGAL/delaunay_3_tiles.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Points = std::vector<std::array<double, 3>>;
+using Cells = std::vector<std::array<std::int64_t, 4>>;
+
+// A folder that goes when it is left.
+struct Folder
+{
+  const fs::path path =
+      fs::temp_directory_path() / ("tiles-" + std::to_string(std::random_device()()));
+
+  Folder() { fs::create_directories(path); }
+  ~Folder()
+  {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+};
+
+Points some_points(std::size_t n)
+{
+  Points points;
+  const auto sphere = surfaces::sphere(n, 0.1);
+  for (const auto& p : sphere.points)
+    points.push_back({p.x(), p.y(), p.z()});
+  return points;
+}
+
+CGAL::Tile_array_source_3 source_of(const Points& points)
+{
+  return {points.front().data(), points.size()};
+}
+
+CGAL::Tiles_options options_of(std::uint32_t tiles)
+{
+  CGAL::Tiles_options options;
+  options.number_of_tiles = tiles;
+  options.points_at_once = 300; // several ranges
+  options.least_points = 1;
+  return options;
+}
+
+CGAL::Tiles_report report_of_here(const Points& points, std::uint32_t tiles)
+{
+  CGAL::Tiles_here_3 engine;
+  return CGAL::delaunay_3_tiles(
+      engine, source_of(points), [](const CGAL::Delaunay_3_tile&) {}, options_of(tiles));
+}
+
+void check_same(const CGAL::Tiles_report& a, const CGAL::Tiles_report& b)
+{
+  BOOST_TEST(a.is_certified);
+  BOOST_TEST(a.hash == b.hash);
+  BOOST_TEST(a.cells == b.cells);
+  BOOST_TEST(a.told == b.told);
+  BOOST_TEST(a.kept == b.kept);
+  BOOST_TEST(a.rounds == b.rounds);
+}
+
+void write_bytes(const fs::path& file, const std::string& bytes)
+{
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+template <class T>
+std::string bytes_of(const std::vector<T>& items)
+{
+  return std::string(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(T));
+}
+
+Cells cells_of_npy(const fs::path& file)
+{
+  const core::Rows_of_npy rows(file);
+  Cells cells(std::size_t(rows.number));
+  core::Bytes_reader from(file);
+  from.seek(rows.first);
+  from.read(cells.data(), cells.size() * sizeof(cells[0]));
+  return cells;
+}
+
+Cells sorted(Cells cells)
+{
+  for (auto& cell : cells)
+    std::sort(cell.begin(), cell.end());
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+Cells finite_cells(const Points& points)
+{
+  const auto arrays = CGAL::delaunay_3_arrays(points);
+  Cells cells;
+  for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c) {
+    const auto v = arrays.vertices(c);
+    cells.push_back({v[0], v[1], v[2], v[3]});
+  }
+  return sorted(cells);
+}
+
+// What f() throws; it shall be one line, and name what it is about.
+template <class F>
+void check_refused(const F& f, const std::string& name, const std::string& what)
+{
+  try {
+    f();
+    BOOST_ERROR("not refused: " + what);
+  } catch (const std::exception& error) {
+    const std::string message = error.what();
+    BOOST_TEST(message.find(name) != std::string::npos, message);
+    BOOST_TEST(message.find(what) != std::string::npos, message);
+    BOOST_TEST(message.find('\n') == std::string::npos);
+  }
+}
+
+std::string npy(const std::string& type, const std::string& shape, const std::string& order,
+                const std::string& data)
+{
+  std::string head =
+      "{'descr': '" + type + "', 'fortran_order': " + order + ", 'shape': (" + shape + "), }\n";
+  const char start[] = {'\x93', 'N', 'U', 'M', 'P', 'Y', 1, 0, char(head.size()), 0};
+  return std::string(start, sizeof(start)) + head + data;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_same_as_in_memory)
+{
+  const Points points = some_points(2000);
+  for (const std::uint32_t tiles : {1u, 5u, 16u}) {
+    const Folder folder;
+    CGAL::Tiles_in_files_3 engine(folder.path, 2);
+    std::size_t given = 0;
+    const auto report = CGAL::delaunay_3_tiles(
+        engine, source_of(points),
+        [&](const CGAL::Delaunay_3_tile& tile) { given += tile.number_of_own_vertices; },
+        options_of(tiles));
+    BOOST_TEST(given == points.size());
+    check_same(report, report_of_here(points, tiles));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(stopped_again_and_again)
+{
+  const Points points = some_points(1500);
+  const auto expected = report_of_here(points, 7);
+  const Folder folder;
+  std::mt19937 random(1);
+  int stops = 0;
+  for (;;) {
+    CGAL::Tiles_options options = options_of(7);
+    int left = int(random() % 9);
+    options.progress = [&](const char*, std::size_t, std::size_t) { return left-- > 0; };
+    try {
+      core::Tiles_to_files tiles(folder.path, 1, false);
+      check_same(tiles.run(source_of(points), options), expected);
+      break;
+    } catch (const CGAL::Tiles_stopped&) {
+      ++stops; // a killed process leaves files that are not complete
+      write_bytes(folder.path / "state" / ("tile-0-0-" + std::to_string(stops) + ".unfinished"),
+                  "x");
+    }
+  }
+  BOOST_TEST(stops > 3);
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path))
+    BOOST_TEST(entry.path().extension() != ".unfinished");
+}
+
+BOOST_AUTO_TEST_CASE(task_by_task_in_any_order)
+{
+  const Points points = some_points(1500);
+  const Folder folder;
+  std::mt19937 random(1);
+  const auto source = source_of(points);
+  std::size_t stages = 0;
+  for (;; ++stages) {
+    const std::size_t n = core::Tiles_to_files(folder.path, 1, true).next(source, options_of(6));
+    if (n == 0)
+      break;
+    std::vector<std::size_t> tasks(n);
+    std::iota(tasks.begin(), tasks.end(), std::size_t(0));
+    std::shuffle(tasks.begin(), tasks.end(), random);
+    for (const std::size_t k : tasks)
+      core::Tiles_to_files(folder.path, 1, true).do_task(source, options_of(6), k);
+    check_refused(
+        [&] { core::Tiles_to_files(folder.path, 1, true).do_task(source, options_of(6), 99); },
+        folder.path.string(), "tasks 0 to");
+  }
+  BOOST_TEST(stages >= 6);
+  check_same(core::Tiles_to_files(folder.path, 1, true).run(source, options_of(6)),
+             report_of_here(points, 6));
+  BOOST_TEST(fs::exists(folder.path / "tiles.pvtu"));
+  BOOST_TEST(core::join_tiles(folder.path, folder.path / "all.npy") == finite_cells(points).size());
+  BOOST_TEST((sorted(cells_of_npy(folder.path / "all.npy")) == finite_cells(points)));
+}
+
+BOOST_AUTO_TEST_CASE(neighbors_by_global_numbers)
+{
+  const Points points = some_points(1000);
+  const Folder folder;
+  core::Tiles_to_files tiles(folder.path, 2, false, true);
+  tiles.run(source_of(points), options_of(6));
+  core::join_tiles(folder.path, folder.path / "cells.npy");
+  core::join_tiles(folder.path, folder.path / "links.npy", "neighbors");
+  const Cells cells = cells_of_npy(folder.path / "cells.npy");
+  const Cells links = cells_of_npy(folder.path / "links.npy");
+  BOOST_TEST(links.size() == cells.size());
+  std::size_t outside = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::int64_t d = links[c][k];
+      outside += d < 0;
+      for (std::size_t j = 0; j < 4 && d >= 0; ++j) // all other corners are the neighbour's, too
+        if (j != k)
+          BOOST_TEST(std::count(cells[std::size_t(d)].begin(), cells[std::size_t(d)].end(),
+                                cells[c][j]) == 1);
+      if (d >= 0)
+        BOOST_TEST(std::count(links[std::size_t(d)].begin(), links[std::size_t(d)].end(),
+                              std::int64_t(c)) == 1);
+    }
+  const auto arrays = CGAL::delaunay_3_arrays(points);
+  BOOST_TEST(outside == arrays.number_of_cells() - arrays.number_of_simplices());
+  fs::remove(folder.path / "neighbors-00003.npy");
+  tiles.run(source_of(points), options_of(6)); // which makes it again
+  core::join_tiles(folder.path, folder.path / "again.npy", "neighbors");
+  BOOST_TEST((cells_of_npy(folder.path / "again.npy") == links));
+}
+
+BOOST_AUTO_TEST_CASE(files_of_points)
+{
+  const Folder folder;
+  const Points points = some_points(900);
+  const std::string data = bytes_of(points);
+  write_bytes(folder.path / "a.npy", npy("<f8", "900, 3", "False", data));
+  write_bytes(folder.path / "b.raw", data);
+  std::vector<float> floats;
+  std::string swapped, ply;
+  for (const auto& p : points)
+    for (const double x : p)
+      floats.push_back(float(x));
+  for (std::size_t i = 0; i < data.size(); i += 8)
+    swapped.append(data.rend() - std::ptrdiff_t(i + 8), data.rend() - std::ptrdiff_t(i));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ply += "ab" + data.substr(24 * i, 24) + "c";
+  write_bytes(folder.path / "c.npy", npy("<f4", "900, 3", "False", bytes_of(floats)));
+  write_bytes(folder.path / "d.npy", npy(">f8", "900, 3", "False", swapped));
+  write_bytes(
+      folder.path / "e.ply",
+      "ply\nformat binary_little_endian 1.0\ncomment c\nelement camera 2\nproperty short s\n"
+      "element vertex 900\nproperty short n\nproperty double x\nproperty float64 y\n"
+      "property double z\nproperty uchar red\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n1234" +
+          ply + "xxx");
+  const CGAL::Point_files_3 files({folder.path / "a.npy", folder.path / "b.raw",
+                                   folder.path / "c.npy", folder.path / "d.npy",
+                                   folder.path / "e.ply"});
+  BOOST_TEST(files.size() == 4500u);
+  Points read(4500);
+  files.read(0, 4500, read.front().data());
+  for (std::size_t i = 0; i < read.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      BOOST_TEST(read[i][k] ==
+                 (i / 900 == 2 ? double(float(points[i % 900][k])) : points[i % 900][k]));
+  Points part(1000); // over the ends of files
+  files.read(850, 1000, part.front().data());
+  BOOST_TEST((std::equal(part.begin(), part.end(), read.begin() + 850)));
+  BOOST_TEST(files.name_of(901) == (folder.path / "b.raw").string() + ": point 1");
+}
+
+BOOST_AUTO_TEST_CASE(bad_files)
+{
+  const Folder folder;
+  const auto refused = [&](const std::string& name, const std::string& bytes,
+                           const std::string& why) {
+    write_bytes(folder.path / name, bytes);
+    check_refused([&] { CGAL::Point_files_3({folder.path / name}); }, name, why);
+  };
+  const std::string ply = "ply\nformat binary_little_endian 1.0\n";
+  refused("short.npy", npy("<f8", "2, 3", "False", std::string(47, ' ')), "ends early");
+  refused("flat.npy", npy("<f8", "6,", "False", std::string(48, ' ')), "shape");
+  refused("cube.npy", npy("<f8", "1, 3, 2", "False", std::string(48, ' ')), "shape");
+  refused("columns.npy", npy("<f8", "2, 3", "True", std::string(48, ' ')), "column");
+  refused("int.npy", npy("<i8", "2, 3", "False", std::string(48, ' ')), "<i8");
+  refused("text.npy", "0 0 0, 1 1 1", "NumPy");
+  refused("empty.npy", "", "ends early");
+  refused("odd.raw", std::string(25, ' '), "24 bytes");
+  refused("points.xyz", "", "extension");
+  refused("text.ply",
+          "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+          "property float z\nend_header\n0 0 0\n",
+          "text");
+  refused("flat.ply", ply + "element vertex 1\nproperty float x\nproperty float y\nend_header\n",
+          "x, y, z");
+  refused("list.ply",
+          ply + "element face 1\nproperty list uchar int i\nelement vertex 1\nend_header\n",
+          "lists");
+  refused("none.ply", ply + "end_header\n", "no vertices");
+  refused("head.ply", ply, "no end");
+  refused("short.ply",
+          ply + "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+                "end_header\nxxxxyyyyzzzz",
+          "ends early");
+  check_refused([&] { CGAL::Point_files_3({folder.path / "none.npy"}); }, "none.npy",
+                "No such file");
+  write_bytes(folder.path / "nan.raw", bytes_of(std::vector<double>{0, 0, 0, 1, 1, std::nan("")}));
+  const auto run = [](const CGAL::Tile_source_3& source, const fs::path& place) {
+    core::Tiles_to_files(place, 1, false).run(source, options_of(3));
+  };
+  check_refused([&] { run(CGAL::Point_files_3({folder.path / "nan.raw"}), folder.path / "out"); },
+                "nan.raw", "point 1: a coordinate is not a finite number");
+  const Points plane = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
+  check_refused([&] { run(source_of(plane), folder.path / "plane"); }, "plane",
+                "delaunay_3_arrays");
+}
+
+BOOST_AUTO_TEST_CASE(states_of_others)
+{
+  const Folder folder;
+  const Points points = some_points(800), others = some_points(900);
+  Points moved = points;
+  for (auto& p : moved)
+    p[0] += 1;
+  const auto run = [&](const Points& p, std::uint32_t tiles) {
+    return core::Tiles_to_files(folder.path, 1, false).run(source_of(p), options_of(tiles));
+  };
+  const auto report = run(points, 4);
+  const std::string place = folder.path.string();
+  check_refused([&] { run(others, 4); }, place, "another input");
+  check_refused([&] { run(moved, 4); }, place, "another input");
+  check_refused([&] { run(points, 5); }, place, "4 tiles");
+  check_same(run(points, 4), report);
+
+  const fs::path tiling = folder.path / "state" / "tiling";
+  const auto size = fs::file_size(tiling);
+  fs::resize_file(tiling, size - 1);
+  check_refused([&] { run(points, 4); }, tiling.string(), "ends early");
+  write_bytes(folder.path / "state" / "input",
+              "dfs3 tiles 0 input, of an older version of the program");
+  check_refused([&] { run(points, 4); }, "input", "version");
+  fs::remove_all(folder.path / "state");
+  check_refused([&] { run(points, 4); }, "tiles.json", "another run");
+  fs::remove(folder.path / "tiles.json");
+  check_refused([&] { run(points, 4); }, "cells-00000.npy", "another run");
+}
+
+#ifdef __linux__
+BOOST_AUTO_TEST_CASE(no_room_on_the_disk)
+{
+  if (!fs::exists("/dev/full"))
+    return;
+  const Folder folder;
+  fs::create_directories(folder.path / "state");
+  core::Bytes_writer to(folder.path / "file");
+  // Where what is written aside should go there is a device that is full.
+  for (const auto& entry : fs::directory_iterator(folder.path))
+    BOOST_TEST((entry.path().filename() == "state" || entry.path().extension() == ".unfinished"));
+  check_refused([&] { core::Bytes_writer("/dev/full/file"); }, "/dev/full/file",
+                "cannot be written");
+}
+#endif
