@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The extension behind the Python module delaunay_from_surface, whose docstrings say what it does. It
-// names no other library than Python's: the core needs none.
+// The extension behind the Python module delaunay_from_surface, whose docstrings say what it does.
+// It names no other library than Python's: the core needs none.
 
 #include "Copied_points.h"
 #include "Interruptible_watcher.h"

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Twenty rebuilds of points that move a little in between, as in a simulation or the training of a
-// scene: by plain CGAL, and by this package into arrays, with an order made anew each time and with that
-// of the call before. Writes JSON; the times are of all rebuilds together.
+// scene: by plain CGAL, and by this package into arrays, with an order made anew each time and with
+// that of the call before. Writes JSON; the times are of all rebuilds together.
 
 #include <Delaunay_from_surface_3_comparison/gains.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
@@ -48,8 +48,8 @@ Points points_of_surface(std::size_t n)
   return points;
 }
 
-// Calls build(points) for each place of the points; each step is `length` on average. Returns the sum of
-// what the builds return.
+// Calls build(points) for each place of the points; each step is `length` on average. Returns the
+// sum of what the builds return.
 template <class Build>
 std::size_t rebuild(Points points, double length, const Build& build)
 {

@@ -155,7 +155,8 @@ std::size_t insert_in_spatial_order(const std::vector<Point>& points, const IsLe
 }
 
 // In random order, with levels to locate by; is_left_out(i, q) of all vertices of the cell that
-// contains the point, where what lies outside the convex hull is inserted; or of the nearest vertex.
+// contains the point, where what lies outside the convex hull is inserted; or of the nearest
+// vertex.
 template <class IsLeftOut>
 std::size_t insert_in_random_order(const std::vector<Point>& points, const IsLeftOut& is_left_out,
                                    bool asks_of_nearest)

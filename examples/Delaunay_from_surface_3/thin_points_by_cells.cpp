@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The default loop of COLMAP's mesher, by a visitor: a point that was reconstructed from images is left
-// out if it looks like all four vertices of the cell that contains it, in every image that shows it. The
-// loop that locates each point in plain CGAL, asks, and inserts comes second, in the same order, and
-// leaves out the same points.
+// The default loop of COLMAP's mesher, by a visitor: a point that was reconstructed from images is
+// left out if it looks like all four vertices of the cell that contains it, in every image that
+// shows it. The loop that locates each point in plain CGAL, asks, and inserts comes second, in the
+// same order, and leaves out the same points.
 
 #include <CGAL/insert_points_3.h>
 

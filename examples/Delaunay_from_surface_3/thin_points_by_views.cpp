@@ -4,9 +4,9 @@
 
 // Points that were reconstructed from images are thinned where the images cannot tell them apart: a
 // point is left out if in all images that show it the nearest vertex has a similar depth and lies
-// within a few pixels. That is what OpenMVS does before it cuts a surface out of the cells; what COLMAP
-// asks is in thin_points_by_cells.cpp. Images that show a point that
-// is left out then count for the vertex that stands for it.
+// within a few pixels. That is what OpenMVS does before it cuts a surface out of the cells; what
+// COLMAP asks is in thin_points_by_cells.cpp. Images that show a point that is left out then count
+// for the vertex that stands for it.
 
 #include <CGAL/insert_points_3.h>
 
@@ -61,7 +61,8 @@ struct Camera
   }
 };
 
-// Eight cameras around the points. Real ones come with the images, as does which of them see a point.
+// Eight cameras around the points. Real ones come with the images, as does which of them see a
+// point.
 std::vector<Camera> cameras_around(const Point& center, double radius)
 {
   std::vector<Camera> cameras;

@@ -133,8 +133,8 @@ below
     \cgalParamDefault{the items themselves}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order; it decides the numbers of the cells, too. That
-      of points alone is random only where its budget is exceeded.}
+    \cgalParamDescription{the seed of the insertion order; it decides the numbers of the cells, too.
+    That of points alone is random only where its budget is exceeded.}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd
@@ -210,9 +210,9 @@ for (int step = 0; step < 20; ++step) {
 \endcode
 
 \param points the points
-\param order the order of the last call, which this call leaves behind: if it is one of another number
-of points, an empty one included, or is too costly by now, a new one is made. It never changes the
-cells, only their numbers, and the time. 16 bytes per point.
+\param order the order of the last call, which this call leaves behind: if it is one of another
+number of points, an empty one included, or is too costly by now, a new one is made. It never
+changes the cells, only their numbers, and the time. 16 bytes per point.
 \param np as above
 
 \throws Surface_input_error also if `order` is no order

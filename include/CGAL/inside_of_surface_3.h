@@ -28,28 +28,30 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Inside
 
-returns which tetrahedra of a triangulation lie inside a surface on its points, by the winding numbers
-of their centres: see `Winding_number_3`. The surface need not be closed: it may have gaps, faces that
-are turned round or given twice, and parts that overlap, where it goes around more often.
+returns which tetrahedra of a triangulation lie inside a surface on its points, by the winding
+numbers of their centres: see `Winding_number_3`. The surface need not be closed: it may have gaps,
+faces that are turned round or given twice, and parts that overlap, where it goes around more often.
 
-A surface has an inside if one of two holds. The volume of the tetrahedra that are surely inside, with
-numbers near a whole one other than 0, is larger than that of the tetrahedra in doubt, whose numbers
-differ by more than 0.1 from all whole ones. Or not more is in doubt than inside, and triangles that close its
-openings, from the middle of each, have at most 3/10 of its area: a hull without a deck, a tube that is
-not too short. (The second was found by trying: of the files in \ref dfs_inside it tells apart what is a
-solid but for a deck or ends, and what is a patch.) A patch, a sheet, a Möbius strip and points alone have none.
+A surface has an inside if one of two holds. The volume of the tetrahedra that are surely inside,
+with numbers near a whole one other than 0, is larger than that of the tetrahedra in doubt, whose
+numbers differ by more than 0.1 from all whole ones. Or not more is in doubt than inside, and
+triangles that close its openings, from the middle of each, have at most 3/10 of its area: a hull
+without a deck, a tube that is not too short. (The second was found by trying: of the files in \ref
+dfs_inside it tells apart what is a solid but for a deck or ends, and what is a patch.) A patch, a
+sheet, a Möbius strip and points alone have none.
 
 \tparam ConcurrencyTag as for `delaunay_3_arrays()`
 
 \param points the points, as `delaunay_3_arrays()` takes them
-\param faces the faces: for each the indices of its points in order, counterclockwise seen from outside
+\param faces the faces: for each the indices of its points in order, counterclockwise seen from
+outside
 \param arrays the triangulation of these points; its neighbours are not read
 
 <b>Complexity</b>: \f$O((n + m) \log n)\f$ for n faces and m tetrahedra where the surface is spread
 evenly.
 
-\throws Surface_input_error if a coordinate is not a finite number, an index is out of range, the points
-are not as many as those of `arrays` or lie in a plane, or the surface has no inside
+\throws Surface_input_error if a coordinate is not a finite number, an index is out of range, the
+points are not as many as those of `arrays` or lie in a plane, or the surface has no inside
 
 \sa `delaunay_3_arrays()`
 */

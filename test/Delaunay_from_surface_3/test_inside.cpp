@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Winding numbers: against exact solid angles, against sums without a hierarchy, and by the volumes of what
-// they call inside, on surfaces that are closed, hurt, nested, and none at all.
+// Winding numbers: against exact solid angles, against sums without a hierarchy, and by the volumes
+// of what they call inside, on surfaces that are closed, hurt, nested, and none at all.
 
 #define BOOST_TEST_MODULE test_inside
 #include <boost/test/included/unit_test.hpp>
@@ -106,7 +106,8 @@ double volume_of(const std::array<Coordinates, 4>& p)
          6;
 }
 
-// Six times the volume of the tetrahedron of a face and the origin, over all faces: that of what is inside.
+// Six times the volume of the tetrahedron of a face and the origin, over all faces: that of what is
+// inside.
 double volume_of(const Soup& soup)
 {
   double sum = 0;
@@ -173,7 +174,8 @@ BOOST_AUTO_TEST_CASE(test_exact_solid_angles)
 
 BOOST_AUTO_TEST_CASE(test_hierarchy)
 {
-  // What is far counts as a whole: the error is small, near and far, on closed surfaces and open ones.
+  // What is far counts as a whole: the error is small, near and far, on closed surfaces and open
+  // ones.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1.5, 1.5);
   surfaces::Indexed_surface open = surfaces::sphere(2000);
@@ -194,7 +196,8 @@ BOOST_AUTO_TEST_CASE(test_hierarchy)
   }
 }
 
-// One tetrahedron is asked for a region; all others must have what they would say if they were asked.
+// One tetrahedron is asked for a region; all others must have what they would say if they were
+// asked.
 BOOST_AUTO_TEST_CASE(test_regions)
 {
   surfaces::Indexed_surface holes = surfaces::genus_surface(3, 3000, 0.05, 1),

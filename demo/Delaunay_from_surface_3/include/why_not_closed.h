@@ -43,8 +43,8 @@ inline std::string in_words(const Bad_edges& edges, const Surface& surface)
   return text.str();
 }
 
-// Why faces are not a closed mesh of triangles, in words, numbers and places; equal points are one. To
-// be asked only if they are not one.
+// Why faces are not a closed mesh of triangles, in words, numbers and places; equal points are one.
+// To be asked only if they are not one.
 inline std::string why_not_closed(const Surface& surface,
                                   const CGAL::Delaunay_3_arrays<std::int32_t>& arrays)
 {

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_VIEW_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_VIEW_H
 
-// --view: a page for a browser that holds all it needs. The folder view/ has its parts; view.js draws with
-// three.js what is written here.
+// --view: a page for a browser that holds all it needs. The folder view/ has its parts; view.js
+// draws with three.js what is written here.
 
 #include "Options.h"
 #include "Report.h"
@@ -90,7 +90,8 @@ DFS::Insertion_order order_of(const Surface& surface, const Traits& traits, unsi
   return plan(surface.points, Kernel(), graph, DFS::internal::Identity_index_map());
 }
 
-// The edges of the subgraph of bounded degree, as indices of input points; none where there is no such graph.
+// The edges of the subgraph of bounded degree, as indices of input points; none where there is no
+// such graph.
 inline std::vector<std::size_t> subgraph_of(const Surface& surface)
 {
   std::vector<std::size_t> ends;

@@ -19,8 +19,8 @@ says which tetrahedra lie inside a surface: what `inside_of_surface_3()` returns
 struct Inside_3
 {
   /// of each tetrahedron, at the mean of its corners, up to about 0.01: 0 outside and 1 inside a
-  /// closed surface, -1 where its triangles are turned inwards, 2 inside two parts that overlap, and
-  /// numbers between these near gaps.
+  /// closed surface, -1 where its triangles are turned inwards, 2 inside two parts that overlap,
+  /// and numbers between these near gaps.
   std::vector<double> winding_numbers;
 
   /// how many tetrahedra have a number that differs by more than 0.1 from all whole ones.
@@ -32,7 +32,8 @@ struct Inside_3
   /// the volume of the tetrahedra with such doubtful numbers, over that of those inside.
   double doubtful_volume = 0;
 
-  /// the area of triangles that would close the openings, each from its middle, over that of the surface.
+  /// the area of triangles that would close the openings, each from its middle, over that of the
+  /// surface.
   double share_of_openings = 0;
 
   /// returns whether tetrahedron `c` counts as inside: its number is at least 1/2, or at most -1/2.

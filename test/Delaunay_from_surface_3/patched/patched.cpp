@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What CGAL's classes make of points, in words: test_patches.py compiles it with CGAL's headers as they are,
-// and with those that the patches of the manual's folder patches/ have changed.
+// What CGAL's classes make of points, in words: test_patches.py compiles it with CGAL's headers as
+// they are, and with those that the patches of the manual's folder patches/ have changed.
 
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_BOX_TREE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_BOX_TREE_H
 
-// Does a tetrahedron meet any of some triangles? By their boxes in a hierarchy, and then by planes: if
-// none of these separates the two they are taken to meet.
+// Does a tetrahedron meet any of some triangles? By their boxes in a hierarchy, and then by planes:
+// if none of these separates the two they are taken to meet.
 //
 // Invariant: as that of Winding_tree.
 
@@ -95,8 +95,8 @@ private:
     return int(d > tolerance) - int(d < -tolerance);
   }
 
-  // By the plane of a facet, or by that of the triangle? If a facet and the triangle lie in one plane they
-  // may overlap there: then they are not.
+  // By the plane of a facet, or by that of the triangle? If a facet and the triangle lie in one
+  // plane they may overlap there: then they are not.
   static bool are_separated(const std::array<Vector_3d, 4>& p, const Triangle_3d& triangle)
   {
     constexpr double near = 1e-10; // of the size of all

@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_MULTIPOLE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_MULTIPOLE_H
 
-// What oriented triangles look like from far away: the expansion of their solid angle around a centre,
-// to the third order (Barill et al. 2018). The field r / |r|³ is a gradient, so only the symmetric parts
-// of the moments of area vectors n and places y count: Σ n, Σ n y, ½ Σ ∫ n y y.
+// What oriented triangles look like from far away: the expansion of their solid angle around a
+// centre, to the third order (Barill et al. 2018). The field r / |r|³ is a gradient, so only the
+// symmetric parts of the moments of area vectors n and places y count: Σ n, Σ n y, ½ Σ ∫ n y y.
 
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

@@ -5,13 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_REGIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_REGIONS_H
 
-// Tetrahedra between which there is no triangle of a surface. The winding number of a closed surface is
-// the same in all of a region, so one of them is asked.
+// Tetrahedra between which there is no triangle of a surface. The winding number of a closed
+// surface is the same in all of a region, so one of them is asked.
 //
-// Most triangles of a dense sample are facets. Those that are not, and those that close the openings,
-// cut tetrahedra: these are regions of their own.
-// Invariant: from the centre of a tetrahedron to that of another of its region a path through facets
-// meets no triangle. Expected linear, but for what is cut.
+// Most triangles of a dense sample are facets. Those that are not, and those that close the
+// openings, cut tetrahedra: these are regions of their own.
+// Invariant: from the centre of a tetrahedron to that of another of its region a path through
+// facets meets no triangle. Expected linear, but for what is cut.
 
 #include <CGAL/Delaunay_from_surface_3/inside/Box_tree.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>

@@ -6,8 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_WINDING_TREE_H
 
 // Generalised winding numbers (Jacobson, Kavan, Sorkine-Hornung 2013): the sum of the solid angles
-// of oriented triangles over 4π. It is a whole number where they are closed, and nearly one where they
-// nearly are. Triangles far away are taken together (Barill et al. 2018).
+// of oriented triangles over 4π. It is a whole number where they are closed, and nearly one where
+// they nearly are. Triangles far away are taken together (Barill et al. 2018).
 //
 // Invariant: the clusters stand in preorder, each before its two halves; `next` leads past these.
 // Cost: O(n log n) for n triangles; a query O(log n) clusters where these are spread evenly.

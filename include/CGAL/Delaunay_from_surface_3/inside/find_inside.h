@@ -60,9 +60,10 @@ public:
 
   double doubtful_volume() const { return m_inside > 0 ? m_doubtful / m_inside : 0; }
 
-  // Where more is in doubt than surely inside, and the openings are wide, the surface is no border of a
-  // solid. Where an opening lies in a plane, as that of a hull without a deck, the numbers are more than
-  // 1/2 up to there, however wide it is: then it is enough if not more is in doubt than inside.
+  // Where more is in doubt than surely inside, and the openings are wide, the surface is no border
+  // of a solid. Where an opening lies in a plane, as that of a hull without a deck, the numbers are
+  // more than 1/2 up to there, however wide it is: then it is enough if not more is in doubt than
+  // inside.
   bool has_inside(double share_of_openings) const
   {
     constexpr double widest = 0.3;
@@ -128,8 +129,8 @@ void find_numbers(const Winding_tree& tree, const Cells& cells,
                  });
 }
 
-// Those of all, by regions: there the number of the surface less that of the triangles that close it is
-// one whole number.
+// Those of all, by regions: there the number of the surface less that of the triangles that close
+// it is one whole number.
 template <class Cells>
 void find_numbers_by_regions(const Winding_tree& tree, const Cells& cells,
                              const std::vector<Corners>& triangles,

@@ -6,9 +6,9 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_OPENINGS_H
 
 // Where oriented faces are not closed: edges that they pass more often in one direction than in the
-// other. The winding number jumps nowhere else but at faces, and it is a whole number if there is no such
-// edge. How large the openings are is estimated: each connected set of these edges is joined with its
-// middle by triangles, which would close it. Linear, but for what is open.
+// other. The winding number jumps nowhere else but at faces, and it is a whole number if there is
+// no such edge. How large the openings are is estimated: each connected set of these edges is
+// joined with its middle by triangles, which would close it. Linear, but for what is open.
 
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>

@@ -24,8 +24,8 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The order of the last call, for points that have moved a little: the caller keeps it from call to
-// call. Where there is none yet, or it is one of fewer or more points, or it costs too much by now, a
-// new one is made and kept.
+// call. Where there is none yet, or it is one of fewer or more points, or it costs too much by now,
+// a new one is made and kept.
 class Kept_order final : public Order_source
 {
 public:
