@@ -50,9 +50,9 @@ builds the Delaunay triangulation of more points than fit into memory, in tiles,
 tile after the other. The union of the cells that tiles own is that which `delaunay_3_arrays()` has,
 with the same perturbation. This is checked, not only proved: nothing is given before a certificate holds.
 
-<b>Complexity</b>: on surfaces each tile keeps about twice its own points and the tiles tell each other
-two to three points for each, in six to eight rounds; the worst tile measured kept six times its own. One
-vertex with n neighbors is kept with all of these by one tile.
+<b>Complexity</b>: on surfaces each tile keeps less than twice its own points and is told up to two points for
+each, in about six rounds; the worst tile measured kept seven times its own. One vertex with n neighbors is
+kept with all of these by one tile.
 
 <b>Memory</b>, with `Tiles_in_files_3`: about 300 bytes for each point that a tile keeps, for each thread.
 <b>Disk</b>: the points (32 bytes each), 32 bytes for each that is kept, twice, and 16 for each cell of a tile.
