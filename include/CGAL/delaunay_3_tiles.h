@@ -54,7 +54,7 @@ with the same perturbation. This is checked, not only proved: nothing is given b
 each, in about six rounds; the worst tile measured kept seven times its own. One vertex with n neighbors is
 kept with all of these by one tile.
 
-<b>Memory</b>, with `Tiles_in_files_3`: about 300 bytes for each point that a tile keeps, for each thread.
+<b>Memory</b>, with `Tiles_in_files_3`: about 480 bytes for each point that a tile keeps, for each thread.
 <b>Disk</b>: the points (32 bytes each), 32 bytes for each that is kept, twice, and 16 for each cell of a tile.
 
 \tparam Engine `Tiles_here_3` or `Tiles_in_files_3`
