@@ -29,33 +29,37 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is an engine of `delaunay_3_tiles()`: all tiles are in memory. It is constructed from the number of its
-threads.
+is an engine of `delaunay_3_tiles()`: all tiles are in memory. It is constructed from the number of
+its threads.
 */
 using Tiles_here_3 = Delaunay_from_surface_3::internal::Tiles_here;
 
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is an engine of `delaunay_3_tiles()`, out of core: what tiles keep is in files, and one tile for each
-thread in memory. It is constructed from a folder and the number of its threads. A process may be killed
-at any moment; the next call goes on where it was. The folder is made if need be.
+is an engine of `delaunay_3_tiles()`, out of core: what tiles keep is in files, and one tile for
+each thread in memory. It is constructed from a folder and the number of its threads. A process may
+be killed at any moment; the next call goes on where it was. The folder is made if need be.
 */
 using Tiles_in_files_3 = Delaunay_from_surface_3::internal::Tiles_in_files;
 
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-builds the Delaunay triangulation of more points than fit into memory, in tiles, and gives `sink` one
-tile after the other. The union of the cells that tiles own is that which `delaunay_3_arrays()` has,
-with the same perturbation. This is checked, not only proved: nothing is given before a certificate holds.
+builds the Delaunay triangulation of more points than fit into memory, in tiles, and gives `sink`
+one tile after the other. The union of the cells that tiles own is that which `delaunay_3_arrays()`
+has, with the same perturbation. This is checked, not only proved: nothing is given before a
+certificate holds.
 
-<b>Complexity</b>: on surfaces each tile keeps about twice its own points and the tiles tell each other
-two to three points for each, in six to eight rounds; the worst tile measured kept six times its own. One
-vertex with n neighbors is kept with all of these by one tile.
+<b>Complexity</b>: on surfaces each tile keeps less than twice its own points and is told up to five
+points for each, in about six rounds; the worst tile measured kept four times its own, and
+twenty times where two planes met. One vertex with n neighbors is kept with all of these by one
+tile.
 
-<b>Memory</b>, with `Tiles_in_files_3`: about 300 bytes for each point that a tile keeps, for each thread.
-<b>Disk</b>: the points (32 bytes each), 32 bytes for each that is kept, twice, and 16 for each cell of a tile.
+<b>Memory</b>, with `Tiles_in_files_3`: about 480 bytes for each point that a tile keeps, for each
+thread.
+<b>Disk</b>: the points (32 bytes each), 32 bytes for each that is kept, twice, and 16 for each cell
+of a tile.
 
 \tparam Engine `Tiles_here_3` or `Tiles_in_files_3`
 \tparam Sink a callable with an argument `Delaunay_3_tile`
@@ -66,10 +70,10 @@ vertex with n neighbors is kept with all of these by one tile.
 \param options what else there is to say
 
 \throws Surface_input_error if a coordinate is not finite, or all points lie in one plane
-\throws Tile_files_error if a file cannot be read or written, or the folder holds the state of another
-input or another number of tiles
-\throws Delaunay_from_surface_3::internal::Tile_too_large if a tile needs more memory than it may have,
-and beginning again with more tiles does not help
+\throws Tile_files_error if a file cannot be read or written, or the folder holds the state of
+another input or another number of tiles
+\throws Delaunay_from_surface_3::internal::Tile_too_large if a tile needs more memory than it may
+have, and beginning again with more tiles does not help
 \throws Tiles_stopped if `options.progress` returned `false`
 \throws std::runtime_error if the certificate does not hold in the end; this was never seen
 

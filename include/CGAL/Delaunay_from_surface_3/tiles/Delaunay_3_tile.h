@@ -20,20 +20,21 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is what `delaunay_3_tiles()` gives for a tile: the stars of the vertices that are the tile's own, in the
-Delaunay triangulation of all points. Every cell is in the tiles of its vertices; one of these, that of
-the vertex with the smallest id, *owns* it, so each cell is owned once.
+is what `delaunay_3_tiles()` gives for a tile: the stars of the vertices that are the tile's own, in
+the Delaunay triangulation of all points. Every cell is in the tiles of its vertices; one of these,
+that of the vertex with the smallest id, *owns* it, so each cell is owned once.
 */
 struct Delaunay_3_tile
 {
-  /// Four vertices, as places in `ids`, in positive orientation; -1 is the infinite vertex, always last.
+  /// Four vertices, as places in `ids`, in positive orientation; -1 is the infinite vertex, always
+  /// last.
   using Cell = std::array<std::int32_t, 4>;
 
   /// The number of the tile.
   std::uint32_t number = 0;
 
-  /// The ids of the vertices, which are places in the input; of equal points the smallest. First those of
-  /// the tile's own vertices, ascending, then those of others, ascending.
+  /// The ids of the vertices, which are places in the input; of equal points the smallest. First
+  /// those of the tile's own vertices, ascending, then those of others, ascending.
   std::vector<std::uint64_t> ids;
 
   /// Their coordinates.
@@ -42,8 +43,8 @@ struct Delaunay_3_tile
   /// How many of them are the tile's own.
   std::size_t number_of_own_vertices = 0;
 
-  /// All cells that have a vertex of the tile's own: first those that the tile owns and that are finite,
-  /// then the infinite ones that it owns, then all others.
+  /// All cells that have a vertex of the tile's own: first those that the tile owns and that are
+  /// finite, then the infinite ones that it owns, then all others.
   std::vector<Cell> cells;
 
   /// How many cells the tile owns.

@@ -7,15 +7,15 @@
 
 // One tile of a Delaunay triangulation that is larger than a machine: the stars of its own points.
 //
-// It triangulates them, and then *tells*: of each edge between points of two tiles the owner of each end
-// is told of the other. What it is told it *offers* to its triangulation, where a point that would get no
-// neighbour of the tile's own is refused. To be told of one's own point is a question: the answer are its
-// neighbours. When nobody has anything to tell, the star of each own point is
-// that in the triangulation of all points (Brédif et al. 2020 tell without refusal);
+// It triangulates them, and then *tells*: of each edge between points of two tiles the owner of
+// each end is told of the other. What it is told it *offers* to its triangulation, where a point
+// that would get no neighbour of the tile's own is refused. To be told of one's own point is a
+// question: the answer are its neighbours. When nobody has anything to tell, the star of each own
+// point is that in the triangulation of all points (Brédif et al. 2020 tell without refusal);
 // Tile_certificate.h asks whether it is so.
 //
-// Refusal is for ever: an edge of the triangulation of all points is one in that of any subset that has
-// both ends, so who gets no own neighbour now never does.
+// Refusal is for ever: an edge of the triangulation of all points is one in that of any subset that
+// has both ends, so who gets no own neighbour now never does.
 //
 // Cost: that of the insertions; each telling looks at the cells made since the one before.
 
@@ -48,8 +48,8 @@ public:
   using Id = Tile_triangulation::Id;
   using Cell = Tile_triangulation::Cell;
 
-  // Of the points that are the tile's own, as it was in a state. Keeps a reference to what all know. If
-  // more than `limit` points are kept, Tile_too_large is thrown.
+  // Of the points that are the tile's own, as it was in a state. Keeps a reference to what all
+  // know. If more than `limit` points are kept, Tile_too_large is thrown.
   Delaunay_tile(const Tiling& tiling, std::uint32_t number, std::vector<Tile_point> own,
                 Tile_state state = {},
                 std::size_t limit = (std::numeric_limits<std::size_t>::max)())
@@ -100,11 +100,11 @@ public:
     return messages;
   }
 
-  // If the certificate does not hold: for each of these partners, all vertices of cells that have a vertex
-  // of both. Those of the partner are questions. If the two see different common cells, one of them learns
-  // something: of a cell that the partner does not have it either takes a vertex that it lacked, or its
-  // answer has a point in conflict with the cell; that gets all vertices of the cell as neighbours, so it is
-  // not refused (witnesses, as in star splaying).
+  // If the certificate does not hold: for each of these partners, all vertices of cells that have a
+  // vertex of both. Those of the partner are questions. If the two see different common cells, one
+  // of them learns something: of a cell that the partner does not have it either takes a vertex
+  // that it lacked, or its answer has a point in conflict with the cell; that gets all vertices of
+  // the cell as neighbours, so it is not refused (witnesses, as in star splaying).
   std::vector<Tile_message> witnesses(const std::vector<std::uint32_t>& partners) const
   {
     std::vector<Tile_message> messages;
@@ -170,10 +170,10 @@ private:
     bool operator==(const Tell& t) const { return to == t.to && v == t.v; }
   };
 
-  // Of each edge between points of two tiles the owner of each end is told of the other, once. Nobody has
-  // told of the points that all tiles get: the first time their owners are asked about those that have
-  // neighbours of the tile's own. No such edge is made later, and an owner who would refuse the other
-  // end has no other reason to say so.
+  // Of each edge between points of two tiles the owner of each end is told of the other, once.
+  // Nobody has told of the points that all tiles get: the first time their owners are asked about
+  // those that have neighbours of the tile's own. No such edge is made later, and an owner who
+  // would refuse the other end has no other reason to say so.
   std::vector<Tile_message> tell(bool asks)
   {
     std::vector<Tell> tells;
@@ -209,8 +209,8 @@ private:
     return messages;
   }
 
-  // Who asks about a point of the tile's own is told of its neighbours, but for those of the asker's, which
-  // would be questions.
+  // Who asks about a point of the tile's own is told of its neighbours, but for those of the
+  // asker's, which would be questions.
   void answer(const std::vector<Tile_message>& questions, std::vector<Tile_message>& messages)
   {
     std::multimap<Id, std::size_t> asked; // who asks, by vertex

@@ -29,16 +29,17 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 \ingroup PkgDelaunayFromSurface3Tiles
 
 has the points of one file or of several, one after the other, which are read by ranges. By their
-extensions: `.npy`, NumPy's, with n × 3 numbers `float64` or `float32`, row by row; `.ply`, binary, with
-`x`, `y`, `z` of any type; `.raw`, `.bin` and `.f64`, nothing but little-endian numbers of 64 bits.
+extensions: `.npy`, NumPy's, with n × 3 numbers `float64` or `float32`, row by row; `.ply`, binary,
+with `x`, `y`, `z` of any type; `.raw`, `.bin` and `.f64`, nothing but little-endian numbers of 64
+bits.
 */
 class Point_files_3 : public Tile_source_3
 {
 public:
   /// looks at the files' heads.
   ///
-  /// \throws Tile_files_error if a file cannot be read, is none of these, or has another size than it
-  /// says
+  /// \throws Tile_files_error if a file cannot be read, is none of these, or has another size than
+  /// it says
   explicit Point_files_3(const std::vector<std::filesystem::path>& files)
   {
     for (const std::filesystem::path& file : files) {

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RECORDS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RECORDS_H
 
-// Files of records, which appear only when they are complete: they are written beside their place and
-// renamed, so what a killed process leaves is never taken for a whole.
+// Files of records, which appear only when they are complete: they are written beside their place
+// and renamed, so what a killed process leaves is never taken for a whole.
 //
 // Each begins with a word that says what it is and of which version, and the number of the run.
 // Numbers are those of the machine.

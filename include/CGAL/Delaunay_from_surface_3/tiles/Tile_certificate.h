@@ -5,30 +5,31 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_CERTIFICATE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_CERTIFICATE_H
 
-// What a tile says of its triangulation, so that all together can tell whether the union of the stars
-// is the Delaunay triangulation of all points: for each partner the cells that have vertices of both,
-// and the part of the convex hull that is its own.
+// What a tile says of its triangulation, so that all together can tell whether the union of the
+// stars is the Delaunay triangulation of all points: for each partner the cells that have vertices
+// of both, and the part of the convex hull that is its own.
 //
 // If
 //   (a) of each two tiles both see the same common cells,
 //   (b) the hull that the infinite cells form is a sphere: V - E + F = 2, that is 2 V - F = 4 where
 //       facets are triangles,
 //   (c) every point is in the tile that owns it,
-// then the union of the stars is the Delaunay triangulation of all points. Proof. A cell is seen by all
-// owners of its vertices, so by (a) the union is a closed 3-manifold, and the star of each vertex in it is
-// that in its owner's Delaunay triangulation. Lift the points to the paraboloid, perturbed as the
-// predicates do it: at each vertex the lifted star is a part of the boundary of a convex body, the lower
-// hull of the owner's points, or a vertical wall over a facet of their hull. So the lifted complex is
-// locally convex at each vertex, hence everywhere; walls over coplanar facets are only weakly convex. It
-// is complete, and strictly convex at a vertex of the hull. A complete, connected, locally convex
-// hypersurface with a strictly convex point is the boundary of a convex body (van Heijenoort 1952), for
-// each perturbation that is small enough. So each component is the Delaunay triangulation of its
-// vertices, with a hull of its own. By (b) there is one component, and by (c) it has all points. Equal
-// points are one vertex, which has the smallest of their ids, and one owner.
+// then the union of the stars is the Delaunay triangulation of all points. Proof. A cell is seen by
+// all owners of its vertices, so by (a) the union is a closed 3-manifold, and the star of each
+// vertex in it is that in its owner's Delaunay triangulation. Lift the points to the paraboloid,
+// perturbed as the predicates do it: at each vertex the lifted star is a part of the boundary of a
+// convex body, the lower hull of the owner's points, or a vertical wall over a facet of their hull.
+// So the lifted complex is locally convex at each vertex, hence everywhere; walls over coplanar
+// facets are only weakly convex. It is complete, and strictly convex at a vertex of the hull. A
+// complete, connected, locally convex hypersurface with a strictly convex point is the boundary of
+// a convex body (van Heijenoort 1952), for each perturbation that is small enough. So each
+// component is the Delaunay triangulation of its vertices, with a hull of its own. By (b) there is
+// one component, and by (c) it has all points. Equal points are one vertex, which has the smallest
+// of their ids, and one owner.
 //
-// Cells are compared by sums of hashes of 128 bits of their vertices' ids and coordinates, keyed by a
-// seed that is drawn when no cell changes any more: "up to a collision" of probability 2^-128; or, if
-// asked for, by their ids, too.
+// Cells are compared by sums of hashes of 128 bits of their vertices' ids and coordinates, keyed by
+// a seed that is drawn when no cell changes any more: "up to a collision" of probability 2^-128;
+// or, if asked for, by their ids, too.
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -60,7 +61,8 @@ struct Cell_sum
   }
 };
 
-// The ids of the cell's vertices in ascending order; that of the infinite vertex is the largest number.
+// The ids of the cell's vertices in ascending order; that of the infinite vertex is the largest
+// number.
 using Sorted_cell = std::array<std::uint64_t, 4>;
 
 // A key of each vertex.
@@ -183,8 +185,8 @@ inline Tile_pairs tiles_that_differ(const std::vector<Tile_certificate>& tiles)
   return result;
 }
 
-// Do so many tiles together have the Delaunay triangulation of so many points? False, too, if the list
-// is not that of all tiles in their order.
+// Do so many tiles together have the Delaunay triangulation of so many points? False, too, if the
+// list is not that of all tiles in their order.
 inline bool is_certified(const std::vector<Tile_certificate>& tiles, std::size_t number_of_tiles,
                          std::uint64_t number_of_points)
 {

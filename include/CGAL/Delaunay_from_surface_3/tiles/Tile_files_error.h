@@ -17,8 +17,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is thrown where a file cannot be read or written, or holds something else than it should. The message
-names the file and the place, on one line.
+is thrown where a file cannot be read or written, or holds something else than it should. The
+message names the file and the place, on one line.
 */
 class Tile_files_error : public std::runtime_error
 {

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_FOLDER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_FOLDER_H
 
-// A folder with the state of a run of tiles: what each kind of file is called and holds. Ranges of the
-// input are numbered as tiles are.
+// A folder with the state of a run of tiles: what each kind of file is called and holds. Ranges of
+// the input are numbered as tiles are.
 //
 //   input            what the run is of
 //   range-K          what is to be known of a range before there are tiles; then: tiling

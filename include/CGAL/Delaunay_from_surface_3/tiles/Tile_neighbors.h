@@ -5,10 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_NEIGHBORS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_NEIGHBORS_H
 
-// The neighbours of the cells of all tiles, by global numbers: those that the cells have one after the
-// other, in the order of the tiles. The neighbour of a cell may be another tile's, which neither need
-// know; so facets that have one cell in a tile meet by the hash of their vertices, in parts, as many as
-// there are tiles. Linear but for sorting.
+// The neighbours of the cells of all tiles, by global numbers: those that the cells have one after
+// the other, in the order of the tiles. The neighbour of a cell may be another tile's, which
+// neither need know; so facets that have one cell in a tile meet by the hash of their vertices, in
+// parts, as many as there are tiles. Linear but for sorting.
 //
 // Tasks are done in three stages, those of a stage in any order, again and again if need be.
 
@@ -38,7 +38,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 class Tile_neighbors
 {
 public:
-  // Of the tiles in a folder; `state` is another one, in which there is a folder for what lies between.
+  // Of the tiles in a folder; `state` is another one, in which there is a folder for what lies
+  // between.
   Tile_neighbors(std::filesystem::path folder, const std::filesystem::path& state,
                  std::uint32_t number_of_tiles)
     : m_folder(std::move(folder))

@@ -21,8 +21,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is where `delaunay_3_tiles()` takes points from: any range of them at any time, by any thread. A point's
-id is its place, from 0 on.
+is where `delaunay_3_tiles()` takes points from: any range of them at any time, by any thread. A
+point's id is its place, from 0 on.
 */
 class Tile_source_3
 {

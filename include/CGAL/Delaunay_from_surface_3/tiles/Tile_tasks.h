@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_TASKS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_TASKS_H
 
-// The tasks of a run in a folder: what each reads and writes. The same is written whenever it is done.
+// The tasks of a run in a folder: what each reads and writes. The same is written whenever it is
+// done.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
@@ -77,8 +78,8 @@ struct Tile_tasks
     folder.write_home(k, ends, points);
   }
 
-  // A tile hears what it was told in the round before, and tells; it also shows those that differ from
-  // it why.
+  // A tile hears what it was told in the round before, and tells; it also shows those that differ
+  // from it why.
   void do_round(std::uint32_t t, const Tiling& tiling, std::size_t round,
                 const Closed_round& before, const Tile_pairs& shown) const
   {

@@ -5,8 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_TREE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_TREE_H
 
-// Who owns a point: the leaf of a kd-tree (Bentley 1975) that it is in, found by comparing its doubles
-// with the splitting planes. So equal points have one owner, and no message carries an owner.
+// Who owns a point: the leaf of a kd-tree (Bentley 1975) that it is in, found by comparing its
+// doubles with the splitting planes. So equal points have one owner, and no message carries an
+// owner.
 //
 // Cost: O(s log T) for T tiles from a sample of s points, O(log T) for a point.
 

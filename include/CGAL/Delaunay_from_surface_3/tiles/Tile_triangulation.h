@@ -61,9 +61,9 @@ public:
   }
   Tile_triangulation(const Tile_triangulation&) = delete;
 
-  // Inserts those that wants() when the zone of conflict is dug, in random rounds, each sorted by halves,
-  // and each point from the one before. If p has the place of vertex v, equal(v, id of p, id of v) says
-  // whether the smaller id is that of v then.
+  // Inserts those that wants() when the zone of conflict is dug, in random rounds, each sorted by
+  // halves, and each point from the one before. If p has the place of vertex v, equal(v, id of p,
+  // id of v) says whether the smaller id is that of v then.
   template <class Wants, class Equal>
   void insert(const std::vector<Tile_point>& points, unsigned int seed, const Wants& wants,
               const Equal& equal)

@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_HERE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_HERE_H
 
-// An engine for tiles that are all in this process: for tests, and the one that others are compared with.
+// An engine for tiles that are all in this process: for tests, and the one that others are compared
+// with.
 
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>

@@ -5,13 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_FILES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_FILES_H
 
-// An engine out of core: the state of a round is in a folder, and what is to be done at a time are tasks,
-// one for a range of the input or a tile. A task reads files and writes others, the same whenever it is
-// done; so it may be killed at any moment and done again, by any process. When all tasks of a stage are
-// done, the stage is closed by one more file.
+// An engine out of core: the state of a round is in a folder, and what is to be done at a time are
+// tasks, one for a range of the input or a tile. A task reads files and writes others, the same
+// whenever it is done; so it may be killed at any moment and done again, by any process. When all
+// tasks of a stage are done, the stage is closed by one more file.
 //
-// In memory there is one tile for each thread: it is made again from the points that it keeps when its
-// turn comes.
+// In memory there is one tile for each thread: it is made again from the points that it keeps when
+// its turn comes.
 
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

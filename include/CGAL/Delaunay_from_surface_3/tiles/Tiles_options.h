@@ -27,16 +27,17 @@ struct Tiles_options
   /// How many tiles; 0: as many as `memory` asks for.
   std::uint32_t number_of_tiles = 0;
 
-  /// There are no more tiles than one for so many points: smaller ones come to rest too early, and are told
-  /// the rest one after the other.
+  /// There are no more tiles than one for so many points: smaller ones come to rest too early, and
+  /// are told the rest one after the other.
   std::uint32_t least_points = 64;
 
-  /// How many bytes the tiles that are in memory at once may have, roughly; 0: any number. A tile has 300
-  /// bytes for each point that it keeps, and the worst one keeps up to five times its own. Where all
-  /// tiles are in memory, it is one that may have so much.
+  /// How many bytes the tiles that are in memory at once may have, roughly; 0: any number. A tile
+  /// has 480 bytes for each point that it keeps, and the worst one keeps up to five times its own.
+  /// Where all tiles are in memory, it is one that may have so much.
   std::uint64_t memory = 0;
 
-  /// Of a tile's own points so many come into the sample that all tiles are offered: 1 of `sample_share`.
+  /// Of a tile's own points so many come into the sample that all tiles are offered: 1 of
+  /// `sample_share`.
   std::size_t sample_share = 8;
 
   /// How many points are read at once.
@@ -48,8 +49,8 @@ struct Tiles_options
   /// Whether the work begins again with more tiles if one becomes larger than `memory` allows.
   bool starts_again = true;
 
-  /// Is called, by any thread but by one at a time, with a word for what is done ("reading", "round 0", …),
-  /// how much of it is done and how much there is; if it returns `false`, the work stops.
+  /// Is called, by any thread but by one at a time, with a word for what is done ("reading", "round
+  /// 0", …), how much of it is done and how much there is; if it returns `false`, the work stops.
   std::function<bool(const char*, std::size_t, std::size_t)> progress;
 };
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_STAGES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_STAGES_H
 
-// The stages of a run in a folder (Tile_folder.h), and their tasks: to read the ranges of the input, to
-// bring their points home, rounds, and what all is for.
+// The stages of a run in a folder (Tile_folder.h), and their tasks: to read the ranges of the
+// input, to bring their points home, rounds, and what all is for.
 
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_TO_FILES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_TO_FILES_H
 
-// All of it: from files of points to files of tiles, in one call or task by task. In the folder: state/,
-// and what write_tiles.h writes.
+// All of it: from files of points to files of tiles, in one call or task by task. In the folder:
+// state/, and what write_tiles.h writes.
 
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

@@ -26,7 +26,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// How many rows the array of a tile has; they begin at byte 128 of the file, or where its head says.
+// How many rows the array of a tile has; they begin at byte 128 of the file, or where its head
+// says.
 struct Rows_of_npy
 {
   std::uint64_t number = 0, first = 0;
@@ -45,8 +46,8 @@ struct Rows_of_npy
   }
 };
 
-// Writes the cells of all tiles, or their neighbors, in the order of the tiles, into one .npy. Returns how
-// many cells there are.
+// Writes the cells of all tiles, or their neighbors, in the order of the tiles, into one .npy.
+// Returns how many cells there are.
 inline std::uint64_t join_tiles(const std::filesystem::path& folder,
                                 const std::filesystem::path& output, const char* kind = "cells")
 {

@@ -19,7 +19,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-constexpr std::uint64_t bytes_per_point_kept = 300;
+constexpr std::uint64_t bytes_per_point_kept = 480; // 270 of them for its triangulation
 constexpr std::uint64_t most_points_of_tile = std::uint64_t(1) << 27; // 30 bits for its cells
 
 // How many points a tile may keep, of so many that are in memory at once.
@@ -32,8 +32,8 @@ inline std::size_t most_points_kept(const Tiles_options& options, std::size_t at
                                                                       std::uint64_t(64))));
 }
 
-// For n points, if the worst tile keeps five times its own points, which are up to a tenth more than
-// those of others.
+// For n points, if the worst tile keeps five times its own points, which are up to a tenth more
+// than those of others.
 inline std::uint32_t number_of_tiles(const Tiles_options& options, std::uint64_t n,
                                      std::size_t at_once)
 {
@@ -45,8 +45,8 @@ inline std::uint32_t number_of_tiles(const Tiles_options& options, std::uint64_t
   return std::uint32_t((std::min)(double(most), (std::min)(tiles, 1e6)));
 }
 
-// After a tile of n points in all was too large: asks for as many as would do. False if there are none, or
-// not to be asked for.
+// After a tile of n points in all was too large: asks for as many as would do. False if there are
+// none, or not to be asked for.
 inline bool ask_for_more_tiles(Tiles_options& options, const Tile_too_large& error, std::uint64_t n,
                                std::uint32_t tiles)
 {

@@ -19,8 +19,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Calls task(0), …, task(n - 1), which may throw: then the first exception is thrown again when those that
-// have begun have ended. They are taken one after the other by the executor's workers.
+// Calls task(0), …, task(n - 1), which may throw: then the first exception is thrown again when
+// those that have begun have ended. They are taken one after the other by the executor's workers.
 template <class Function>
 void run_tasks(const Executor& executor, std::size_t n, const Function& task)
 {

@@ -5,12 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RUN_TILES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RUN_TILES_H
 
-// The driver: tiles tell each other until nobody has anything to tell, and then compare what they have.
-// If that is not the same, those that differ show each other why, and go on.
+// The driver: tiles tell each other until nobody has anything to tell, and then compare what they
+// have. If that is not the same, those that differ show each other why, and go on.
 //
-// An engine has three verbs: exchange() has every tile hear what it was told, and tell, and returns how
-// many points were told; gather(seed) returns the certificates of all tiles; show(pairs) has each tile
-// of a pair tell the other what is around the cells that both see (Delaunay_tile::witnesses()).
+// An engine has three verbs: exchange() has every tile hear what it was told, and tell, and returns
+// how many points were told; gather(seed) returns the certificates of all tiles; show(pairs) has
+// each tile of a pair tell the other what is around the cells that both see
+// (Delaunay_tile::witnesses()).
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>

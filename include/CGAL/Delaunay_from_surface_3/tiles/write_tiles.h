@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_WRITE_TILES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_WRITE_TILES_H
 
-// The tiles as files that other programs read: for each NumPy's arrays and, if asked for, a piece for
-// ParaView. Each appears when it is complete.
+// The tiles as files that other programs read: for each NumPy's arrays and, if asked for, a piece
+// for ParaView. Each appears when it is complete.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
@@ -77,8 +77,8 @@ inline std::vector<Global_cell> owned_cells(const Delaunay_3_tile& tile)
   return cells;
 }
 
-// cells-T.npy: the finite cells that the tile owns, by ids; ids-T.npy and points-T.npy: of the vertices
-// of these cells, and of its own; cells last.
+// cells-T.npy: the finite cells that the tile owns, by ids; ids-T.npy and points-T.npy: of the
+// vertices of these cells, and of its own; cells last.
 inline void write_tile_as_arrays(const std::filesystem::path& folder, const Delaunay_3_tile& tile)
 {
   write_npy(file_of_tile(folder, "ids", tile.number, "npy"), "i8", 1, tile.ids);
