@@ -9,7 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/surface/Face_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
-#include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
 
 #include <pybind11/stl.h>
 
@@ -86,8 +86,10 @@ py::array subgraph(const py::object& faces, std::optional<std::size_t> number_of
 {
   std::vector<std::int32_t> ends;
   with_triangles(faces, number_of_vertices, [&](const auto& surface) {
-    return is_tree ? CGAL::bounded_degree_spanning_tree(surface, Append_ends(ends))
-                   : CGAL::bounded_degree_spanning_subgraph(surface, Append_ends(ends));
+    namespace internal = CGAL::Delaunay_from_surface_3::internal;
+    using Kind = internal::Subgraph_kind;
+    return internal::write_bounded_degree_subgraph(
+        surface.reader(), is_tree ? Kind::TREE : Kind::SUBGRAPH, Append_ends(ends));
   });
   return py::array_t<std::int32_t>({py::ssize_t(ends.size() / 2), py::ssize_t(2)}, ends.data());
 }

@@ -14,12 +14,13 @@ import resource
 import struct
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
 PROGRAM = os.environ["DELAUNAY_FROM_SURFACE"]
 LONG = os.environ.get("LONG") == "1"
-POINTS, MEMORY, LIMIT, LAPSE = (30000000, "1200M", 2000, 240.) if LONG else (60000, "4M", 300, 1.5)
+POINTS, MEMORY, LIMIT = (30000000, "1200M", 2000) if LONG else (60000, "4M", 300)
 
 
 def write_points(path, n, seed=1):
@@ -72,7 +73,9 @@ class Tiles(unittest.TestCase):
             resource.setrlimit(resource.RLIMIT_AS, (LIMIT * 2**20, LIMIT * 2**20))
         arguments = (points, "--memory", MEMORY, "--output")
         whole = self.folder / "whole"
+        begin = time.monotonic()
         report = json.loads(self.works(*arguments, whole, "--json", preexec_fn=limit))
+        lapse = (time.monotonic() - begin) / 4  # so the first call is killed
         self.assertEqual(report["points"], POINTS)
         self.assertIn("holds", report["certificate"])
         source, kills = random.Random(2), 0
@@ -80,12 +83,13 @@ class Tiles(unittest.TestCase):
             with subprocess.Popen(self.command(*arguments, self.folder / "killed"), stdout=subprocess.DEVNULL,
                                   preexec_fn=limit) as process:
                 try:
-                    process.wait(timeout=source.uniform(LAPSE / 20, LAPSE))
+                    process.wait(timeout=source.uniform(lapse / 10, lapse))
                     break
                 except subprocess.TimeoutExpired:
                     self.assertFalse((self.folder / "killed/tiles.json").exists())
                     process.kill()
                     kills += 1
+                    lapse *= 1.2  # whatever a single step takes
         self.assertEqual(process.returncode, 0)
         self.assertGreater(kills, 0)
         self.assertEqual(json.loads((whole / "tiles.json").read_text()),
