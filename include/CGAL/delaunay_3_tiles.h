@@ -96,6 +96,9 @@ Tiles_report delaunay_3_tiles(Engine& engine, const Tile_source_3& source, Sink&
       for (std::uint32_t t = 0; t < report.tiles; ++t)
         sink(engine.tile(t));
       return report;
+    } catch (const Surface_input_error&) {
+      engine.forget(); // the input will be another one
+      throw;
     } catch (const Tile_too_large& error) {
       if (!ask_for_more_tiles(options, error, engine.number_of_points(), engine.number_of_tiles()))
         throw;

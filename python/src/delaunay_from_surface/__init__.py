@@ -103,6 +103,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     array = _core.array_of_points(points, "points")
     if inside and faces is None:
         raise ValueError("inside: there are no faces")
+    if inside and not isinstance(faces, np.ndarray):
+        faces = [tuple(face) for face in faces]  # they are read twice
     result = Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number, order), threads=number)
     if inside:
         result.winding_numbers = _core.winding_numbers(array, result.simplices, result.vertices, faces, number)

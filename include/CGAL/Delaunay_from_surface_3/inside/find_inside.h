@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -192,6 +193,8 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
                      const VerticesOf& vertices_of, const VertexOf& vertex_of,
                      const Executor& executor)
 {
+  if (m >= std::size_t(1) << 30 || points.size() >= std::size_t(1) << 31)
+    throw std::length_error("an inside is found of fewer than 2^30 tetrahedra and 2^31 points");
   const Winding_field field = winding_field(points, faces);
   std::vector<Vector_3d> in_frame;
   in_frame.reserve(points.size());

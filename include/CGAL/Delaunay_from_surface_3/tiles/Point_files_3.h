@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_POINT_FILES_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_POINT_FILES_3_H
 
+#include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_file_layout.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -48,8 +50,10 @@ public:
     }
   }
 
+  /// returns how many points all files have.
   std::uint64_t size() const override { return m_size; }
 
+  /// reads a range, which may end in another file.
   void read(std::uint64_t first, std::size_t n, double* coordinates) const override
   {
     while (n > 0) {
@@ -63,6 +67,22 @@ public:
     }
   }
 
+  /// returns a number of the sizes of the files and the times at which they were written last.
+  std::uint64_t stamp() const override
+  {
+    std::uint64_t stamp = 0;
+    for (const File& file : m_files) {
+      std::error_code ignored;
+      const auto time = std::filesystem::last_write_time(file.path, ignored).time_since_epoch();
+      for (const std::uint64_t part :
+           {std::uint64_t(time.count()),
+            std::uint64_t(std::filesystem::file_size(file.path, ignored))})
+        stamp = Delaunay_from_surface_3::internal::Split_mix(stamp ^ part)();
+    }
+    return stamp;
+  }
+
+  /// returns the file of a point, and its place in there.
   std::string name_of(std::uint64_t i) const override
   {
     const File& file = file_of(i);

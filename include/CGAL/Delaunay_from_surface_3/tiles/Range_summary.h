@@ -108,10 +108,10 @@ inline Range_summary summary_of_range(const Tile_source_3& source, std::uint64_t
   return summary;
 }
 
-// Of the number of points, and 64 of them from all over.
+// Of the number of points, 64 of them from all over, and what the source says of changes.
 inline std::uint64_t fingerprint_of(const Tile_source_3& source)
 {
-  std::uint64_t print = source.size();
+  std::uint64_t print = Split_mix(source.size() ^ source.stamp())();
   for (std::uint64_t k = 0; k < 64 && source.size() > 0; ++k) {
     double p[3];
     source.read((source.size() - 1) * k / 63, 1, p);

@@ -116,13 +116,29 @@ struct Tile_certificate
   std::uint64_t owned_cells = 0, hash = 0; // whose smallest vertex is its own; of their ids
 };
 
+// Whether a tile's own vertices are its own points, but for those that have the place of others.
+inline bool has_own_points(const Delaunay_tile& tile)
+{
+  std::size_t vertices = 0;
+  for (std::size_t v = 1; v < tile.triangulation().vertices_end(); ++v)
+    vertices += tile.is_own(Delaunay_tile::Id(v));
+  return vertices + tile.equal_points().size() == tile.number_of_own_points();
+}
+
 // When nobody has anything to tell. Linear.
 inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t seed,
                                        bool with_cells = false)
 {
   const Tile_triangulation& tr = tile.triangulation();
-  Tile_certificate result{
-      tile.number(), {}, {}, 0, 0, tile.number_of_own_points(), tile.number_of_points_kept(), 0, 0};
+  Tile_certificate result{tile.number(),
+                          {},
+                          {},
+                          0,
+                          0,
+                          has_own_points(tile) ? tile.number_of_own_points() : 0,
+                          tile.number_of_points_kept(),
+                          0,
+                          0};
   const Vertex_keys keys(tr, seed);
   std::vector<char> is_on_hull(tr.vertices_end());
   tr.for_each_cell([&](const Tile_triangulation::Cell& cell) {

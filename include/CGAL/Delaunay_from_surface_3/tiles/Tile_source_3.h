@@ -35,6 +35,10 @@ public:
   /// writes the coordinates of the points `first`, …, `first + n - 1`, three of each.
   virtual void read(std::uint64_t first, std::size_t n, double* coordinates) const = 0;
 
+  /// returns another number when the points may have changed, as the times of files say; a run goes
+  /// on only with what it began with.
+  virtual std::uint64_t stamp() const { return 0; }
+
   /// returns a name of a point, for messages.
   virtual std::string name_of(std::uint64_t i) const { return "point " + std::to_string(i); }
 };
@@ -54,7 +58,10 @@ public:
   {
   }
 
+  /// returns `n`.
   std::uint64_t size() const override { return m_size; }
+
+  /// copies.
   void read(std::uint64_t first, std::size_t n, double* coordinates) const override
   {
     std::copy(m_coordinates + 3 * first, m_coordinates + 3 * (first + n), coordinates);

@@ -50,6 +50,8 @@ public:
   void begin(const Tile_source_3& source, const Tiles_options& options, std::size_t at_once)
   {
     m_source = &source;
+    m_tiling.reset(); // of another call
+    m_closed = {};
     m_limit = most_points_kept(options, at_once);
     std::error_code error;
     std::filesystem::create_directories(m_folder.place(), error);
@@ -70,16 +72,10 @@ public:
 
   std::string name() const
   {
-    switch (m_stage) {
-    case SAMPLE:
-      return "reading";
-    case HOME:
-      return "sorting";
-    case ROUND:
-      return "round " + std::to_string(m_round);
-    default:
-      return "certificate";
-    }
+    return m_stage == SAMPLE  ? "reading"
+           : m_stage == HOME  ? "sorting"
+           : m_stage == ROUND ? "round " + std::to_string(m_round)
+                              : "certificate";
   }
 
   std::size_t number_of_tasks() const
@@ -116,6 +112,7 @@ public:
       if (!is_done(k))
         throw Tile_files_error(m_folder.place().string() + ": task " + std::to_string(k) + " of " +
                                name() + " is not done");
+    const Rounding_to_nearest rounding;
     if (m_stage == SAMPLE)
       m_folder.write_tiling(tasks().make_tiling());
     else if (m_stage == HOME)
@@ -157,7 +154,7 @@ private:
     m_input = {m_source->size(),
                fingerprint_of(*m_source),
                options.sample_share,
-               (std::max)(options.points_at_once, std::size_t(1)),
+               std::clamp(options.points_at_once, std::size_t(1), std::size_t(1) << 30),
                number_of_tiles(options, m_source->size(), at_once),
                options.compares_cells};
     std::random_device random;
@@ -173,6 +170,9 @@ private:
       throw Tile_files_error(place + ": holds the state of a run on another input, of " +
                              std::to_string(m_input.points) +
                              " points: remove it, or name another folder");
+    if (options.compares_cells && m_input.compares_cells == 0)
+      throw Tile_files_error(place + ": holds the state of a run that compares sums of hashes: "
+                                     "remove it to compare cells");
     if (options.number_of_tiles != 0 &&
         number_of_tiles(options, m_input.points, 1) != m_input.tiles)
       throw Tile_files_error(place + ": holds the state of a run with " +

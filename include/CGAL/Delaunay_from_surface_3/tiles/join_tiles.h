@@ -46,17 +46,30 @@ struct Rows_of_npy
   }
 };
 
+// Of a run that has ended.
+inline std::uint32_t number_of_tiles_in(const std::filesystem::path& folder)
+{
+  const auto place = folder / "tiles.json";
+  if (!std::filesystem::exists(place))
+    throw Tile_files_error(folder.string() + ": has no tiles.json: no run has ended there");
+  std::string text(std::size_t(size_of_file(place)), ' ');
+  Bytes_reader(place).read(text.data(), text.size());
+  const std::string key = "\"tiles\": ";
+  const std::size_t at = text.find(key);
+  if (at == std::string::npos)
+    refuse_file(place, "does not say how many tiles there are");
+  return std::uint32_t(std::strtoul(text.c_str() + at + key.size(), nullptr, 10));
+}
+
 // Writes the cells of all tiles, or their neighbors, in the order of the tiles, into one .npy.
 // Returns how many cells there are.
 inline std::uint64_t join_tiles(const std::filesystem::path& folder,
                                 const std::filesystem::path& output, const char* kind = "cells")
 {
-  if (!std::filesystem::exists(folder / "tiles.json"))
-    throw Tile_files_error(folder.string() + ": has no tiles.json: no run has ended there");
+  const std::uint32_t tiles = number_of_tiles_in(folder);
   std::uint64_t rows = 0;
-  std::uint32_t tiles = 0;
-  for (; std::filesystem::exists(file_of_tile(folder, kind, tiles, "npy")); ++tiles)
-    rows += Rows_of_npy(file_of_tile(folder, kind, tiles, "npy")).number;
+  for (std::uint32_t t = 0; t < tiles; ++t)
+    rows += Rows_of_npy(file_of_tile(folder, kind, t, "npy")).number;
   Bytes_writer to(output);
   const std::string head = head_of_npy("i8", rows, 4);
   to.write(head.data(), head.size());

@@ -38,7 +38,8 @@ public:
 
   Order_view make(const Point_array& points, const Executor& executor) override
   {
-    if (!m_is_valid || m_kept.order.size() != points.size())
+    m_is_given = !m_is_spent && m_kept.order.size() == points.size();
+    if (!m_is_given)
       m_kept = copy_of(m_source->make(points, executor));
     else if (!is_order(m_kept, points.size()))
       throw Surface_input_error("what is given as the order of the points is none");
@@ -47,14 +48,15 @@ public:
   std::size_t cells_per_point() const override { return m_source->cells_per_point(); }
   bool go_on() override
   {
-    m_is_valid = false;
-    return m_source->go_on();
+    m_is_spent = true;
+    return m_is_given || m_source->go_on(); // a given one is followed by the source's first
   }
 
 private:
   Insertion_order& m_kept;
   std::unique_ptr<Order_source> m_source;
-  bool m_is_valid = true;
+  bool m_is_given = false; // by the caller
+  bool m_is_spent = false; // what he gave costs too much
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
