@@ -216,8 +216,8 @@ BOOST_AUTO_TEST_CASE(functors_are_surface_subgraphs)
   const auto index = get(boost::vertex_index, mesh);
   Edges<Surface_mesh> subgraph, tree;
   DFS::Bounded_degree_subgraph()(mesh, index, std::back_inserter(subgraph));
-  DFS::Bounded_degree_subgraph(DFS::Bounded_degree_subgraph::TREE)(mesh, index,
-                                                                   std::back_inserter(tree));
+  const DFS::Bounded_degree_subgraph find_tree(DFS::Bounded_degree_subgraph::TREE);
+  find_tree(mesh, index, std::back_inserter(tree));
   BOOST_TEST((subgraph == subgraph_of(mesh)));
   BOOST_TEST(CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), tree).is_valid_tree());
 }

@@ -185,7 +185,9 @@ inline Tile_pairs tiles_that_differ(const std::vector<Tile_certificate>& tiles)
 {
   Tile_pairs result;
   for (const Tile_certificate& a : tiles)
-    for (const auto& [partner, sum] : a.common) {
+    for (const auto& common : a.common) { // no binding: the lambda below cannot have one
+      const std::uint32_t partner = common.first;
+      const Cell_sum& sum = common.second;
       const Tile_certificate& b = tiles.at(partner);
       const auto found = b.common.find(a.tile); // it need not have listed this one
       const bool is_same = found != b.common.end() && found->second == sum && [&] {
