@@ -22,7 +22,6 @@
 #include <fstream>
 #include <ios>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -148,11 +147,9 @@ inline Point_file_layout layout_of_npy(const std::filesystem::path& file)
   if (value_of_key(head, "fortran_order", ",}") != "False")
     refuse_file(file, "its array is stored column by column: store it row by row (order='C')");
   const std::string shape = value_of_key(head, "shape", ")");
-  std::istringstream numbers(shape);
-  std::uint64_t rows = 0, columns = 0;
-  char comma = ' ';
-  if (!(numbers >> rows >> comma >> columns) || comma != ',' || columns != 3 ||
-      std::count(shape.begin(), shape.end(), ',') > 1)
+  char* comma = nullptr; // no stream: those of a library in a wheel may know no numbers
+  const std::uint64_t rows = std::strtoull(shape.c_str(), &comma, 10);
+  if (comma == shape.c_str() || std::string(comma) != ",3")
     refuse_file(file, "an array of shape (" + shape + "): n × 3 numbers are needed");
   const std::size_t size = is_float ? 4 : 8;
   layout.number_of_points = rows;
@@ -200,9 +197,13 @@ private:
 
   void read_line()
   {
-    std::istringstream words(m_line);
-    std::string keyword, word, name;
-    words >> keyword >> word >> name;
+    std::size_t at = 0;
+    const auto take_word = [&] {
+      const std::size_t first = (std::min)(m_line.find_first_not_of(" \t", at), m_line.size());
+      at = (std::min)(m_line.find_first_of(" \t", first), m_line.size());
+      return m_line.substr(first, at - first);
+    };
+    const std::string keyword = take_word(), word = take_word(), name = take_word();
     if (keyword == "format") {
       m_is_binary = word != "ascii";
       m_layout.is_swapped = (word == "binary_little_endian") != machine_is_little_endian();
