@@ -45,7 +45,7 @@ template <class Item>
 constexpr std::size_t number_of_coordinates =
     detected_or_t<std::integral_constant<std::size_t, 3>, Size_of_tuple, Item>::value;
 template <class Number, std::size_t n>
-constexpr std::size_t number_of_coordinates<Number[n]> = n;
+inline constexpr std::size_t number_of_coordinates<Number[n]> = n;
 
 template <class Item>
 using Kernel_of_item = typename Item::R;

@@ -108,6 +108,7 @@ public:
   std::vector<Tile_message> witnesses(const std::vector<std::uint32_t>& partners) const
   {
     std::vector<Tile_message> messages;
+    messages.reserve(partners.size());
     for (const std::uint32_t to : partners)
       messages.push_back({m_number, to, points_around([&](const Cell& cell) {
                             return has_vertex_of(cell, m_number) && has_vertex_of(cell, to);
@@ -155,10 +156,10 @@ private:
       if (owners[0] == owners[1] && owners[1] == owners[2] && owners[2] == owners[3])
         return;
       for (unsigned i = 0; i < 4; ++i)
-        for (unsigned k = 0; k < 4; ++k)
-          if (owners[k] != owners[i] && owners[k] != m_number &&
-              owners[k] != Tile_triangulation::nobody && owners[i] != Tile_triangulation::nobody)
-            visit(cell.v[i], owners[k]);
+        for (const std::uint32_t to : owners)
+          if (to != owners[i] && to != m_number && to != Tile_triangulation::nobody &&
+              owners[i] != Tile_triangulation::nobody)
+            visit(cell.v[i], to);
     });
   }
 

@@ -99,8 +99,8 @@ inline void write_tile_as_vtu(const std::filesystem::path& folder, const Delauna
   for (int k = 0; k < 5; ++k)
     begins[k + 1] = begins[k] + 8 + sizes[k];
   const auto array = [&](const char* type, const char* attributes, int k) {
-    return "<DataArray type=\"" + std::string(type) + "\" " + attributes +
-           " format=\"appended\" offset=\"" + std::to_string(begins[k]) + "\"/>\n";
+    return R"(<DataArray type=")" + std::string(type) + R"(" )" + attributes +
+           R"( format="appended" offset=")" + std::to_string(begins[k]) + "\"/>\n";
   };
   const std::string text =
       std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
