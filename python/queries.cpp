@@ -16,7 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>

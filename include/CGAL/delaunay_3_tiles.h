@@ -10,16 +10,13 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_here.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/run_tiles.h>
 
 #include <cstdint>
 #include <random>
-#include <stdexcept>
 
 namespace CGAL {
 /// \cond SKIP_IN_MANUAL
@@ -48,10 +45,9 @@ using Tiles_in_files_3 = Delaunay_from_surface_3::internal::Tiles_in_files;
 
 builds the Delaunay triangulation of more points than fit into memory, in tiles, and gives `sink`
 one tile after the other. The union of the cells that tiles own is that which `delaunay_3_arrays()`
-has, with the same perturbation. This is checked, not only proved: nothing is given before a
-certificate holds.
+has, with the same perturbation. This is checked: nothing is given before a certificate holds.
 
-<b>Complexity</b>: on surfaces each tile keeps less than twice its own points and is told up to five
+<b>Complexity</b>: on surfaces a tile keeps 1.3 to 2.4 times its own points and is told up to five
 points for each, in about six rounds; the worst tile measured kept four times its own, and
 twenty times where two planes met. One vertex with n neighbors is kept with all of these by one
 tile.
@@ -72,8 +68,8 @@ of a tile.
 \throws Surface_input_error if a coordinate is not finite, or all points lie in one plane
 \throws Tile_files_error if a file cannot be read or written, or the folder holds the state of
 another input or another number of tiles
-\throws Delaunay_from_surface_3::internal::Tile_too_large if a tile needs more memory than it may
-have, and beginning again with more tiles does not help
+\throws std::runtime_error that names a point if a tile needs more memory than it may have, and
+beginning again with more tiles does not help
 \throws Tiles_stopped if `options.progress` returned `false`
 \throws std::runtime_error if the certificate does not hold in the end; this was never seen
 
@@ -81,30 +77,18 @@ have, and beginning again with more tiles does not help
 */
 template <class Engine, class Sink>
 Tiles_report delaunay_3_tiles(Engine& engine, const Tile_source_3& source, Sink&& sink,
-                              Tiles_options options = Tiles_options())
+                              const Tiles_options& options = Tiles_options())
 {
   using namespace Delaunay_from_surface_3::internal;
-  for (;;) {
-    try {
-      engine.begin(source, options);
-      const Tiles_report report = run_tiles(engine, [] {
-        std::random_device random;
-        return std::uint64_t(random()) << 32 | random();
-      });
-      if (!report.is_certified)
-        throw std::runtime_error("the tiles do not fit together: the certificate does not hold");
-      for (std::uint32_t t = 0; t < report.tiles; ++t)
-        sink(engine.tile(t));
-      return report;
-    } catch (const Surface_input_error&) {
-      engine.forget(); // the input will be another one
-      throw;
-    } catch (const Tile_too_large& error) {
-      if (!ask_for_more_tiles(options, error, engine.number_of_points(), engine.number_of_tiles()))
-        throw;
-      engine.forget();
-    }
-  }
+  const auto draw = [] {
+    std::random_device random;
+    return std::uint64_t(random()) << 32 | random();
+  };
+  return run_until_certified(engine, source, options, draw, [&](const Tiles_report& report) {
+    for (std::uint32_t t = 0; t < report.tiles; ++t)
+      sink(engine.tile(t));
+    return report;
+  });
 }
 
 /// \cond SKIP_IN_MANUAL

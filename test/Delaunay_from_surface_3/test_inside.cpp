@@ -215,6 +215,11 @@ BOOST_AUTO_TEST_CASE(test_regions)
   soups.back().faces.erase(soups.back().faces.begin() + 100, soups.back().faces.begin() + 120);
   std::swap(soups.back().faces[700][0], soups.back().faces[700][1]);
   soups.back().faces.push_back(soups.back().faces[900]);
+  for (unsigned seed = 0; seed < 8; ++seed) { // which flat one comes first must not matter
+    surfaces::Indexed_surface torus = surfaces::grid_torus(500);
+    surfaces::shuffle(torus, seed);
+    soups.push_back(soup_of(torus));
+  }
   for (Soup& soup : soups) {
     soup.add_point(5, 5, 5);
     soup.add_point(-5, -5, 5);

@@ -16,7 +16,7 @@
 #include <Delaunay_from_surface_3_surfaces/topology.h>
 
 #include <Delaunay_from_surface_3_meters/delaunay_share.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/trees/Minimum_spanning_forest.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(the_minimum_spanning_forest_is_traced)
   for (const tests::Named_surface& named : tests::ordinary_surfaces(2000)) {
     Triangulation tr;
     CGAL::insert_points_3(tr, named.surface.points, named.surface.faces,
-                                  Forest_traits(named.surface.points));
+                          Forest_traits(named.surface.points));
     BOOST_TEST((tr == Triangulation(named.surface.points.begin(), named.surface.points.end())));
     const Mesh mesh = surfaces::to_mesh<Mesh>(named.surface);
     std::vector<Mesh::Edge_index> forest;

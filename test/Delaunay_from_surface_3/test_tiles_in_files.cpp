@@ -226,6 +226,31 @@ BOOST_AUTO_TEST_CASE(task_by_task_in_any_order)
   BOOST_TEST((sorted(cells_of_npy(folder.path / "all.npy")) == finite_cells(points)));
 }
 
+// A file that was written again is another input, though its points are as many; what is left of a
+// refused one is nothing; and no file of a tile may be missing.
+BOOST_AUTO_TEST_CASE(inputs_that_change)
+{
+  const Folder folder;
+  const fs::path file = folder.path / "points.raw", output = folder.path / "tiles";
+  const Points points = some_points(1000);
+  Points flat = points;
+  for (auto& p : flat)
+    p[2] = 0;
+  const auto run = [&](const Points& input) {
+    write_bytes(file, bytes_of(input));
+    return core::Tiles_to_files(output, 1, false).run(CGAL::Point_files_3({file}), options_of(3));
+  };
+  BOOST_CHECK_THROW(run(flat), CGAL::Surface_input_error);
+  BOOST_TEST(run(points).is_certified);
+  BOOST_TEST(core::join_tiles(output, folder.path / "all.npy") == finite_cells(points).size());
+  Points other = points;
+  other[500][0] += .25; // none of those that a glance would see
+  check_refused([&] { run(other); }, "another input", "another folder");
+  fs::remove(output / "cells-00002.npy");
+  check_refused([&] { core::join_tiles(output, folder.path / "all.npy"); }, "cells-00002.npy",
+                "cannot be read");
+}
+
 BOOST_AUTO_TEST_CASE(neighbors_by_global_numbers)
 {
   const Points points = some_points(1000);

@@ -6,7 +6,7 @@
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 
-#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,6 +9,7 @@
 // tetrahedra are computed with more digits where the machine has them.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
 #include <algorithm>
 #include <array>
@@ -92,19 +93,6 @@ public:
   }
 
 private:
-  static Number dot(const Vector& a, const Vector& b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  static Vector cross(const Vector& a, const Vector& b)
-  {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-  static Vector minus(const Vector& a, const Vector& b)
-  {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  }
-
   Vector scaled_center() const
   {
     const Vector &b = m_edges[0], &c = m_edges[1], &d = m_edges[2];

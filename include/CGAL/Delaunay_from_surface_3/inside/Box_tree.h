@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_BOX_TREE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_BOX_TREE_H
 
-// Does a tetrahedron meet any of some triangles? By their boxes in a hierarchy, and then by planes:
+// Whether a tetrahedron meets any of some triangles: by their boxes in a hierarchy, and then by planes:
 // if none of these separates the two they are taken to meet.
 //
 // Invariant: as that of Winding_tree.
@@ -88,14 +88,14 @@ public:
   }
 
 private:
-  // On which side of a plane, with normal n through a, is p? 0 on the plane, or very near.
+  // The side of a plane, with normal n through a, on which p lies; 0 on the plane, or very near.
   static int side(const Vector_3d& n, double tolerance, const Vector_3d& a, const Vector_3d& p)
   {
     const double d = dot(n, minus(p, a));
     return int(d > tolerance) - int(d < -tolerance);
   }
 
-  // By the plane of a facet, or by that of the triangle? If a facet and the triangle lie in one
+  // Whether the plane of a facet, or that of the triangle, separates them. If a facet and the triangle lie in one
   // plane they may overlap there: then they are not.
   static bool are_separated(const std::array<Vector_3d, 4>& p, const Triangle_3d& triangle)
   {

@@ -15,13 +15,16 @@
 
 #include <CGAL/Delaunay_from_surface_3/inside/Box_tree.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -54,10 +57,9 @@ public:
   template <class VerticesOf>
   Regions(std::size_t m, std::size_t n, const VerticesOf& vertices_of,
           const std::vector<Corners>& triangles, const Executor& executor)
-    : m_parent(m)
+    : m_sets(m)
     , m_is_cut(m, 0)
   {
-    std::iota(m_parent.begin(), m_parent.end(), std::uint32_t(0));
     find_facets(m, n, vertices_of, triangles, executor);
   }
 
@@ -68,28 +70,51 @@ public:
   template <class CornersOf>
   void cut(const Box_tree& tree, const CornersOf& corners_of, const Executor& executor)
   {
-    const std::size_t m = m_parent.size();
+    const std::size_t m = m_is_cut.size();
+    std::vector<float> radii(m);
     for_each_block(executor, m, number_of_blocks(executor, m, 1024),
                    [&](std::size_t first, std::size_t last, std::size_t) {
-                     for (std::size_t c = first; c < last; ++c)
-                       m_is_cut[c] = char(tree.meets(corners_of(c)));
+                     for (std::size_t c = first; c < last; ++c) {
+                       const std::array<Vector_3d, 4> corners = corners_of(c);
+                       m_is_cut[c] = char(tree.meets(corners));
+                       radii[c] = float(inradius(corners));
+                     }
                    });
     for (const auto& [c, d] : m_pairs)
       if (!m_is_cut[c] && !m_is_cut[d])
-        m_parent[root(c)] = root(d);
+        m_sets.unite(c, d);
     m_pairs = {};
+    find_largest(radii);
   }
 
-  // One tetrahedron for each region.
-  std::uint32_t root(std::uint32_t c)
-  {
-    while (m_parent[c] != c)
-      c = m_parent[c] = m_parent[m_parent[c]];
-    return c;
-  }
+  // One tetrahedron for each region, that with the largest inscribed sphere: the center of a flat
+  // one may lie on the wrong side of the surface.
+  std::uint32_t largest(std::uint32_t c) { return m_largest[m_sets.root(c)]; }
   bool is_cut(std::size_t c) const { return m_is_cut[c] != 0; }
 
 private:
+  static double inradius(const std::array<Vector_3d, 4>& p)
+  {
+    const Vector_3d a = minus(p[1], p[0]), b = minus(p[2], p[0]), c = minus(p[3], p[0]);
+    const auto area = [](const Vector_3d& u, const Vector_3d& v) {
+      const Vector_3d n = cross(u, v);
+      return std::sqrt(dot(n, n));
+    };
+    const double areas = area(a, b) + area(b, c) + area(c, a) + area(minus(b, a), minus(c, a));
+    return areas > 0 ? std::abs(dot(a, cross(b, c))) / areas : 0;
+  }
+
+  void find_largest(const std::vector<float>& radii)
+  {
+    m_largest.resize(radii.size());
+    std::iota(m_largest.begin(), m_largest.end(), std::uint32_t(0));
+    for (std::uint32_t c = 0; c < radii.size(); ++c) {
+      std::uint32_t& largest = m_largest[m_sets.root(c)];
+      if (radii[c] > radii[largest])
+        largest = c;
+    }
+  }
+
   // Facet 4 c + k leaves out corner k.
   template <class VerticesOf>
   static Corners facet(const VerticesOf& vertices_of, std::size_t f)
@@ -165,8 +190,9 @@ private:
     }
   }
 
-  std::vector<std::uint32_t> m_parent;
+  Disjoint_sets<std::uint32_t> m_sets;
   std::vector<char> m_is_cut;
+  std::vector<std::uint32_t> m_largest; // of each set, at its root
   std::vector<std::uint32_t> m_missing;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> m_pairs;
 };

@@ -147,7 +147,7 @@ void find_numbers_by_regions(const Winding_tree& tree, const Cells& cells,
   regions.cut(Box_tree(std::move(cutting)), cells, executor);
   std::vector<std::uint32_t> asked;
   for (std::uint32_t c = 0; c < cells.number; ++c)
-    if (regions.is_cut(c) || regions.root(c) == c)
+    if (regions.is_cut(c) || regions.largest(c) == c)
       asked.push_back(c);
   find_numbers(tree, cells, asked, numbers, executor);
 
@@ -156,11 +156,11 @@ void find_numbers_by_regions(const Winding_tree& tree, const Cells& cells,
     return closing.empty() ? 0 : closing_tree(cells.center(c));
   };
   for (const std::uint32_t c : asked)
-    if (!regions.is_cut(c)) // of the roots the whole numbers first
+    if (!regions.is_cut(c)) // of the largest ones the whole numbers first
       numbers[c] = std::round(numbers[c] - of_closing(c));
   for (std::uint32_t c = 0; c < cells.number; ++c)
-    if (!regions.is_cut(c) && regions.root(c) != c)
-      numbers[c] = numbers[regions.root(c)] + of_closing(c);
+    if (!regions.is_cut(c) && regions.largest(c) != c)
+      numbers[c] = numbers[regions.largest(c)] + of_closing(c);
   for (const std::uint32_t c : asked)
     if (!regions.is_cut(c))
       numbers[c] += of_closing(c);

@@ -12,6 +12,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -19,7 +20,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -93,19 +93,13 @@ connected_sets(const std::vector<Open_edge>& edges)
   const auto place = [&](std::size_t v) {
     return std::size_t(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
   };
-  std::vector<std::size_t> parent(vertices.size());
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i)
-      i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  Disjoint_sets<std::size_t> joined(vertices.size());
   for (const Open_edge& e : edges)
-    parent[root(place(e.ends[0]))] = root(place(e.ends[1]));
+    joined.unite(place(e.ends[0]), place(e.ends[1]));
   std::vector<std::size_t> number(vertices.size(), vertices.size()), sets;
   std::size_t count = 0;
   for (const Open_edge& e : edges) {
-    std::size_t& n = number[root(place(e.ends[0]))];
+    std::size_t& n = number[joined.root(place(e.ends[0]))];
     if (n == vertices.size())
       n = count++;
     sets.push_back(n);

@@ -9,6 +9,7 @@
 // positive where the triangle is seen from behind.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
 #include <array>
 #include <cmath>
@@ -19,19 +20,6 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 using Vector_3d = std::array<double, 3>;
-
-inline double dot(const Vector_3d& a, const Vector_3d& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Vector_3d cross(const Vector_3d& a, const Vector_3d& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline Vector_3d minus(const Vector_3d& a, const Vector_3d& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
 
 // Half of that of the triangle with these corners as seen from q. On the triangle itself it is π or
 // -π, at its corners 0.

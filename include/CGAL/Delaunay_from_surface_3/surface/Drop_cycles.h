@@ -18,7 +18,7 @@
 // Cost: O(n + r α(r)) for r rim edges; 9 bytes per vertex after all else has been freed.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Opened_surface.h>
 
 #include <algorithm>

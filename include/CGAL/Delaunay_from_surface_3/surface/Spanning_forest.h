@@ -8,7 +8,7 @@
 // A spanning subgraph T for surfaces without usable faces. Choi 2002, §3 asks for bounded degree;
 // this one has no bound, so the trace is right but its cost is not proved.
 
-#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>

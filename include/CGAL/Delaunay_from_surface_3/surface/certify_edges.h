@@ -9,7 +9,7 @@
 // counting.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Find_topology.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>

@@ -9,7 +9,7 @@
 // algorithm".
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>

@@ -203,7 +203,7 @@ inline Tile_pairs tiles_that_differ(const std::vector<Tile_certificate>& tiles)
   return result;
 }
 
-// Do so many tiles together have the Delaunay triangulation of so many points? False, too, if the
+// Whether so many tiles together have the Delaunay triangulation of so many points. False, too, if the
 // list is not that of all tiles in their order.
 inline bool is_certified(const std::vector<Tile_certificate>& tiles, std::size_t number_of_tiles,
                          std::uint64_t number_of_points)

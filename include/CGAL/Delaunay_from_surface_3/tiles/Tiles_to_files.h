@@ -13,11 +13,9 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_stages.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/run_tasks.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/run_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
@@ -51,26 +49,17 @@ public:
   }
 
   // Begins or goes on, to the end.
-  Tiles_report run(const Tile_source_3& source, Tiles_options options)
+  Tiles_report run(const Tile_source_3& source, const Tiles_options& options)
   {
     refuse_other_tiles();
-    for (;;) {
-      try {
-        m_engine.begin(source, options);
-        const Tiles_report report = run_tiles(m_engine, [] { return std::uint64_t(0); });
-        if (!report.is_certified)
-          throw std::runtime_error(does_not_hold);
-        write_all(options);
-        if (m_with_neighbors)
-          Tile_neighbors(m_folder, m_folder / "state", report.tiles).run(m_executor);
-        return finish();
-      } catch (const Tile_too_large& error) {
-        if (!ask_for_more_tiles(options, error, m_engine.number_of_points(),
-                                m_engine.number_of_tiles()))
-          throw;
-        m_engine.forget();
-      }
-    }
+    const auto no_seed = [] { return std::uint64_t(0); }; // it is in the state
+    const auto write = [&](const Tiles_report& report) {
+      write_all(options);
+      if (m_with_neighbors)
+        Tile_neighbors(m_folder, m_folder / "state", report.tiles).run(m_executor);
+      return finish();
+    };
+    return run_until_certified(m_engine, source, options, no_seed, write);
   }
 
   // Begins, or closes what is done, and returns how many tasks there are now; 0: all is done, but
@@ -109,9 +98,6 @@ public:
   }
 
 private:
-  static constexpr const char* does_not_hold =
-      "the tiles do not fit together: the certificate does not hold";
-
   Tiles_stages& begin(const Tile_source_3& source, const Tiles_options& options)
   {
     refuse_other_tiles();
@@ -131,7 +117,7 @@ private:
   {
     const Tile_pairs differing = tiles_that_differ(stages.certificates());
     if (differing.empty())
-      throw std::runtime_error(does_not_hold);
+      throw std::runtime_error(tiles_do_not_fit);
     stages.show(differing);
   }
 

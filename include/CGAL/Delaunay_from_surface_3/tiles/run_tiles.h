@@ -13,13 +13,19 @@
 // each tile of a pair tell the other what is around the cells that both see
 // (Delaunay_tile::witnesses()).
 
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -60,6 +66,42 @@ Tiles_report run_tiles(Engine& engine, const Draw& draw)
     if (report.is_certified || differing.empty() || repairs == most_repairs)
       return report;
     engine.show(differing);
+  }
+}
+
+constexpr const char* tiles_do_not_fit =
+    "the tiles do not fit together: the certificate does not hold";
+
+// Of a refused input nothing is left: the next one is another.
+template <class Engine>
+void begin_or_forget(Engine& engine, const Tile_source_3& source, const Tiles_options& options)
+{
+  try {
+    engine.begin(source, options);
+  } catch (const Surface_input_error&) {
+    engine.forget();
+    throw;
+  }
+}
+
+// Begins, and again with more tiles if one becomes too large, until the certificate holds; returns
+// finish(report).
+template <class Engine, class Draw, class Finish>
+Tiles_report run_until_certified(Engine& engine, const Tile_source_3& source, Tiles_options options,
+                                 const Draw& draw, const Finish& finish)
+{
+  for (;;) {
+    try {
+      begin_or_forget(engine, source, options);
+      const Tiles_report report = run_tiles(engine, draw);
+      if (!report.is_certified)
+        throw std::runtime_error(tiles_do_not_fit);
+      return finish(report);
+    } catch (const Tile_too_large& error) {
+      if (!ask_for_more_tiles(options, error, engine.number_of_points(), engine.number_of_tiles()))
+        throw;
+      engine.forget();
+    }
   }
 }
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_DISJOINT_SETS_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_DISJOINT_SETS_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_DISJOINT_SETS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_DISJOINT_SETS_H
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -46,7 +46,7 @@ public:
     return true;
   }
 
-private:
+  // One element of the set of i, the same for all of them.
   Index root(Index i)
   {
     while (m_parent[i] != i)
@@ -54,6 +54,7 @@ private:
     return i;
   }
 
+private:
   std::vector<unsigned char> m_rank; // at most log2 n
   std::vector<Index> m_parent;
 };
@@ -63,4 +64,4 @@ private:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_DISJOINT_SETS_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_DISJOINT_SETS_H
