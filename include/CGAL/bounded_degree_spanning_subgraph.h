@@ -41,8 +41,10 @@ opened; the rest hangs on these as trees.
 Complexity: time linear in the size of the surface, without recursion, and at most about 40 bytes of
 memory per vertex besides it, where there are about three edges per vertex.
 
-The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given in the
-user manual.
+The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given in
+\ref delaunay_from_surface_3_the_paper.
+
+Example: \ref Delaunay_from_surface_3/spanning_subgraph.cpp
 */
 template <class Reader, class EdgeOutputIterator>
 EdgeOutputIterator bounded_degree_spanning_subgraph(
@@ -65,6 +67,8 @@ loops, where 2g is the non-orientable genus if it is not orientable; and 4 on th
 
 The parameters and exceptions are those of `bounded_degree_spanning_subgraph()`.
 Complexity: nearly linear time, \f$O(n \alpha(n))\f$ for n vertices and edges.
+
+Example: \ref Delaunay_from_surface_3/spanning_subgraph_of_moebius_band.cpp
 */
 template <class Reader, class EdgeOutputIterator>
 EdgeOutputIterator

@@ -29,6 +29,8 @@ surface, and serves for any set of its edges.
 \throws Surface_input_error as `surface_of()` says, and if two indices of a soup are no edge of it
 
 Complexity: linear time for the surface, and \f$O(m \log m)\f$ for m edges of the subgraph.
+
+Example: \ref Delaunay_from_surface_3/spanning_subgraph.cpp
 */
 template <class Reader, class EdgeRange>
 Delaunay_from_surface_3::Spanning_subgraph_certificate

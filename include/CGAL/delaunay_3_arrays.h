@@ -150,6 +150,8 @@ below
 \throws Surface_input_error if a coordinate is not a finite number
 \throws std::length_error if there are more cells than `Index` can number
 
+Example: \ref Delaunay_from_surface_3/arrays_and_inside.cpp
+
 \sa `insert_points_3()`
 */
 template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, class PointRange,

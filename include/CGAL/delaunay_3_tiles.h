@@ -73,6 +73,8 @@ beginning again with more tiles does not help
 \throws Tiles_stopped if `options.progress` returned `false`
 \throws std::runtime_error if the certificate does not hold in the end; this was never seen
 
+Example: \ref Delaunay_from_surface_3/filter_tiles.cpp
+
 \sa `delaunay_3_arrays()`
 */
 template <class Engine, class Sink>

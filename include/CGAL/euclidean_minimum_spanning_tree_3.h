@@ -92,6 +92,8 @@ points.
 
 \return the output iterator past the last edge written
 
+Example: \ref Delaunay_from_surface_3/euclidean_minimum_spanning_tree.cpp
+
 \sa `contains_euclidean_minimum_spanning_tree()`
 \sa `Delaunay_from_surface_3::Minimum_spanning_forest`
 */

@@ -105,6 +105,8 @@ The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_m
 \throws Surface_input_error if a coordinate is not a finite number, the number of infos is not that
 of the points, or `preserve_order` cannot be had; `tr` is then unchanged
 
+Example: \ref Delaunay_from_surface_3/thin_points.cpp
+
 \sa `insert_points_along_graph_3()`
 \sa `Point_insertion_traits_3`
 */
@@ -184,6 +186,8 @@ core (`through_core`).
 \throws Surface_input_error if a coordinate is not a finite number, a face has an index out of
 range, the number of infos is not that of the points, or `preserve_order` cannot be had; `tr` is
 then unchanged
+
+Example: \ref Delaunay_from_surface_3/insert_polygon_soup.cpp
 
 \sa `insert_surface_vertices_3()`
 */

@@ -102,6 +102,8 @@ out
 vertices or infos differ, the indices are not 0, …, n-1, or `preserve_order` cannot be had; `tr` is
 then unchanged
 
+Example: \ref Delaunay_from_surface_3/insert_along_graph.cpp
+
 \sa `insert_surface_vertices_3()`
 */
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,

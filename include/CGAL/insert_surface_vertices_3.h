@@ -115,6 +115,8 @@ The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_m
 vertices have the same index, the number of infos is not that of the vertices, or `preserve_order`
 cannot be had; `tr` is then unchanged
 
+Example: \ref Delaunay_from_surface_3/insert_surface_mesh.cpp
+
 \sa `insert_points_3()`
 \sa `insert_points_along_graph_3()`
 */

@@ -53,6 +53,8 @@ evenly.
 \throws Surface_input_error if a coordinate is not a finite number, an index is out of range, the
 points are not as many as those of `arrays` or lie in a plane, or the surface has no inside
 
+Example: \ref Delaunay_from_surface_3/arrays_and_inside.cpp
+
 \sa `delaunay_3_arrays()`
 */
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class FaceRange, class Index>

@@ -141,6 +141,8 @@ below; any other does not compile
 number, or points are so far from each other that the square of their distance is too large for a
 double; nothing is then written
 
+Example: \ref Delaunay_from_surface_3/locally_uniform_subset.cpp
+
 \sa `neighbor_spacing_3()`
 */
 template <class PointRange, class Sizing, class OutputIterator,

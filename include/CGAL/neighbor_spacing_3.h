@@ -53,6 +53,8 @@ other that the square of their distance is too large for a double
 
 \pre `k` > 0
 
+Example: \ref Delaunay_from_surface_3/locally_uniform_subset.cpp
+
 \sa `locally_uniform_subset_3()`
 */
 template <class PointRange, typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -30,12 +30,12 @@ BOOST_AUTO_TEST_CASE(fan)
     fan.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
   }
   const tests::Named_surface named = {"fan", fan};
-  tests::Stock_case<Triangulation>(named).check<CGAL::Surface_insertion_traits_3>();
+  tests::Plain_case<Triangulation>(named).check<CGAL::Surface_insertion_traits_3>();
 }
 
 BOOST_AUTO_TEST_CASE(more_than_65536_points_on_one_sphere)
 {
   const tests::Named_surface named = {"integer sphere", surfaces::integer_sphere(80000)};
   BOOST_TEST_REQUIRE(named.surface.points.size() > 65536u);
-  tests::Stock_case<Triangulation>(named).check<CGAL::Surface_insertion_traits_3>();
+  tests::Plain_case<Triangulation>(named).check<CGAL::Surface_insertion_traits_3>();
 }

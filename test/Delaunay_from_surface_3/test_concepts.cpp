@@ -54,7 +54,7 @@ const surfaces::Indexed_surface& surface()
   return instance;
 }
 
-Triangulation stock()
+Triangulation plain()
 {
   return Triangulation(surface().points.begin(), surface().points.end());
 }
@@ -75,7 +75,7 @@ void check_graph_archetype(const Traits& traits)
   CGAL::insert_points_along_graph_3(
       tr, surface().points, graph, traits,
       parameters::vertex_index_map(tests::Graph_archetype::Index_map()));
-  BOOST_TEST((tr == stock()));
+  BOOST_TEST((tr == plain()));
 }
 
 // One archetype at a time, the rest from the package.
@@ -119,14 +119,14 @@ BOOST_AUTO_TEST_CASE(visitor_archetype)
   std::size_t insertions = 0;
   Triangulation tr;
   CGAL::insert_points_3(tr, surface().points, surface().faces,
-                                parameters::visitor(tests::Visitor_archetype(&insertions)));
+                        parameters::visitor(tests::Visitor_archetype(&insertions)));
   BOOST_TEST(insertions > 0u);
   const std::size_t in_core = insertions; // CGAL's insertion, which comes next, asks at each point
   tests::Visitor_archetype visitor(&insertions);
   CGAL::insert_points_3(tr, surface().points, surface().faces,
-                                parameters::visitor(std::ref(visitor)));
+                        parameters::visitor(std::ref(visitor)));
   BOOST_TEST(insertions == in_core + surface().points.size());
-  BOOST_TEST((tr == stock()));
+  BOOST_TEST((tr == plain()));
 }
 
 // Ranges may be read once only, from the front.
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(forward_ranges)
     faces.push_front({short(face[0]), short(face[1]), short(face[2])});
   Triangulation tr;
   CGAL::insert_points_3(tr, points, faces);
-  BOOST_TEST((tr == stock()));
+  BOOST_TEST((tr == plain()));
 }
 
 BOOST_AUTO_TEST_CASE(metering_visitor_adds_up_what_the_traits_count)
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(metering_visitor_adds_up_what_the_traits_count)
   const auto meter = [&] { return tr.geom_traits().counts(); };
   meters::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::insert_points_3(tr, surface().points, surface().faces, CGAL::Tracing_traits_3(),
-                                parameters::visitor(std::ref(visitor)));
+                        parameters::visitor(std::ref(visitor)));
   const std::size_t n = surface().points.size();
   const auto ends = DFS::Log_star_rounds::round_ends(n);
   BOOST_TEST_REQUIRE(visitor.rounds().size() == ends.size() + 1);

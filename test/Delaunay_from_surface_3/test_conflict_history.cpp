@@ -276,7 +276,7 @@ BOOST_AUTO_TEST_CASE(the_papers_algorithm_gives_plain_triangulations)
   for (const auto& surfaces : {tests::ordinary_surfaces(2000), tests::degenerate_surfaces(400)})
     all.insert(all.end(), surfaces.begin(), surfaces.end());
   for (const tests::Named_surface& named : all) {
-    const tests::Stock_case<Triangulation> plain_case(named);
+    const tests::Plain_case<Triangulation> plain_case(named);
     plain_case.check<CGAL::History_tracing_traits_3>(0);
     plain_case.check<CGAL::History_tracing_traits_3>(1);
     plain_case.check<CGAL::Surface_insertion_policies_3<DFS::Spanning_forest, DFS::Geometric_rounds,
@@ -284,13 +284,13 @@ BOOST_AUTO_TEST_CASE(the_papers_algorithm_gives_plain_triangulations)
   }
   for (const tests::Named_surface& named : tests::ordinary_surfaces(2000))
     for (unsigned int seed = 0; seed < 2; ++seed)
-      tests::Stock_case<Triangulation>(named).check_as_mesh<CGAL::History_tracing_traits_3>(seed);
+      tests::Plain_case<Triangulation>(named).check_as_mesh<CGAL::History_tracing_traits_3>(seed);
 }
 
 BOOST_AUTO_TEST_CASE(the_papers_algorithm_with_exact_constructions)
 {
   for (const tests::Named_surface& named : tests::degenerate_surfaces(150))
-    tests::Stock_case<CGAL::Delaunay_triangulation_3<Exact_kernel>>(named)
+    tests::Plain_case<CGAL::Delaunay_triangulation_3<Exact_kernel>>(named)
         .check<CGAL::History_tracing_traits_3>();
 }
 

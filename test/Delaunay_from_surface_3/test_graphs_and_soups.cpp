@@ -68,13 +68,13 @@ const std::vector<std::string> no_faces = {
 BOOST_AUTO_TEST_CASE(soups_that_are_no_surface)
 {
   const std::vector<Point> points = surfaces::sphere(40, 0.2).points;
-  const Triangulation stock(points.begin(), points.end());
+  const Triangulation plain(points.begin(), points.end());
   // Only one of the traits traces; it has a subgraph of bounded degree where the soup is a surface.
   const auto reasons_for = [&](const Faces& faces, const std::string& refusal) {
     Watching_visitor visitor;
-    check_with_all_traits(stock, [&](Triangulation& tr, const auto& traits) {
+    check_with_all_traits(plain, [&](Triangulation& tr, const auto& traits) {
       return CGAL::insert_points_3(tr, points, faces, traits,
-                                           parameters::visitor(std::ref(visitor)));
+                                   parameters::visitor(std::ref(visitor)));
     });
     BOOST_TEST((visitor.reasons.empty() || visitor.reasons.size() == 3)); // once for each traits
     BOOST_TEST((visitor.reasons_of_subgraph.empty() ? "" : visitor.reasons_of_subgraph.front()) ==
@@ -102,12 +102,12 @@ BOOST_AUTO_TEST_CASE(soups_that_are_no_surface)
 BOOST_AUTO_TEST_CASE(indices_of_any_integer_type)
 {
   const std::vector<Point> points = surfaces::sphere(40, 0.2).points;
-  const Triangulation stock(points.begin(), points.end());
+  const Triangulation plain(points.begin(), points.end());
   const auto check = [&](auto index) {
     const std::vector<std::vector<decltype(index)>> faces = {{0, 1, 2}, {2, 3, 4}, {38, 39, 0}};
     Triangulation tr;
     CGAL::insert_points_3(tr, points, faces);
-    BOOST_TEST((tr == stock));
+    BOOST_TEST((tr == plain));
   };
   check(std::uint8_t());
   check(std::int16_t());
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(polygon_mesh_is_told_to_the_visitor)
   CGAL::insert_surface_vertices_3(of_polygons, mesh, parameters::visitor(std::ref(visitor)));
   BOOST_TEST_REQUIRE(visitor.reasons.size() == 1u);
   BOOST_TEST(visitor.reasons[0] == "faces that are not triangles: 1");
-  BOOST_TEST((of_polygons == torus().stock));
+  BOOST_TEST((of_polygons == torus().plain));
 }
 
 // Serves meshes only, and even these not all of them.
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(spanning_forest_where_the_subgraph_refuses_the_surface)
                                   parameters::visitor(std::ref(on_mesh)));
   CGAL::insert_points_along_graph_3(of_graph, torus().points, Graph(torus().points.size()),
                                     Traits(), parameters::visitor(std::ref(on_graph)));
-  BOOST_TEST((of_mesh == torus().stock && of_graph == torus().stock));
+  BOOST_TEST((of_mesh == torus().plain && of_graph == torus().plain));
   BOOST_TEST(on_mesh.reasons_of_subgraph ==
                  std::vector<std::string>{"vertex 7 is not to my liking"},
              boost::test_tools::per_element());

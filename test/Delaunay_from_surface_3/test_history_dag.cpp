@@ -305,10 +305,10 @@ BOOST_AUTO_TEST_CASE(traces_and_this_history_give_plain_triangulations)
   for (const auto& surfaces : {tests::ordinary_surfaces(2000), tests::degenerate_surfaces(600)})
     all.insert(all.end(), surfaces.begin(), surfaces.end());
   for (const tests::Named_surface& named : all) {
-    const tests::Stock_case<Triangulation> stock_case(named);
+    const tests::Plain_case<Triangulation> plain_case(named);
     for (unsigned int seed = 0; seed < 3; ++seed)
-      stock_case.check<Traits>(seed);
-    stock_case.check<CGAL::Surface_insertion_policies_3<DFS::Spanning_forest, DFS::Geometric_rounds,
+      plain_case.check<Traits>(seed);
+    plain_case.check<CGAL::Surface_insertion_policies_3<DFS::Spanning_forest, DFS::Geometric_rounds,
                                                         meters::History_hints_3>>();
   }
 }
@@ -316,7 +316,7 @@ BOOST_AUTO_TEST_CASE(traces_and_this_history_give_plain_triangulations)
 BOOST_AUTO_TEST_CASE(with_exact_constructions)
 {
   for (const tests::Named_surface& named : tests::degenerate_surfaces(200))
-    tests::Stock_case<CGAL::Delaunay_triangulation_3<Exact_kernel>>(named).check<Traits>();
+    tests::Plain_case<CGAL::Delaunay_triangulation_3<Exact_kernel>>(named).check<Traits>();
 }
 
 // Whenever a point is inserted its descent has found the cell that contains it, so that the walk

@@ -39,8 +39,8 @@ BOOST_AUTO_TEST_CASE(surface_mesh_with_removed_and_isolated_vertices)
     index.emplace(v, int(points.size()));
     points.push_back(mesh.point(v));
   }
-  const Triangulation stock(points.begin(), points.end());
-  check_with_all_traits(stock, [&](Triangulation& tr, const auto& traits) {
+  const Triangulation plain(points.begin(), points.end());
+  check_with_all_traits(plain, [&](Triangulation& tr, const auto& traits) {
     return CGAL::insert_points_along_graph_3(
         tr, points, mesh, traits,
         parameters::vertex_index_map(boost::make_assoc_property_map(index)));
@@ -53,9 +53,9 @@ BOOST_AUTO_TEST_CASE(forms_without_traits)
   CGAL::insert_surface_vertices_3(by_vertices, surfaces::to_mesh<Mesh>(torus().surface));
   CGAL::insert_points_3(by_points, torus().points, torus().surface.faces);
   CGAL::insert_points_along_graph_3(along_graph, torus().points, graph_of_torus());
-  BOOST_TEST((by_vertices == torus().stock));
-  BOOST_TEST((by_points == torus().stock));
-  BOOST_TEST((along_graph == torus().stock));
+  BOOST_TEST((by_vertices == torus().plain));
+  BOOST_TEST((by_points == torus().plain));
+  BOOST_TEST((along_graph == torus().plain));
 }
 
 BOOST_AUTO_TEST_CASE(triangulation_that_was_cleared)
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(triangulation_that_was_cleared)
   Triangulation tr = cube_of_points();
   tr.clear();
   CGAL::insert_points_3(tr, torus().points, torus().surface.faces);
-  BOOST_TEST((tr == torus().stock));
+  BOOST_TEST((tr == torus().plain));
   tr.clear();
   BOOST_TEST(CGAL::insert_points_3(tr, std::vector<Point>(), Faces()) == 0);
   BOOST_TEST((tr == Triangulation()));
@@ -76,10 +76,9 @@ BOOST_AUTO_TEST_CASE(surface_inserted_twice)
   Triangulation tr;
   Index_map first, second;
   for (Index_map* map : {&first, &second})
-    CGAL::insert_points_3(
-        tr, torus().points, torus().surface.faces,
-        parameters::vertex_to_vertex_output_iterator(std::back_inserter(*map)));
-  BOOST_TEST((tr == torus().stock));
+    CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
+                          parameters::vertex_to_vertex_output_iterator(std::back_inserter(*map)));
+  BOOST_TEST((tr == torus().plain));
   BOOST_TEST((first == second));
 }
 
@@ -89,9 +88,9 @@ BOOST_AUTO_TEST_CASE(duplicates_share_a_vertex)
   points.insert(points.end(), torus().points.begin(), torus().points.end());
   Index_map map;
   Triangulation tr;
-  const auto gained = CGAL::insert_points_3(
-      tr, points, torus().surface.faces,
-      parameters::vertex_to_vertex_output_iterator(std::back_inserter(map)));
+  const auto gained =
+      CGAL::insert_points_3(tr, points, torus().surface.faces,
+                            parameters::vertex_to_vertex_output_iterator(std::back_inserter(map)));
   const std::size_t n = torus().points.size();
   BOOST_TEST(gained == std::ptrdiff_t(n));
   BOOST_TEST_REQUIRE(map.size() == 2 * n);

@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(user_supplied_property_maps)
     points[v] = {v->point().x(), v->point().y(), v->point().z()};
     v->point() = CGAL::ORIGIN; // the mesh's own points are not to be used
   }
-  check_with_all_traits(torus().stock, [&](Triangulation& tr, const auto& traits) {
+  check_with_all_traits(torus().plain, [&](Triangulation& tr, const auto& traits) {
     return CGAL::insert_surface_vertices_3(
         tr, mesh, traits,
         parameters::vertex_index_map(boost::make_assoc_property_map(index))
@@ -42,13 +42,13 @@ BOOST_AUTO_TEST_CASE(point_maps)
   }
   const auto pairs = parameters::point_map(CGAL::First_of_pair_property_map<Item>());
   const auto by_index = parameters::point_map(CGAL::make_property_map(torus().points));
-  check_with_all_traits(torus().stock, [&](Triangulation& tr, const auto& traits) {
+  check_with_all_traits(torus().plain, [&](Triangulation& tr, const auto& traits) {
     return CGAL::insert_points_3(tr, items, torus().surface.faces, traits, pairs);
   });
-  check_with_all_traits(torus().stock, [&](Triangulation& tr, const auto& traits) {
+  check_with_all_traits(torus().plain, [&](Triangulation& tr, const auto& traits) {
     return CGAL::insert_points_along_graph_3(tr, items, graph_of_torus(), traits, pairs);
   });
-  check_with_all_traits(torus().stock, [&](Triangulation& tr, const auto& traits) {
+  check_with_all_traits(torus().plain, [&](Triangulation& tr, const auto& traits) {
     return CGAL::insert_points_3(tr, indices, torus().surface.faces, traits, by_index);
   });
 }

@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(subgraph_tree_and_cut)
     }
 }
 
-BOOST_AUTO_TEST_CASE(insertion_equals_stock)
+BOOST_AUTO_TEST_CASE(insertion_equals_plain)
 {
   const Mesh mesh = mesh_of_genus(2, 1);
   std::vector<Kernel::Point_3> points;

@@ -86,8 +86,8 @@ BOOST_AUTO_TEST_CASE(ranges_of_points)
   const std::vector<Point>& points = torus().points;
   const auto check = [&](const auto& insert) {
     Triangulation tr;
-    BOOST_TEST(insert(tr) == std::ptrdiff_t(torus().stock.number_of_vertices()));
-    BOOST_TEST((tr == torus().stock));
+    BOOST_TEST(insert(tr) == std::ptrdiff_t(torus().plain.number_of_vertices()));
+    BOOST_TEST((tr == torus().plain));
     BOOST_TEST(tr.is_valid());
   };
   check([&](Triangulation& tr) { return CGAL::insert_points_3(tr, points); });
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(few_points)
       std::vector<std::array<std::size_t, 3>> faces;
       for (std::size_t i = 0; i + 2 < n; ++i)
         faces.push_back({{i, i + 1, i + 2}});
-      const Triangulation stock(points.begin(), points.end());
+      const Triangulation plain(points.begin(), points.end());
       const auto check = [&](const auto& insert) {
         With_info tr;
         std::vector<With_info::Vertex_handle> vertices(n);
@@ -147,13 +147,13 @@ BOOST_AUTO_TEST_CASE(few_points)
         std::iota(infos.begin(), infos.end(), 0);
         const auto np = DFS::vertex_info_range(infos).vertex_to_vertex_output_iterator(
             [&](std::size_t i, With_info::Vertex_handle v) { vertices[i] = v; });
-        BOOST_TEST(insert(tr, np) == std::ptrdiff_t(stock.number_of_vertices()));
+        BOOST_TEST(insert(tr, np) == std::ptrdiff_t(plain.number_of_vertices()));
         BOOST_TEST(tr.is_valid());
         check_infos(tr, points);
         for (std::size_t i = 0; i < n; ++i)
           BOOST_TEST((vertices[i]->point() == points[i]));
-        BOOST_TEST((Triangulation(tr.points_begin(), tr.points_end()) == stock));
-        BOOST_TEST(tr.number_of_cells() == stock.number_of_cells());
+        BOOST_TEST((Triangulation(tr.points_begin(), tr.points_end()) == plain));
+        BOOST_TEST(tr.number_of_cells() == plain.number_of_cells());
       };
       check([&](With_info& tr, const auto& np) { return CGAL::insert_points_3(tr, points, np); });
       check([&](With_info& tr, const auto& np) {
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(few_points)
       BOOST_CHECK_THROW(CGAL::insert_points_3(tr, points, np), std::runtime_error);
       BOOST_TEST(tr.number_of_vertices() == 0u);
       CGAL::insert_points_3(tr, points);
-      BOOST_TEST((tr == stock));
+      BOOST_TEST((tr == plain));
     }
 }
 
@@ -343,7 +343,7 @@ BOOST_AUTO_TEST_CASE(vertices_in_the_order_of_the_input)
   check(Triangulation(), as_points);
   check(Triangulation(), as_soup);
   check(CGAL::Delaunay_triangulation_3<Kernel, CGAL::Fast_location>(), as_points);
-  Triangulation cleared = torus().stock; // its memory has another order
+  Triangulation cleared = torus().plain; // its memory has another order
   cleared.clear();
   check(cleared, as_points);
 }
@@ -387,9 +387,9 @@ BOOST_AUTO_TEST_CASE(coordinates_without_a_point)
   CGAL::insert_points_3(from_arrays, arrays);
   CGAL::insert_points_3(from_pointers, pointers.begin(), pointers.end());
   CGAL::insert_points_3(with_faces, arrays, torus().surface.faces);
-  BOOST_TEST((from_arrays == torus().stock));
-  BOOST_TEST((from_pointers == torus().stock));
-  BOOST_TEST((with_faces == torus().stock));
+  BOOST_TEST((from_arrays == torus().plain));
+  BOOST_TEST((from_pointers == torus().plain));
+  BOOST_TEST((with_faces == torus().plain));
   CGAL::insert_points_3(from_floats, floats);
   BOOST_TEST(from_floats.number_of_vertices() > 0u);
   const std::vector<std::array<int, 3>> integers = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};

@@ -115,12 +115,12 @@ void insert_twice(const Named_surface& named, unsigned int seed)
   BOOST_TEST_CONTEXT(named.name << ", seed " << seed)
   {
     const std::vector<Point>& points = named.surface.points;
-    const Tr stock(points.begin(), points.end());
+    const Tr plain(points.begin(), points.end());
     Tr tr, half(points.begin(), points.begin() + std::ptrdiff_t(points.size() / 2));
     for (Tr* t : {&tr, &half}) {
       CGAL::insert_points_along_graph_3(*t, points, graph_of(named.surface), Traits(),
                                         CGAL::parameters::random_seed(seed));
-      BOOST_TEST((*t == stock));
+      BOOST_TEST((*t == plain));
       BOOST_TEST(t->is_valid());
     }
   }

@@ -36,13 +36,13 @@ const std::vector<std::string> names = {"bunny00.off",    "elephant.off", "fandi
                                         "anchor.off",     "armadillo.off"};
 
 template <class Triangulation, class Traits>
-void check_mesh(const Mesh& mesh, const Triangulation& stock)
+void check_mesh(const Mesh& mesh, const Triangulation& plain)
 {
   BOOST_TEST_CONTEXT(boost::typeindex::type_id<Traits>().pretty_name())
   {
     Triangulation tr;
     CGAL::insert_surface_vertices_3(tr, mesh, Traits());
-    BOOST_TEST((tr == stock));
+    BOOST_TEST((tr == plain));
     BOOST_TEST(tr.is_valid());
   }
 }
@@ -60,10 +60,10 @@ void check_real_mesh(const std::string& name, std::size_t most_vertices)
   BOOST_TEST_MESSAGE(name << ": " << mesh.number_of_vertices() << " vertices");
   const auto points = tests::points_of<Triangulation>(
       {std::vector<Epick::Point_3>(mesh.points().begin(), mesh.points().end()), {}});
-  const Triangulation stock(points.begin(), points.end());
-  check_mesh<Triangulation, CGAL::Surface_insertion_traits_3>(mesh, stock);
-  check_mesh<Triangulation, CGAL::Tracing_traits_3>(mesh, stock);
-  check_mesh<Triangulation, CGAL::Plain_insertion_traits_3>(mesh, stock);
+  const Triangulation plain(points.begin(), points.end());
+  check_mesh<Triangulation, CGAL::Surface_insertion_traits_3>(mesh, plain);
+  check_mesh<Triangulation, CGAL::Tracing_traits_3>(mesh, plain);
+  check_mesh<Triangulation, CGAL::Plain_insertion_traits_3>(mesh, plain);
 }
 
 } // namespace

@@ -70,15 +70,15 @@ template <class Traits, class Tr>
 void check_non_empty(const std::vector<Point>& old_points)
 {
   const Indexed_surface surface = torus();
-  Tr tr(old_points.begin(), old_points.end()), stock(tr);
+  Tr tr(old_points.begin(), old_points.end()), plain(tr);
   std::vector<std::pair<typename Tr::Vertex_handle, Point>> old_vertices;
   for (auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
     old_vertices.emplace_back(v, v->point());
   const auto infinite = tr.infinite_vertex();
 
   const auto gained = insert_points_3(tr, surface.points, surface.faces, Traits());
-  BOOST_TEST(gained == stock.insert(surface.points.begin(), surface.points.end()));
-  BOOST_TEST((tr == stock));
+  BOOST_TEST(gained == plain.insert(surface.points.begin(), surface.points.end()));
+  BOOST_TEST((tr == plain));
   BOOST_TEST(tr.is_valid());
   for (const auto& [v, p] : old_vertices) {
     BOOST_TEST_REQUIRE(tr.tds().is_vertex(v));
@@ -145,15 +145,15 @@ void check_info(bool infinite_vertex_keeps_it)
   using Tr = CGAL::Delaunay_triangulation_3<Epick, CGAL::Triangulation_data_structure_3<Vb, Cb>,
                                             Location_policy...>;
   const auto& [points, faces] = torus();
-  Tr tr, stock;
-  stock.insert(points.begin(), points.end());
+  Tr tr, plain;
+  plain.insert(points.begin(), points.end());
   tr.infinite_vertex()->info().value() = 4711;
   const std::vector<std::vector<int>> bad_faces = {{-1}};
   BOOST_CHECK_THROW(insert_points_3(tr, points, bad_faces), CGAL::Surface_input_error);
   BOOST_TEST(tr.infinite_vertex()->info().value() == 4711);
   insert_points_3(tr, points, faces);
   BOOST_TEST(tr.infinite_vertex()->info().value() == (infinite_vertex_keeps_it ? 4711 : 0));
-  BOOST_TEST(tr.number_of_cells() == stock.number_of_cells());
+  BOOST_TEST(tr.number_of_cells() == plain.number_of_cells());
   BOOST_TEST(tr.is_valid());
 }
 
@@ -176,7 +176,7 @@ private:
   std::size_t m_time_stamp = std::size_t(-1);
 };
 
-// A mesh whose points are of MeshKernel, next to the stock triangulation of the converted points.
+// A mesh whose points are of MeshKernel, next to plain CGAL triangulation of the converted points.
 template <class MeshKernel, class Kernel>
 void check_kernels()
 {
@@ -200,15 +200,15 @@ void check_kernels()
     std::vector<typename Kernel::Point_3> points;
     for (const auto v : mesh.vertices())
       points.push_back(to_triangulation(mesh.point(v)));
-    Tr tr, stock(points.begin(), points.end());
+    Tr tr, plain(points.begin(), points.end());
     CGAL::insert_surface_vertices_3(tr, mesh);
-    BOOST_TEST((tr == stock));
+    BOOST_TEST((tr == plain));
     BOOST_TEST(tr.is_valid());
   }
 }
 
 template <class Kernel>
-std::vector<std::size_t> calls_of_stock(const std::vector<Point>& points)
+std::vector<std::size_t> calls_of_plain(const std::vector<Point>& points)
 {
   CGAL::Delaunay_triangulation_3<Kernel> tr;
   tr.insert(points.begin(), points.end());
@@ -228,11 +228,11 @@ BOOST_AUTO_TEST_CASE(fast_location)
   check_non_empty_of_all_dimensions<Tr>();
 
   const Indexed_surface surface = surfaces::genus_surface(2, 20000, 0.05);
-  const Triangulation stock(surface.points.begin(), surface.points.end());
+  const Triangulation plain(surface.points.begin(), surface.points.end());
   Tr tr;
   insert_points_3(tr, surface.points, surface.faces);
   BOOST_TEST(tr.is_valid()); // all levels
-  BOOST_TEST(tr.number_of_cells() == stock.number_of_cells());
+  BOOST_TEST(tr.number_of_cells() == plain.number_of_cells());
 
   // The upper levels are used by locate(), insert() and remove(), and follow a copy.
   Tr copy(tr);
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(fast_location)
     t->insert(Point(0.001, 0.002, 0.003));
     t->remove(t->nearest_vertex(surface.points[0]));
     BOOST_TEST(t->is_valid());
-    BOOST_TEST(t->number_of_vertices() == stock.number_of_vertices());
+    BOOST_TEST(t->number_of_vertices() == plain.number_of_vertices());
   }
 }
 
@@ -295,9 +295,8 @@ BOOST_AUTO_TEST_CASE(info_is_kept)
 
   // The map is what a user fills the info with.
   std::vector<std::pair<std::size_t, Tr::Vertex_handle>> map;
-  insert_points_3(
-      tr, surface.points, surface.faces,
-      CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(map)));
+  insert_points_3(tr, surface.points, surface.faces,
+                  CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(map)));
   for (const auto& [i, v] : map)
     v->info().value = int(i);
   for (auto v = tr.finite_vertices_begin(); v != tr.finite_vertices_end(); ++v)
@@ -341,20 +340,20 @@ BOOST_AUTO_TEST_CASE(parallel_tag)
   const auto middle = surface.points.begin() + 2000;
   Tr without_locks, with_locks(Epick(), &locks),
       half(surface.points.begin(), middle, Epick(), &locks);
-  const Tr stock(surface.points.begin(), surface.points.end());
+  const Tr plain(surface.points.begin(), surface.points.end());
   for (Tr* tr : {&without_locks, &with_locks, &half}) {
     const auto lock_structure = tr->get_lock_data_structure();
     insert_points_3(*tr, surface.points, surface.faces);
-    BOOST_TEST((*tr == stock));
+    BOOST_TEST((*tr == plain));
     BOOST_TEST(tr->is_valid());
     BOOST_TEST(tr->get_lock_data_structure() == lock_structure);
     BOOST_TEST(tr->is_parallel() == (lock_structure != nullptr));
     // The parallel insertion of CGAL can go on from there.
     const std::vector<Point> more = surfaces::sphere(3000, 0.1).points;
-    Tr stock_of_both(stock);
-    stock_of_both.insert(more.begin(), more.end());
+    Tr plain_of_both(plain);
+    plain_of_both.insert(more.begin(), more.end());
     tr->insert(more.begin(), more.end());
-    BOOST_TEST((*tr == stock_of_both));
+    BOOST_TEST((*tr == plain_of_both));
   }
 }
 
@@ -396,9 +395,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_with_exact_kernels)
   const std::vector<std::vector<std::size_t>> no_faces;
   for (const double x : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
     CGAL::Delaunay_triangulation_3<Epeck> tr;
-    BOOST_CHECK_THROW(
-        insert_points_3(tr, std::vector<Point>{{0, 0, 0}, {1, x, 0}}, no_faces),
-        CGAL::Surface_input_error);
+    BOOST_CHECK_THROW(insert_points_3(tr, std::vector<Point>{{0, 0, 0}, {1, x, 0}}, no_faces),
+                      CGAL::Surface_input_error);
     BOOST_TEST(tr.number_of_vertices() == 0u);
   }
 
@@ -406,11 +404,11 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_with_exact_kernels)
   const Epeck::FT huge = Epeck::FT(1e200) * Epeck::FT(1e200);
   const std::vector<Epeck::Point_3> points = {{0, 0, 0},     {huge, 0, 0}, {0, huge, 0},
                                               {0, 0, -huge}, {1, 2, 3},    {huge, 1, 1}};
-  const CGAL::Delaunay_triangulation_3<Epeck> stock(points.begin(), points.end());
+  const CGAL::Delaunay_triangulation_3<Epeck> plain(points.begin(), points.end());
   CGAL::Delaunay_triangulation_3<Epeck> exact;
   Triangulation inexact;
   insert_points_3(exact, points, no_faces);
-  BOOST_TEST((exact == stock));
+  BOOST_TEST((exact == plain));
   BOOST_CHECK_THROW(insert_points_3(inexact, points, no_faces), CGAL::Surface_input_error);
   BOOST_TEST(inexact.number_of_vertices() == 0u);
 }
@@ -424,14 +422,14 @@ BOOST_AUTO_TEST_CASE(class_derived_from_a_triangulation)
     int mine = 42;
   };
   const Indexed_surface surface = torus();
-  const Triangulation stock(surface.points.begin(), surface.points.end());
+  const Triangulation plain(surface.points.begin(), surface.points.end());
   Derived derived;
   insert_points_3(derived, surface.points, surface.faces);
-  BOOST_TEST((static_cast<const Triangulation&>(derived) == stock));
+  BOOST_TEST((static_cast<const Triangulation&>(derived) == plain));
   BOOST_TEST(derived.mine == 42);
 }
 
-BOOST_AUTO_TEST_CASE(stock_order_is_stock_insertion_by_insertion)
+BOOST_AUTO_TEST_CASE(spatial_order_is_that_of_plain_insertion_by_insertion)
 {
   using Tr = CGAL::Delaunay_triangulation_3<tests::Recording_kernel>;
   std::vector<Named_surface> all = tests::tiny_and_flat_surfaces();
@@ -444,19 +442,19 @@ BOOST_AUTO_TEST_CASE(stock_order_is_stock_insertion_by_insertion)
     BOOST_TEST_CONTEXT(named.name)
     {
       const auto& [points, faces] = named.surface;
-      const auto stock_calls = calls_of_stock<tests::Recording_kernel>(points);
-      Tr stock_order, tracing;
-      insert_points_3(stock_order, points, faces, CGAL::Plain_insertion_traits_3());
-      BOOST_TEST((stock_order.geom_traits().calls() == stock_calls));
+      const auto plain_calls = calls_of_plain<tests::Recording_kernel>(points);
+      Tr plain_order, tracing;
+      insert_points_3(plain_order, points, faces, CGAL::Plain_insertion_traits_3());
+      BOOST_TEST((plain_order.geom_traits().calls() == plain_calls));
       // The record would show a difference: the paper's order calls other predicates.
       insert_points_3(tracing, points, faces, CGAL::Tracing_traits_3());
-      BOOST_TEST((points.size() < 500 || tracing.geom_traits().calls() != stock_calls));
+      BOOST_TEST((points.size() < 500 || tracing.geom_traits().calls() != plain_calls));
 
       using Counting = meters::Predicate_counting_traits_3<Epick>;
-      CGAL::Delaunay_triangulation_3<Counting> counted_stock, counted;
-      counted_stock.insert(points.begin(), points.end());
+      CGAL::Delaunay_triangulation_3<Counting> counted_plain, counted;
+      counted_plain.insert(points.begin(), points.end());
       insert_points_3(counted, points, faces, CGAL::Plain_insertion_traits_3());
-      const meters::Predicate_counts a = counted_stock.geom_traits().counts();
+      const meters::Predicate_counts a = counted_plain.geom_traits().counts();
       const meters::Predicate_counts b = counted.geom_traits().counts();
       BOOST_TEST(a.orientation == b.orientation);
       BOOST_TEST(a.negative_orientation == b.negative_orientation);
@@ -465,17 +463,17 @@ BOOST_AUTO_TEST_CASE(stock_order_is_stock_insertion_by_insertion)
     }
 }
 
-BOOST_AUTO_TEST_CASE(stock_order_is_stock_in_a_triangulation_with_points)
+BOOST_AUTO_TEST_CASE(spatial_order_is_that_of_plain_in_a_triangulation_with_points)
 {
   using Tr = CGAL::Delaunay_triangulation_3<tests::Recording_kernel>;
   const auto& [points, faces] = torus();
   const std::vector<Point> old_points = surfaces::sphere(200, 0.3).points;
-  Tr stock, tr;
-  stock.insert(old_points.begin(), old_points.end());
-  stock.insert(points.begin(), points.end());
+  Tr plain, tr;
+  plain.insert(old_points.begin(), old_points.end());
+  plain.insert(points.begin(), points.end());
   tr.insert(old_points.begin(), old_points.end());
   insert_points_3(tr, points, faces, CGAL::Plain_insertion_traits_3());
-  BOOST_TEST((stock.geom_traits().calls() == tr.geom_traits().calls()));
+  BOOST_TEST((plain.geom_traits().calls() == tr.geom_traits().calls()));
 }
 
 BOOST_AUTO_TEST_CASE(exception_of_a_predicate_leaves_an_empty_triangulation_alone)
@@ -500,8 +498,7 @@ BOOST_AUTO_TEST_CASE(a_seed_determines_everything)
   const Indexed_surface surface = torus();
   const auto insert = [&](auto traits, unsigned int seed) {
     CGAL::Delaunay_triangulation_3<tests::Recording_kernel> tr;
-    insert_points_3(tr, surface.points, surface.faces, traits,
-                            CGAL::parameters::random_seed(seed));
+    insert_points_3(tr, surface.points, surface.faces, traits, CGAL::parameters::random_seed(seed));
     return tr;
   };
   const auto check = [&](auto traits, bool draws) {

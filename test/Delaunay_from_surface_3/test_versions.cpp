@@ -67,7 +67,7 @@ Mesh torus(int u, int v)
 template <class Tr, class Traits>
 void check(const Mesh& mesh, const Traits& traits)
 {
-  const Tr stock(mesh.points().begin(), mesh.points().end());
+  const Tr plain(mesh.points().begin(), mesh.points().end());
   Tr tr;
   std::size_t insertions = 0;
   struct Visitor : CGAL::Default_surface_insertion_visitor_3
@@ -81,9 +81,9 @@ void check(const Mesh& mesh, const Traits& traits)
       tr, mesh, traits,
       parameters::random_seed(1).visitor(visitor).vertex_to_vertex_output_iterator(
           std::back_inserter(map)));
-  BOOST_TEST((tr == stock));
+  BOOST_TEST((tr == plain));
   BOOST_TEST(tr.is_valid());
-  BOOST_TEST(gained == std::ptrdiff_t(stock.number_of_vertices()));
+  BOOST_TEST(gained == std::ptrdiff_t(plain.number_of_vertices()));
   BOOST_TEST(map.size() == mesh.number_of_vertices());
   BOOST_TEST((insertions > 0) == (mesh.number_of_vertices() > 0));
 }
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(soup_graph_and_refusal)
 {
   const Mesh mesh = torus(30, 10);
   const std::vector<Point> points(mesh.points().begin(), mesh.points().end());
-  const Triangulation stock(points.begin(), points.end());
+  const Triangulation plain(points.begin(), points.end());
   Triangulation from_soup, along_graph, along_mesh;
   const std::vector<std::array<int, 3>> faces = {{0, 1, 2}, {2, 1, 3}};
   CGAL::insert_points_3(from_soup, points, faces, parameters::random_seed(3));
@@ -122,12 +122,12 @@ BOOST_AUTO_TEST_CASE(soup_graph_and_refusal)
       along_graph, points,
       boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>(points.size()));
   CGAL::insert_points_along_graph_3(along_mesh, points, mesh, CGAL::Tracing_traits_3());
-  BOOST_TEST((from_soup == stock));
-  BOOST_TEST((along_graph == stock));
-  BOOST_TEST((along_mesh == stock));
-  BOOST_CHECK_THROW(CGAL::insert_points_3(from_soup, points,
-                                                  std::vector<std::array<int, 3>>{{0, 1, 300}}),
-                    CGAL::Surface_input_error);
+  BOOST_TEST((from_soup == plain));
+  BOOST_TEST((along_graph == plain));
+  BOOST_TEST((along_mesh == plain));
+  BOOST_CHECK_THROW(
+      CGAL::insert_points_3(from_soup, points, std::vector<std::array<int, 3>>{{0, 1, 300}}),
+      CGAL::Surface_input_error);
 }
 
 // A vertex base that no copy is made of: CGAL's own insertion makes none.
@@ -135,12 +135,12 @@ BOOST_AUTO_TEST_CASE(info_that_cannot_be_copied)
 {
   using Vb = CGAL::Triangulation_vertex_base_with_info_3<std::unique_ptr<int>, Kernel>;
   using Cb = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
-  CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vb, Cb>> tr, stock;
+  CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vb, Cb>> tr, plain;
   const Mesh mesh = torus(30, 10);
   tr.infinite_vertex()->info() = std::make_unique<int>(4711);
   CGAL::insert_surface_vertices_3(tr, mesh);
-  stock.insert(mesh.points().begin(), mesh.points().end());
-  BOOST_TEST((tr == stock));
+  plain.insert(mesh.points().begin(), mesh.points().end());
+  BOOST_TEST((tr == plain));
   BOOST_TEST(tr.is_valid());
   BOOST_TEST_REQUIRE(bool(tr.infinite_vertex()->info()));
   BOOST_TEST(*tr.infinite_vertex()->info() == 4711);

@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_of_another_subgraph)
   Triangulation tr;
   Watching_visitor visitor;
   CGAL::insert_points_3(tr, points, faces, CGAL::Tracing_traits_3(),
-                                CGAL::parameters::visitor(std::ref(visitor)));
+                        CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.reasons_of_subgraph.size() == 1u);
 }
 
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_in_the_order_documented)
   Triangulation tr;
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   CGAL::insert_points_3(tr, points, Faces{{0, 1}}, CGAL::Tracing_traits_3(),
-                                parameters::visitor(std::ref(visitor)));
+                        parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.log ==
              "irregular PSreplaced  round 0 of 2:  go LU go LUT located 1 round 1 of 1:  go LUEFD");
 }
@@ -156,15 +156,15 @@ BOOST_AUTO_TEST_CASE(visitor_by_value)
   Triangulation tr = cube_of_points();
   const std::size_t before = tr.number_of_vertices();
   const auto gained = CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
-                                                    parameters::visitor(Stopping(&insertions)));
+                                            parameters::visitor(Stopping(&insertions)));
   BOOST_TEST(gained == 10);
   BOOST_TEST(insertions == 11u);
   BOOST_TEST(tr.number_of_vertices() == before + 10);
 
   Triangulation whole;
   CGAL::insert_points_3(whole, torus().points, torus().surface.faces,
-                                parameters::visitor(CGAL::Default_surface_insertion_visitor_3()));
-  BOOST_TEST((whole == torus().stock));
+                        parameters::visitor(CGAL::Default_surface_insertion_visitor_3()));
+  BOOST_TEST((whole == torus().plain));
 }
 
 BOOST_AUTO_TEST_CASE(visitor_that_is_not_copied_may_have_a_state_of_its_own)
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(exception_of_the_visitor)
     BOOST_TEST(tr.number_of_vertices() == before + when);
     BOOST_TEST(tr.is_valid());
     watch<CGAL::Tracing_traits_3>(empty); // and may be used again
-    BOOST_TEST((empty == torus().stock));
+    BOOST_TEST((empty == torus().plain));
   }
 }
 
@@ -206,10 +206,9 @@ BOOST_AUTO_TEST_CASE(exception_of_the_output_iterator)
       throw std::runtime_error("the output throws");
   });
   Triangulation tr;
-  BOOST_CHECK_THROW(
-      CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
-                                    parameters::vertex_to_vertex_output_iterator(throwing)),
-      std::runtime_error);
+  BOOST_CHECK_THROW(CGAL::insert_points_3(tr, torus().points, torus().surface.faces,
+                                          parameters::vertex_to_vertex_output_iterator(throwing)),
+                    std::runtime_error);
   BOOST_TEST(written == 100u);
   BOOST_TEST(tr.number_of_vertices() == 0u);
   BOOST_TEST(tr.is_valid());

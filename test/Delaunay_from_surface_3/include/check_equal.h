@@ -48,21 +48,21 @@ struct Regular_surface_visitor : CGAL::Default_surface_insertion_visitor_3
 
 // A surface with CGAL's own triangulation of its points.
 template <class Triangulation>
-class Stock_case
+class Plain_case
 {
 public:
   using Point = typename Triangulation::Point;
   using Vertex_handle = typename Triangulation::Vertex_handle;
 
-  explicit Stock_case(const Named_surface& named)
+  explicit Plain_case(const Named_surface& named)
     : m_named(named)
     , m_points(points_of<Triangulation>(named.surface))
-    , m_stock(m_points.begin(), m_points.end())
+    , m_plain(m_points.begin(), m_points.end())
   {
   }
 
   const std::vector<Point>& points() const { return m_points; }
-  const Triangulation& stock() const { return m_stock; }
+  const Triangulation& plain() const { return m_plain; }
 
   // Inserts the surface with Traits and compares everything a caller can see.
   template <class Traits>
@@ -77,9 +77,9 @@ public:
           tr, m_points, m_named.surface.faces, Traits(),
           CGAL::parameters::random_seed(seed).vertex_to_vertex_output_iterator(
               std::back_inserter(map)));
-      BOOST_TEST((tr == m_stock));
+      BOOST_TEST((tr == m_plain));
       BOOST_TEST(tr.is_valid());
-      BOOST_TEST(gained == std::ptrdiff_t(m_stock.number_of_vertices()));
+      BOOST_TEST(gained == std::ptrdiff_t(m_plain.number_of_vertices()));
       check_map(tr, map);
     }
   }
@@ -101,7 +101,7 @@ public:
       Regular_surface_visitor visitor;
       CGAL::insert_surface_vertices_3(
           tr, mesh, Traits(), CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
-      BOOST_TEST((tr == m_stock));
+      BOOST_TEST((tr == m_plain));
       BOOST_TEST(tr.is_valid());
     }
   }
@@ -120,7 +120,7 @@ private:
 
   const Named_surface& m_named;
   std::vector<Point> m_points;
-  Triangulation m_stock;
+  Triangulation m_plain;
 };
 
 } // namespace tests

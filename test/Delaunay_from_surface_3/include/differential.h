@@ -35,70 +35,70 @@ namespace tests {
 
 // Every combination of subgraph, plan and hints.
 template <class Subgraph, class Plan, class Case>
-void check_all_hints(const Case& stock_case)
+void check_all_hints(const Case& plain_case)
 {
   using namespace CGAL;
   using namespace CGAL::Delaunay_from_surface_3;
-  stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Traced_hints_3>>(1);
-  stock_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Neighbor_hints_3>>(2);
-  stock_case.template check<
+  plain_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Traced_hints_3>>(1);
+  plain_case.template check<Surface_insertion_policies_3<Subgraph, Plan, Neighbor_hints_3>>(2);
+  plain_case.template check<
       Round_the_core<Surface_insertion_policies_3<Subgraph, Plan, Previous_hint_3>>>(3);
 }
 
 template <class Subgraph, class Case>
-void check_all_plans_and_hints(const Case& stock_case)
+void check_all_plans_and_hints(const Case& plain_case)
 {
-  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Log_star_rounds>(stock_case);
-  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Geometric_rounds>(stock_case);
-  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Spatial_sort_order>(stock_case);
-  check_all_hints<Subgraph, meters::Hilbert_log_star_rounds>(stock_case);
-  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Surface_net_rounds>(stock_case);
+  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Log_star_rounds>(plain_case);
+  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Geometric_rounds>(plain_case);
+  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Spatial_sort_order>(plain_case);
+  check_all_hints<Subgraph, meters::Hilbert_log_star_rounds>(plain_case);
+  check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Surface_net_rounds>(plain_case);
 }
 
 // Nets through CGAL's insertion, and the core with other plans.
 template <class Case>
-void check_nets_and_compact_kernel_apart(const Case& stock_case, unsigned int seed = 0)
+void check_nets_and_compact_kernel_apart(const Case& plain_case, unsigned int seed = 0)
 {
   using namespace CGAL;
   using namespace CGAL::Delaunay_from_surface_3;
-  stock_case.template check<Round_the_core<
+  plain_case.template check<Round_the_core<
       Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>>(seed);
-  stock_case
+  plain_case
       .template check<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Planned_hints_3>>(
           seed);
-  stock_case
+  plain_case
       .template check<Surface_insertion_policies_3<Full_graph, Spaced_rounds, Planned_hints_3>>(
           seed);
-  stock_case
+  plain_case
       .template check<Surface_insertion_policies_3<Full_graph, Log_star_rounds, Previous_hint_3>>(
           seed);
-  stock_case.template check<
+  plain_case.template check<
       Surface_insertion_policies_3<Full_graph, Spatial_sort_order, Planned_hints_3>>(seed);
 }
 
 template <class Case>
-void check_named_traits(const Case& stock_case, unsigned int seed = 0)
+void check_named_traits(const Case& plain_case, unsigned int seed = 0)
 {
-  stock_case.template check<CGAL::Surface_insertion_traits_3>(seed);
-  stock_case.template check<CGAL::Tracing_traits_3>(seed);
-  stock_case.template check_as_mesh<CGAL::Tracing_traits_3>(seed);
-  stock_case.template check<CGAL::Plain_insertion_traits_3>(seed);
+  plain_case.template check<CGAL::Surface_insertion_traits_3>(seed);
+  plain_case.template check<CGAL::Tracing_traits_3>(seed);
+  plain_case.template check_as_mesh<CGAL::Tracing_traits_3>(seed);
+  plain_case.template check<CGAL::Plain_insertion_traits_3>(seed);
 }
 
 template <class Triangulation>
 void check_surfaces_with_nets_and_compact_kernel(const std::vector<Named_surface>& surfaces)
 {
   for (const Named_surface& named : surfaces)
-    check_nets_and_compact_kernel_apart(Stock_case<Triangulation>(named));
+    check_nets_and_compact_kernel_apart(Plain_case<Triangulation>(named));
 }
 
 template <class Triangulation>
 void check_surfaces_with_named_traits(const std::vector<Named_surface>& surfaces)
 {
   for (const Named_surface& named : surfaces) {
-    const Stock_case<Triangulation> stock_case(named);
-    BOOST_TEST_MESSAGE(named.name << ": " << stock_case.points().size() << " points");
-    check_named_traits(stock_case);
+    const Plain_case<Triangulation> plain_case(named);
+    BOOST_TEST_MESSAGE(named.name << ": " << plain_case.points().size() << " points");
+    check_named_traits(plain_case);
   }
 }
 
@@ -106,18 +106,18 @@ template <class Triangulation>
 void check_surfaces_with_all_combinations(const std::vector<Named_surface>& surfaces)
 {
   for (const Named_surface& named : surfaces) {
-    const Stock_case<Triangulation> stock_case(named);
-    check_all_plans_and_hints<CGAL::Delaunay_from_surface_3::Spanning_forest>(stock_case);
-    check_all_plans_and_hints<CGAL::Delaunay_from_surface_3::Full_graph>(stock_case);
+    const Plain_case<Triangulation> plain_case(named);
+    check_all_plans_and_hints<CGAL::Delaunay_from_surface_3::Spanning_forest>(plain_case);
+    check_all_plans_and_hints<CGAL::Delaunay_from_surface_3::Full_graph>(plain_case);
   }
 }
 
 template <class Triangulation>
 void check_seeds(const Named_surface& named, unsigned int number_of_seeds)
 {
-  const Stock_case<Triangulation> stock_case(named);
+  const Plain_case<Triangulation> plain_case(named);
   for (unsigned int seed = 0; seed < number_of_seeds; ++seed)
-    check_named_traits(stock_case, seed);
+    check_named_traits(plain_case, seed);
 }
 
 } // namespace tests

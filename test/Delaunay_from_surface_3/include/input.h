@@ -66,7 +66,7 @@ struct Torus
 {
   Indexed_surface surface = surfaces::genus_surface(1, 500, 0.05);
   const std::vector<Point>& points = surface.points;
-  Triangulation stock{points.begin(), points.end()};
+  Triangulation plain{points.begin(), points.end()};
 };
 
 inline const Torus& torus()
@@ -91,17 +91,17 @@ inline Graph graph_of_torus()
   return Graph(edges.begin(), edges.end(), torus().points.size());
 }
 
-// Calls insert(tr, traits) with the three traits classes, and compares with the stock
+// Calls insert(tr, traits) with the three traits classes, and compares with plain CGAL
 // triangulation.
 template <class Insert>
-void check_with_all_traits(const Triangulation& stock, const Insert& insert)
+void check_with_all_traits(const Triangulation& plain, const Insert& insert)
 {
   const auto check = [&](const auto& traits) {
     BOOST_TEST_CONTEXT(boost::typeindex::type_id<decltype(traits)>().pretty_name())
     {
       Triangulation tr;
-      BOOST_TEST(insert(tr, traits) == std::ptrdiff_t(stock.number_of_vertices()));
-      BOOST_TEST((tr == stock));
+      BOOST_TEST(insert(tr, traits) == std::ptrdiff_t(plain.number_of_vertices()));
+      BOOST_TEST((tr == plain));
       BOOST_TEST(tr.is_valid());
     }
   };
@@ -117,8 +117,8 @@ void check_mesh(const FaceGraph& mesh)
   const auto point_map = get(CGAL::vertex_point, mesh);
   for (const auto v : vertices(mesh))
     points.push_back(get(point_map, v));
-  const Triangulation stock(points.begin(), points.end());
-  check_with_all_traits(stock, [&](Triangulation& tr, const auto& traits) {
+  const Triangulation plain(points.begin(), points.end());
+  check_with_all_traits(plain, [&](Triangulation& tr, const auto& traits) {
     using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
     std::vector<std::pair<Vertex, Vertex_handle>> map;
     const auto gained = CGAL::insert_surface_vertices_3(
@@ -137,7 +137,7 @@ void check_mesh(const FaceGraph& mesh)
 template <class AnyGraph, class NamedParameters = parameters::Default_named_parameters>
 void check_graph(const AnyGraph& graph, const NamedParameters& np = parameters::default_values())
 {
-  check_with_all_traits(torus().stock, [&](Triangulation& tr, const auto& traits) {
+  check_with_all_traits(torus().plain, [&](Triangulation& tr, const auto& traits) {
     return CGAL::insert_points_along_graph_3(tr, torus().points, graph, traits, np);
   });
 }
