@@ -36,7 +36,7 @@ struct Tiles_options
   /// Where all tiles are in memory, it is one that may have so much.
   std::uint64_t memory = 0;
 
-  /// Of a tile's own points so many come into the sample that all tiles are offered: 1 of
+  /// The sample that all tiles are offered has about as many points as this part of one tile: 1 of
   /// `sample_share`.
   std::size_t sample_share = 8;
 

@@ -5,10 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_PARALLEL_TRIANGULATION_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_PARALLEL_TRIANGULATION_H
 
-// One round of Choi 2002, Fig. 1, lines 2b and 2c, by several workers. Every start is a vertex of
-// an earlier round, or leads to one, so that any worker can insert any point of the round at any
-// time. A point that clashes is tried once more when the chunk is done, and then put off until all
-// are, when the caller inserts it alone: nobody waits for anybody.
+// A round of Choi 2002, Fig. 1, lines 2b and 2c, or a piece of one, by several workers. Every start
+// is a vertex of an earlier round, or leads to one, so that any worker can insert any point of the
+// piece at any time. A point that clashes is tried once more when the chunk is done, and then put
+// off until all are, when the caller inserts it alone: until then nobody waits for anybody.
 //
 // Workers are right when they run one after the other, too: then the first one takes all points.
 
