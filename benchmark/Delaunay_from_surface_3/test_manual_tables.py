@@ -12,7 +12,11 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import fill_manual
+
 HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+PAGES = sorted({page for _, page, _, _ in fill_manual.TABLES})
 MANUAL = HERE.parents[1] / "doc/Delaunay_from_surface_3"
 
 
@@ -44,21 +48,31 @@ class Manual_tables(unittest.TestCase):
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertEqual(copies[page].read_text(), text)
 
-    def test_performance(self):
-        self.check(["Performance.txt", "Performance_tables.txt"], "plot_results.py", "compare_*.json", "paper_*.json")
+    def fill(self, root, *options):
+        return subprocess.run([sys.executable, "-B", HERE / "fill_manual.py", "--root", root, *options], text=True,
+                              capture_output=True)
 
-    def test_readme(self):
-        self.check(["../../README.md"], "readme_tables.py", "compare_peers.json", "threads_256k.json",
-                   "orders_200k.json", "demo_meshes.json", "python.json")
+    def test_pages_have_the_tables_of_the_results(self):
+        result = self.fill(ROOT, "--check")
+        self.assertEqual(result.returncode, 0, result.stderr)
 
-    def test_consumers(self):
-        self.check(["Consumers.txt"], "consumer_tables.py", "consumers.json", "thinning.json", "python.json")
-
-    def test_parts(self):
-        self.check(["Delaunay_from_surface_3.txt"], "part_tables.py", "parts.json")
-
-    def test_sources(self):
-        self.check(["Sources.txt"], "source_tables.py", "sources*.json")
+    def test_stale_figures_are_seen(self):
+        texts = {page: (ROOT / page).read_text() for page in PAGES}
+        with tempfile.TemporaryDirectory() as folder:
+            for page, text in texts.items():
+                (Path(folder) / page).parent.mkdir(parents=True, exist_ok=True)
+                (Path(folder) / page).write_text(text)
+            for page, text in texts.items():
+                stale = re.sub(r"\d(\D*\n\n<!-- end)", r"x\1", text, count=1)
+                for changed in (stale, re.sub(r"<!-- (?=\w+ -->\n(?!.*<!-- end))", "<!-- no_", text, count=1)):
+                    self.assertNotEqual(changed, text)
+                    (Path(folder) / page).write_text(changed)
+                    result = self.fill(folder, "--check")
+                    self.assertEqual(result.returncode, 1)
+                    self.assertRegex(result.stderr, f"^fill_manual.py: .*{re.escape(page)}")
+                (Path(folder) / page).write_text(stale)
+                self.assertEqual(self.fill(folder).returncode, 0)
+                self.assertEqual((Path(folder) / page).read_text(), text)
 
     def test_theory(self):
         self.check(["Theory.txt"], "plot_location_costs.py", "location_costs.json")
