@@ -17,6 +17,7 @@ import sys
 from pathlib import Path
 
 import hard_tables
+import list_of_results
 import speed_tables
 import use_tables
 from manual_tables import read
@@ -25,30 +26,32 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 README = "README.md"
 MAIN_PAGE = "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt"
+BENCHMARK = "benchmark/Delaunay_from_surface_3/README.md"
 HOW_FAST = "doc/Delaunay_from_surface_3/How_fast.txt"
 
-TABLES = [  # marker, page, names of results, and the function that makes the text of them
-    ("times", README, ["calls_256k"], speed_tables.times_of_readme),
-    ("collections", README, ["orders_200k", "demo_meshes"], speed_tables.collections),
-    ("peers", README, ["compare_peers"], hard_tables.peers_of_readme),
-    ("python", README, ["python"], use_tables.python_of_readme),
-    ("parts_counts", MAIN_PAGE, ["parts"], use_tables.counts_of_parts),
-    ("one_thread", HOW_FAST, ["calls_256k"], speed_tables.one_thread),
-    ("two_threads", HOW_FAST, ["calls_256k", "threads_256k"], speed_tables.two_threads),
-    ("more_threads", HOW_FAST, ["threads_simulated"], speed_tables.more_threads),
-    ("sizes", HOW_FAST, ["small_meshes", "demo_meshes", "threads_64k", "calls_256k", "calls_1M", "threads_4M"],
+TABLES = [  # page, marker, names of results, and the function that makes the text of them
+    (README, "times", ["calls_256k"], speed_tables.times_of_readme),
+    (README, "collections", ["orders_200k", "demo_meshes"], speed_tables.collections),
+    (README, "peers", ["compare_peers"], hard_tables.peers_of_readme),
+    (README, "python", ["python"], use_tables.python_of_readme),
+    (BENCHMARK, "results", list(list_of_results.SHOWS), list_of_results.list_of_results),
+    (MAIN_PAGE, "parts_counts", ["parts"], use_tables.counts_of_parts),
+    (HOW_FAST, "one_thread", ["calls_256k"], speed_tables.one_thread),
+    (HOW_FAST, "two_threads", ["calls_256k", "threads_256k"], speed_tables.two_threads),
+    (HOW_FAST, "more_threads", ["threads_simulated"], speed_tables.more_threads),
+    (HOW_FAST, "sizes", ["small_meshes", "demo_meshes", "threads_64k", "calls_256k", "calls_1M", "threads_4M"],
      speed_tables.sizes),
-    ("gains", HOW_FAST, ["compare_64k"], speed_tables.gains),
-    ("hard", HOW_FAST, ["orders", "orders_200k", "orders_walks", "flat_and_far"], hard_tables.hard),
-    ("boxes", HOW_FAST, ["orders_walks"], hard_tables.boxes),
-    ("uses", HOW_FAST, ["consumers"], use_tables.uses),
-    ("thinning", HOW_FAST, ["thinning"], use_tables.thinning),
-    ("sources", HOW_FAST, ["sources"], use_tables.sources),
-    ("memory", HOW_FAST, ["calls_256k", "calls_1M", "single_calls"], speed_tables.memory),
-    ("compile_time", HOW_FAST, ["compile_time"], use_tables.compile_time),
-    ("python", HOW_FAST, ["python"], use_tables.python),
-    ("tiles", HOW_FAST, ["tiles"], hard_tables.tiles),
-    ("peers", HOW_FAST, ["compare_peers"], hard_tables.peers),
+    (HOW_FAST, "gains", ["compare_64k"], speed_tables.gains),
+    (HOW_FAST, "hard", ["orders", "orders_200k", "orders_walks", "flat_and_far"], hard_tables.hard),
+    (HOW_FAST, "boxes", ["orders_walks"], hard_tables.boxes),
+    (HOW_FAST, "uses", ["consumers"], use_tables.uses),
+    (HOW_FAST, "thinning", ["thinning"], use_tables.thinning),
+    (HOW_FAST, "sources", ["sources"], use_tables.sources),
+    (HOW_FAST, "memory", ["calls_256k", "calls_1M", "single_calls"], speed_tables.memory),
+    (HOW_FAST, "compile_time", ["compile_time"], use_tables.compile_time),
+    (HOW_FAST, "python", ["python"], use_tables.python),
+    (HOW_FAST, "tiles", ["tiles"], hard_tables.tiles),
+    (HOW_FAST, "peers", ["compare_peers"], hard_tables.peers),
 ]
 
 BLOCK = re.compile(r"<!-- (\w+) -->\n.*?<!-- end -->", re.S)
@@ -57,7 +60,7 @@ BLOCK = re.compile(r"<!-- (\w+) -->\n.*?<!-- end -->", re.S)
 def blocks_of(page):
     """{marker: text}"""
     return {marker: write(*(read(HERE / f"results/{name}.json") for name in names))
-            for marker, of_page, names, write in TABLES if of_page == page}
+            for of_page, marker, names, write in TABLES if of_page == page}
 
 
 def filled(text, blocks):
@@ -76,7 +79,7 @@ def main():
     parser.add_argument("--root", type=Path, default=ROOT, metavar="FOLDER", help="the project; default: that of this script")
     arguments = parser.parse_args()
     wrong = []
-    for page in dict.fromkeys(page for _, page, _, _ in TABLES):
+    for page in dict.fromkeys(page for page, *_ in TABLES):
         blocks = blocks_of(page)
         if arguments.print:
             print("\n\n".join(f"<!-- {name} -->\n\n{blocks[name]}" for name in arguments.print if name in blocks))

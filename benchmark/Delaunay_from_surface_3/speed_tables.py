@@ -23,7 +23,7 @@ def two(value):
 
 
 def means(columns):
-    return ", ".join(f"{two(geometric_mean([v for v in column if v]))} {name}" for name, column in columns.items())
+    return ", ".join(f"{name} {two(geometric_mean([v for v in column if v]))}" for name, column in columns.items())
 
 
 def one_thread(report):
@@ -60,7 +60,7 @@ def more_threads(report):
         return 1000 * sum(row["rolled_back"][f"workers_{workers}"]) / row["points"]
 
     most = {workers: max(share(row, workers) for row in report["results"]) for workers in (2, 8, 64)}
-    return (f"Of a thousand insertions {most[2]:.1f} at most clashed with two workers, {most[8]:.1f} with 8, and "
+    return (f"of a thousand insertions {most[2]:.1f} at most clashed with two workers, {most[8]:.1f} with 8, and "
             f"{most[64]:.0f} with 64, on {len(report['results'])} surfaces (`{report['name']}`).")
 
 
@@ -70,24 +70,22 @@ SMALL_SIZES = (10, 100, 1000, 3000)
 def sizes(small, demo, threads_64k, calls, large_calls, threads_4m):
     rows, first = [], 4  # points: fewer have no triangulation in space
 
-    def add(name, what, ratios, report):
-        rows.append([name, what, str(len(ratios)), two(geometric_mean(ratios)), two(min(ratios)), report])
+    def add(points, what, ratios, report):
+        rows.append([points, what, f'`{report["name"]}`', str(len(ratios)), two(geometric_mean(ratios)), two(min(ratios))])
 
     for end in SMALL_SIZES:
-        add(f"{first} to {thousands(end - 1)}", "instructions", [m["plain"] / m["package"] for m in small["instructions"]
-                                                      if first <= m["vertices"] < end], "small_meshes")
+        add(f"{thousands(first)} to {thousands(end - 1)}", "instructions",
+            [m["plain"] / m["package"] for m in small["instructions"] if first <= m["vertices"] < end], small)
         first = end
     large = [m for m in demo["meshes"] if m.get("ratio") and m["vertices"] >= first]
-    add(f"{thousands(first)} to {thousands(max(m['vertices'] for m in large))}", "CPU time", [m["ratio"] for m in large],
-        "demo_meshes")
-    for report, name in ((threads_64k, "threads_64k"), (calls, "calls_256k"), (large_calls, "calls_1M"),
-                         (threads_4m, "threads_4M")):
+    add(f"{thousands(first)} to {thousands(max(m['vertices'] for m in large))}", "CPU time", [m["ratio"] for m in large], demo)
+    for report in (threads_64k, calls, large_calls, threads_4m):
         results = report["results"]
-        ratios = [gain(r, "default") if "calls" in r else
-                  r["times"]["plain"]["median_wall"] / r["times"]["threads_1"]["median_wall"] for r in results]
-        add(thousands(round(results[0]["points"], -3)), "time", ratios, name)
-    return table(["points", "counted", "surfaces", "geometric mean", "least", "JSON"],
-                 [[*row[:-1], f"`{row[-1]}`"] for row in rows])
+        add(thousands(results[0]["points"]), "time",
+            [gain(r, "default") if "calls" in r else
+             r["times"]["plain"]["median_wall"] / r["times"]["threads_1"]["median_wall"] for r in results], report)
+    return "\n\n".join([measured(threads_64k, calls, large_calls, threads_4m),
+                        table(["points", "counted", "JSON", "surfaces", "geometric mean", "least"], rows, 3)])
 
 
 MEMORY = {"plain": "plain %CGAL", "default": "faces", "points": "points alone", "arrays": "arrays",
