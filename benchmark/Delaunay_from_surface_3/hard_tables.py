@@ -42,7 +42,7 @@ def hard(orders, orders_200k, walks, flat):
                             ("in one plane, 100,000", ("coplanar",))):
         lines.append(line(title, [r for r in large if r["family"] in families]))
     return f"{measured(orders, orders_200k, walks, flat)}\n\n" + table(
-        ["surfaces, points", "the least", "how many", "geometric mean", "least"], lines, 2)
+        ["surfaces, points", "the hardest", "how many", "geometric mean", "least"], lines, 2)
 
 
 def boxes(walks):
@@ -105,8 +105,8 @@ def tiles(report, number=64):
     rows = []
     for result in report["results"]:
         c = next(c for c in result["counts"] if c["tiles"] == number)
-        rows.append([result["input"], str(c["rounds"]), f'{c["kept"]["mean"]:.1f}', f'{c["kept"]["worst"]:.1f}',
+        rows.append([result["input"], f'{c["kept"]["mean"]:.1f}', f'{c["kept"]["worst"]:.1f}',
                      f'{c["told"]["mean"]:.1f}'])
     points = thousands(max(result["points"] for result in report["results"]))
     return "\n\n".join([f"{points} points, {number} tiles: `{report['name']}`.",
-                        table(["points", "rounds", "kept", "kept by the worst", "told"], rows)])
+                        table(["points", "kept", "kept by the worst", "told"], rows)])

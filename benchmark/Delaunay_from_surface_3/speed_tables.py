@@ -23,7 +23,11 @@ def two(value):
 
 
 def means(columns):
-    return ", ".join(f"{name} {two(geometric_mean([v for v in column if v]))}" for name, column in columns.items())
+    """Of what there is."""
+    most = max(map(len, columns.values()))
+    columns = {name: [v for v in column if v] for name, column in columns.items()}
+    columns = {name + (f" (of {len(column)})" if len(column) < most else ""): column for name, column in columns.items()}
+    return ", ".join(f"{name} {two(geometric_mean(column))}" for name, column in columns.items())
 
 
 def one_thread(report):
@@ -38,18 +42,17 @@ def one_thread(report):
 def two_threads(calls, threads):
     """Parallel_tag of CGAL was measured beside this package only in the run of `threads`."""
     of_threads = {r["surface"]: r["times"] for r in threads["results"]}
-    columns = {"plain %CGAL": [], "`Parallel_tag`": [], "this package": [], "arrays": []}
+    columns = {"plain %CGAL": [], "`Parallel_tag`": [], "this package": []}
     rows = []
     for result in calls["results"]:
         walls = {name: call["median_wall"] for name, call in result["calls"].items()}
         times = of_threads.get(surface_of(result))
         parallel = times and times["plain_parallel"]["median_wall"] / times["threads_2"]["median_wall"]
-        values = [walls["plain"] / walls["default:2"], parallel, walls["default"] / walls["default:2"],
-                  walls["arrays"] / walls["arrays:2"]]
+        values = [walls["plain"] / walls["default:2"], parallel, walls["default"] / walls["default:2"]]
         for column, value in zip(columns.values(), values):
             column.append(value)
         rows.append([surface_of(result), *map(two, values)])
-    titles = ["surface", "plain %CGAL, one thread", "`Parallel_tag`, two", "this package, one", "arrays: one by two"]
+    titles = ["surface", "plain %CGAL, one thread", "`Parallel_tag`, two", "this package, one"]
     return "\n\n".join([f"{measured(calls)[:-1]}; the second column {measured(threads)}", table(titles, rows),
                         f"Geometric means: {means(columns)}."])
 
