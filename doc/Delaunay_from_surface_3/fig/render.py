@@ -110,13 +110,15 @@ class Scene:
         width, height, _ = image.GetDimensions()
         return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].astype(float)
 
-    def write(self, file_name, quality=84):
+    def write(self, file_name, quality=84, on_white=False):
         dark, light = self.pixels((0, 0, 0)), self.pixels((1, 1, 1))
         alpha = 1 - np.clip((light - dark).mean(axis=2) / 255, 0, 1)
         color = np.where(alpha[..., None] > 0, dark / np.maximum(alpha, 1e-6)[..., None], 0)
         rgba = np.dstack([np.clip(color, 0, 255), 255 * alpha]).round().astype(np.uint8)
         small = Image.fromarray(rgba, "RGBA").convert("RGBa").resize(self.size, Image.LANCZOS).convert("RGBA")
         small = small.crop(small.getchannel("A").point(lambda a: 255 if a > 3 else 0).getbbox())
+        if on_white:  # half the bytes
+            small = Image.alpha_composite(Image.new("RGBA", small.size, "white"), small).convert("RGB")
         small.save(file_name, quality=quality, method=6)
         print(f"{file_name}: {small.size[0]} x {small.size[1]}, {os.path.getsize(file_name) / 1000:.0f} kB")
 
@@ -281,7 +283,7 @@ def nets(inputs, file_name):
     last = rounds.max()
     shown = [h for h in range(last + 1) if (rounds <= h).sum() > 30][:4]
     size = diameter(points)
-    scene = Scene(1600, 440, panels=len(shown))
+    scene = Scene(1290, 355, panels=len(shown))
     for panel, h in enumerate(shown):
         scene.add(smooth(data), GREY, panel, smooth=True)
         radius = size * (0.016, 0.011, 0.0075, 0.005)[panel]
@@ -289,7 +291,7 @@ def nets(inputs, file_name):
         scene.add(balls(points[rounds == h], radius), ORANGE, panel, smooth=True)
     print("nets:", [(int((rounds <= h).sum()), h) for h in shown], "of", len(points))
     scene.look(VIEW, zoom=1.35)
-    scene.write(file_name)
+    scene.write(file_name, 72, on_white=True)
 
 
 def trace(inputs, file_name):
