@@ -7,6 +7,7 @@ text that belong between <!-- NAME --> and <!-- end -->."""
 
 import argparse
 import json
+import math
 import os
 import re
 import sys
@@ -21,6 +22,38 @@ def table(titles, rows, left=1):
     """The first columns are aligned to the left, the others, numbers, to the right."""
     lines = ["| " + " | ".join(titles) + " |", "|" + "---|" * left + "--:|" * (len(titles) - left)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def thousands(number):
+    """1000000: 1,000,000"""
+    return f"{number:,}"
+
+
+def geometric_mean(values):
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def range_of(values, form):
+    low, high = form.format(min(values)), form.format(max(values))
+    return low if low == high else f"{low} to {high}"
+
+
+def loads_of(report):
+    """The load averages of the machine that a report gives, before and after."""
+    machine = report["machine"] if isinstance(report.get("machine"), dict) else {}
+    named = [machine.get("load_before"), machine.get("load_after"), report.get("load_average_at_start"),
+             report.get("load_average_at_end")]
+    return [load for load in named if load is not None]
+
+
+def cpu_of(report):
+    return report["machine"]["cpu"].replace("(R)", "").replace(" Processor", "")
+
+
+def measured(*reports):
+    """On which of the two machines, under which load, and where the figures are."""
+    texts = [f'{cpu_of(r).split()[1]}, load {range_of(loads_of(r), "{:.1f}")}, `{r["name"]}`' for r in reports]
+    return "; ".join(texts) + "."
 
 
 def machine_of(report):
@@ -83,7 +116,7 @@ def serve(arguments, blocks):
 
 def read(file_name):
     with open(file_name, encoding="utf-8") as file:
-        return json.load(file)
+        return {"name": Path(file_name).stem, **json.load(file)}
 
 
 def fill_from_results(description, all_blocks, writers):

@@ -14,8 +14,6 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-from results import size_name
-
 PAGE = 864  # div.figure in manual.css
 TEXT, SMALL = 13, 12
 COLORS = ["#d00000", "#0072b2", "#009e73", "#e69f00", "#7a3b00", "#cc79a7"]
@@ -30,6 +28,11 @@ matplotlib.rcParams.update({
     "text.color": "#222222", "axes.labelcolor": "#222222", "axes.linewidth": 1, "lines.linewidth": 2,
     "lines.markersize": 6, "legend.frameon": False, "legend.handlelength": 1.8, "legend.columnspacing": 1.8,
     "legend.borderaxespad": 0, "legend.borderpad": 0})
+
+
+def size_name(n):
+    """16384 -> 16k, 1048576 -> 1M: the sizes are powers of two."""
+    return f"{n / 2**20:g}M" if n >= 2**20 else f"{n / 2**10:g}k"
 
 
 class Sheet:

@@ -12,8 +12,10 @@ import sys
 import unittest
 from pathlib import Path
 
-from peer_tables import peers_block
-from program_case import TORUS, ProgramCase, python_with
+import hard_tables
+import speed_tables
+from manual_tables import read
+from program_case import TORUS, ProgramCase
 
 HERE = Path(__file__).resolve().parent
 PEER = os.path.abspath(os.environ["PLAIN_PEER"])
@@ -99,19 +101,8 @@ class Comparison(ProgramCase):
                              "--repetitions", 1)
         self.assertEqual([(r["surface"], r["points"]) for r in torus], [("torus", 960), ("torus", 1000)])
 
-        plot = [HERE / "plot_results.py", "all.json", "torus.json"]
-        tables = subprocess.run([sys.executable, "-B", *plot, "--tables"], cwd=self.folder, text=True,
-                                capture_output=True)
-        self.assertEqual(tables.returncode, 0, tables.stderr)
-        self.assertIn("\n| genus-3 | 2.44141k |", tables.stdout)
-        python = python_with("matplotlib")
-        if python is None:
-            self.skipTest("skipped: nothing is drawn, as Matplotlib was not found")
-        drawn = subprocess.run([python, "-B", *plot, "--output-dir", "."], cwd=self.folder, text=True,
-                               capture_output=True)
-        self.assertEqual(drawn.returncode, 0, drawn.stderr)
-        for figure in ("before_and_now", "ratio", "phases"):  # of cells there are too few sizes
-            self.assertIn(f"performance_{figure}.svg", self.files())
+        tables = speed_tables.gains(read(self.folder / "all.json"))
+        self.assertIn("\n| genus-3 | ", tables)
 
     @unittest.skipUnless(MEASURE_THREADS, "skipped: measure_threads was not built")
     def test_peers_beside_threads(self):
@@ -124,9 +115,9 @@ class Comparison(ProgramCase):
         ours = result["times"]["threads_2"]
         self.between(0, ours["median_until_export"], ours["median_wall"])
 
-        lines = peers_block([report]).splitlines()
-        self.assertEqual(lines[0].split("|")[3:7], [" CGAL ", " default ", " default until the export ", " again "])
-        self.assertIn(f"""| genus-3 | 2 | {result["times"]["plain_parallel"]["median_wall"]:.3f} |""", "\n".join(lines))
+        lines = hard_tables.peers({"name": "threads", **report}).splitlines()
+        self.assertIn("| program | threads | genus-3 | geometric mean |", lines)
+        self.assertRegex("\n".join(lines), r"\n\| again \| 1 \| \d+\.\d\d \|")
         self.assertIn("Other numbers of tetrahedra than plain %CGAL: none.", lines)
 
     def test_single_calls(self):

@@ -2,11 +2,16 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""The figures of manual and readme: alternative texts say what is seen, and nothing is missing or left over."""
+"""The figures of manual and readme: alternative texts say what is seen, nothing is missing or left over, and all plots can be
+drawn from the results."""
 
 import re
+import subprocess
+import tempfile
 import unittest
 from pathlib import Path
+
+from program_case import python_with
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -47,6 +52,16 @@ class Figures(unittest.TestCase):
         in_readme = {(ROOT / path).resolve() for _, path in images_of_readme()}
         there = {path for path in FIGURES.iterdir() if path.suffix in (".svg", ".webp", ".png")}
         self.assertEqual({FIGURES / name for name in shown} | in_readme, there)
+
+    def test_plots_are_drawn(self):
+        python = python_with("matplotlib")
+        if python is None:
+            self.skipTest("skipped: nothing is drawn, as Matplotlib was not found")
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = subprocess.run([python, "-B", HERE / "draw_figures.py", folder], text=True, capture_output=True)
+            self.assertEqual(drawn.returncode, 0, drawn.stderr)
+            for path in Path(folder).iterdir():
+                self.assertTrue((FIGURES / path.name).exists(), path.name)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""README and the pages of the manual that show measured results have the tables that their scripts make of the
+"""README and the pages of the manual that show measured results have the tables that fill_manual.py makes of the
 committed JSON."""
 
 import re
@@ -12,75 +12,53 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import fill_manual
+from list_of_results import SHOWS
+
 HERE = Path(__file__).resolve().parent
-MANUAL = HERE.parents[1] / "doc/Delaunay_from_surface_3"
+ROOT = HERE.parents[1]
+PAGES = sorted({page for page, *_ in fill_manual.TABLES})
+MOST_ROWS = 11  # of a table on a page of the manual
+
+
+def fill(root, *options):
+    return subprocess.run([sys.executable, "-B", HERE / "fill_manual.py", "--root", root, *options], text=True,
+                          capture_output=True)
 
 
 class Manual_tables(unittest.TestCase):
-    def run_script(self, script, patterns, pages, *options):
-        results = sorted(path for pattern in patterns for path in (HERE / "results").glob(pattern))
-        return subprocess.run([sys.executable, "-B", HERE / script, *results, "--manual", *pages, *options], text=True,
-                              capture_output=True)
-
-    def check(self, pages, script, *patterns):
-        texts = {page: (MANUAL / page).read_text() for page in pages}
-        result = self.run_script(script, patterns, [MANUAL / page for page in pages], "--check")
+    def test_pages_have_the_tables_of_the_results(self):
+        result = fill(ROOT, "--check")
         self.assertEqual(result.returncode, 0, result.stderr)
 
-        # A stale figure, and a table without its place, are seen on each page; the first is made good again.
+    def test_stale_figures_are_seen(self):
+        """And a table without its place; filled, each page is as it was."""
+        texts = {page: (ROOT / page).read_text() for page in PAGES}
         with tempfile.TemporaryDirectory() as folder:
-            copies = {page: Path(folder) / Path(page).name for page in pages}
             for page, text in texts.items():
-                for name, copy in copies.items():
-                    copy.write_text(texts[name])
-                stale = re.sub(r"\d \|\n\n<!-- end", "x |\n\n<!-- end", text)
-                for changed in (re.sub("<!-- [a-z]", "<!-- a", text), stale):
-                    self.assertNotEqual(changed, text)
-                    copies[page].write_text(changed)
-                    result = self.run_script(script, patterns, copies.values(), "--check")
+                (Path(folder) / page).parent.mkdir(parents=True, exist_ok=True)
+                (Path(folder) / page).write_text(text)
+            for page, text in texts.items():
+                first, *_ = fill_manual.BLOCK.finditer(text)
+                stale = re.sub(r"\d", "x", first[0], count=1)
+                for changed in (stale, first[0].replace(first[1], "no_" + first[1], 1)):
+                    self.assertNotEqual(changed, first[0])
+                    (Path(folder) / page).write_text(text.replace(first[0], changed))
+                    result = fill(folder, "--check")
                     self.assertEqual(result.returncode, 1)
-                    self.assertIn(f"{script}: ", result.stderr)
-                result = self.run_script(script, patterns, copies.values())
-                self.assertEqual(result.returncode, 0, result.stderr)
-                self.assertEqual(copies[page].read_text(), text)
+                    self.assertRegex(result.stderr, f"^fill_manual.py: .*{re.escape(page)}")
+                (Path(folder) / page).write_text(text.replace(first[0], stale))
+                self.assertEqual(fill(folder).returncode, 0)
+                self.assertEqual((Path(folder) / page).read_text(), text)
 
-    def test_performance(self):
-        self.check(["Performance.txt", "Performance_tables.txt"], "plot_results.py", "compare_*.json", "paper_*.json")
+    def test_no_table_is_long(self):
+        for page in PAGES:
+            if page.endswith(".txt"):
+                rows = [len(re.findall(r"^\|", block[0], re.M)) for block in fill_manual.BLOCK.finditer((ROOT / page).read_text())]
+                self.assertLessEqual(max(rows), MOST_ROWS + 2, page)
 
-    def test_readme(self):
-        self.check(["../../README.md"], "readme_tables.py", "compare_peers.json", "threads_256k.json",
-                   "orders_200k.json", "demo_meshes.json", "python.json")
-
-    def test_consumers(self):
-        self.check(["Consumers.txt"], "consumer_tables.py", "consumers.json", "thinning.json", "python.json")
-
-    def test_parts(self):
-        self.check(["Delaunay_from_surface_3.txt"], "part_tables.py", "parts.json")
-
-    def test_sources(self):
-        self.check(["Sources.txt"], "source_tables.py", "sources*.json")
-
-    def test_theory(self):
-        self.check(["Theory.txt"], "plot_location_costs.py", "location_costs.json")
-
-    def test_statements(self):
-        self.check(["Statements.txt"], "statement_tables.py", "subgraphs_traced*.json", "uniform_samples.json",
-                   "paper_256k.json")
-
-    def test_subgraphs(self):
-        self.check(["bounded_degree_subgraphs.txt"], "subgraph_tables.py", "subgraph_*.json")
-
-    def test_orders(self):
-        self.check(["Orders.txt"], "order_tables.py", "orders*.json", "flat_and_far.json", "nets_*.json", "*_meshes.json",
-                   "single_calls.json", "calls_*.json")
-
-    def test_where_results_come_from(self):
-        sources = (HERE / "measure_all").read_text() + (HERE / "README.md").read_text()
-        for path in (HERE / "results").glob("*.json"):
-            self.assertIn(path.stem, sources)
-
-    def test_threads(self):
-        self.check(["Threads.txt"], "thread_tables.py", "threads*.json")
+    def test_all_results_are_listed(self):
+        self.assertEqual(sorted(SHOWS), sorted(path.stem for path in (HERE / "results").glob("*.json")))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,37 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Draws the plots of manual and readme from the committed results. Needs Matplotlib (Debian: python3-matplotlib).
+
+  draw_figures.py [FOLDER]      where they go; default: where the manual has them
+"""
+
+import sys
+from pathlib import Path
+
+import speed_plots
+from manual_tables import read
+
+HERE = Path(__file__).resolve().parent
+MOST_BYTES = 30000
+
+FIGURES = [  # file, name of the results, and what draws it
+    ("times.svg", "calls_256k", speed_plots.draw_times),
+    ("where_time_goes.svg", "compare_64k", speed_plots.draw_where_time_goes),
+]
+
+
+def main():
+    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parents[1] / "doc/Delaunay_from_surface_3/fig"
+    for name, results, draw in FIGURES:
+        draw(read(HERE / f"results/{results}.json"), folder / name)
+        size = (folder / name).stat().st_size
+        print(f"{name}: {size} bytes")
+        if size > MOST_BYTES:
+            sys.exit(f"draw_figures.py: {name} is larger than {MOST_BYTES} bytes")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,175 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Time and memory of insertions beside plain CGAL's, from what measure_single_calls.py, measure_threads,
+compare_with_plain, check_meshes and count_instructions.py wrote."""
+
+from manual_tables import cpu_of, geometric_mean, measured, range_of, table, thousands
+
+
+def surface_of(result):
+    """bunny_256k.off: bunny"""
+    return result["mesh"].split("_")[0]
+
+
+def gain(result, name):
+    """Time of plain CGAL / time of the call, by wall clock."""
+    return result["calls"]["plain"]["median_wall"] / result["calls"][name]["median_wall"]
+
+
+def two(value):
+    return "–" if value is None else f"{value:.2f}"
+
+
+def means(columns):
+    """Of what there is."""
+    most = max(map(len, columns.values()))
+    columns = {name: [v for v in column if v] for name, column in columns.items()}
+    columns = {name + (f" (of {len(column)})" if len(column) < most else ""): column for name, column in columns.items()}
+    return ", ".join(f"{name} {two(geometric_mean(column))}" for name, column in columns.items())
+
+
+def one_thread(report):
+    columns = {"faces": "default", "points alone": "points", "arrays": "arrays"}
+    rows = [[surface_of(r), two(r["calls"]["plain"]["median_wall"]), *(two(gain(r, name)) for name in columns.values())]
+            for r in report["results"]]
+    found = means({title: [gain(r, name) for r in report["results"]] for title, name in columns.items()})
+    return "\n\n".join([measured(report), table(["surface", "plain %CGAL, s", *columns], rows),
+                        f"Geometric means: {found}."])
+
+
+def two_threads(calls, threads):
+    """Parallel_tag of CGAL was measured beside this package only in the run of `threads`."""
+    of_threads = {r["surface"]: r["times"] for r in threads["results"]}
+    columns = {"plain %CGAL": [], "`Parallel_tag`": [], "this package": []}
+    rows = []
+    for result in calls["results"]:
+        walls = {name: call["median_wall"] for name, call in result["calls"].items()}
+        times = of_threads.get(surface_of(result))
+        parallel = times and times["plain_parallel"]["median_wall"] / times["threads_2"]["median_wall"]
+        values = [walls["plain"] / walls["default:2"], parallel, walls["default"] / walls["default:2"]]
+        for column, value in zip(columns.values(), values):
+            column.append(value)
+        rows.append([surface_of(result), *map(two, values)])
+    titles = ["surface", "plain %CGAL, one thread", "`Parallel_tag`, two", "this package, one"]
+    return "\n\n".join([f"{measured(calls)[:-1]}; the second column {measured(threads)}", table(titles, rows),
+                        f"Geometric means: {means(columns)}."])
+
+
+def more_threads(report):
+    """Insertions withdrawn of a thousand, by the number of workers that were simulated."""
+    def share(row, workers):
+        return 1000 * sum(row["rolled_back"][f"workers_{workers}"]) / row["points"]
+
+    most = {workers: max(share(row, workers) for row in report["results"]) for workers in (2, 8, 64)}
+    return (f"of a thousand insertions {most[2]:.1f} at most clashed with two workers, {most[8]:.1f} with 8, and "
+            f"{most[64]:.0f} with 64, on {len(report['results'])} surfaces (`{report['name']}`).")
+
+
+SMALL_SIZES = (10, 100, 1000, 3000)
+
+
+def sizes(small, demo, threads_64k, calls, large_calls, threads_4m):
+    rows, first = [], 4  # points: fewer have no triangulation in space
+
+    def add(points, what, ratios, report):
+        rows.append([points, what, f'`{report["name"]}`', str(len(ratios)), two(geometric_mean(ratios)), two(min(ratios))])
+
+    for end in SMALL_SIZES:
+        add(f"{thousands(first)} to {thousands(end - 1)}", "instructions",
+            [m["plain"] / m["package"] for m in small["instructions"] if first <= m["vertices"] < end], small)
+        first = end
+    large = [m for m in demo["meshes"] if m.get("ratio") and m["vertices"] >= first]
+    add(f"{thousands(first)} to {thousands(max(m['vertices'] for m in large))}", "CPU time", [m["ratio"] for m in large], demo)
+    for report in (threads_64k, calls, large_calls, threads_4m):
+        results = report["results"]
+        add(thousands(results[0]["points"]), "time",
+            [gain(r, "default") if "calls" in r else
+             r["times"]["plain"]["median_wall"] / r["times"]["threads_1"]["median_wall"] for r in results], report)
+    return "\n\n".join([measured(threads_64k, calls, large_calls, threads_4m),
+                        table(["points", "counted", "JSON", "surfaces", "geometric mean", "least"], rows, 3)])
+
+
+MEMORY = {"plain": "plain %CGAL", "default": "faces", "points": "points alone", "arrays": "arrays",
+          "default:2": "faces, two threads"}
+
+
+def bytes_per_point(result, name):
+    return result["calls"][name]["median_bytes_above"] / result["points"]
+
+
+def more_memory(results):
+    """The peak of a call with faces over that of plain CGAL."""
+    return range_of([bytes_per_point(r, "default") / bytes_per_point(r, "plain") for r in results], "{:.2f}")
+
+
+def memory(calls, large_calls, small_calls):
+    rows = [[surface_of(r), *(f"{bytes_per_point(r, name):.0f}" for name in MEMORY)] for r in calls["results"]]
+    both = calls["results"] + large_calls["results"]
+    many = {name: range_of([bytes_per_point(r, name) / 100 for r in both], "{:.1f}")
+            for name in ("plain", "default", "arrays")}
+    return "\n\n".join([
+        measured(calls), table(["surface", *MEMORY.values()], rows),
+        f"With faces the peak is {more_memory(both)} times plain %CGAL's, for a million points too (`{large_calls['name']}`), and "
+        f"{more_memory(small_calls['results'])} for {range_of([r['points'] for r in small_calls['results']], '{:,}')} points "
+        f"(`{small_calls['name']}`). Ten million points at these rates: plain %CGAL {many['plain']} GB, this package "
+        f"{many['default']}, arrays {many['arrays']}."])
+
+
+def gains(report):
+    """What the compact triangulation gains alone, the order alone, and the order in addition."""
+    rows, shares, destroyed = [], [], {"plain-order": [], "default": []}
+    for result in report["results"]:
+        methods = {m["method"]: m for m in result["methods"] if "left_out" not in m}
+        seconds = methods["plain-order"]["phases"]["seconds"]  # makes plain CGAL's insertions
+        shares.append(100 * seconds["update"] / sum(seconds.values()))
+        for name, cells in destroyed.items():
+            cells.append(methods[name]["cells"]["destroyed"])
+        if not result["surface"].endswith("-shuffled"):
+            rows.append([result["surface"], *(two(methods[a]["median_cpu"] / methods[b]["median_cpu"]) for a, b in
+                                              (("plain", "compact-spatial"), ("plain", "nets"), ("compact-spatial", "default")))])
+    cells = [range_of(of, "{:.1f}") for of in destroyed.values()]
+    return "\n\n".join([
+        measured(report), table(["surface", "compact triangulation alone", "order alone", "order in addition"], rows),
+        f"Plain %CGAL spends {range_of(shares, '{:.0f}')} % of its time on updates; an insertion destroys {cells[0]} cells, and "
+        f"{cells[1]} in the order of the nets."])
+
+
+SHOWN = {"bunny": "bunny", "elephant": "elephant", "genus-50": "folded surface of genus 50",
+         "plate": "flat plate with holes", "lattice": "box on the integer lattice"}
+CALLS = {("plain CGAL", 1): "plain", ("this package", 1): "default", ("this package", 2): "default:2",
+         ("arrays", 1): "arrays", ("arrays", 2): "arrays:2"}
+
+
+def times_of_readme(calls):
+    results = {surface_of(r): r for r in calls["results"]}
+    ratios = {name: [gain(r, name) for r in calls["results"]] for name in ("default", "points", "default:2")}
+    least = min(results, key=lambda name: gain(results[name], "default"))
+    if least not in SHOWN:
+        raise ValueError(f"the least row, that of {least}, is not among those that README shows")
+    rows = [[what, str(threads), *(two(results[name]["calls"][call]["median_wall"]) for name in SHOWN)]
+            for (what, threads), call in CALLS.items()]
+    return "\n\n".join([
+        table(["", "threads", *SHOWN.values()], rows),
+        f"On {len(results)} surfaces plain CGAL takes {range_of(ratios['default'], '{:.2f}')} times as long, the geometric "
+        f"mean is {two(geometric_mean(ratios['default']))}; {two(geometric_mean(ratios['points']))} if only the points are "
+        f"given, and {two(geometric_mean(ratios['default:2']))} with two threads.",
+        f"{cpu_of(calls)}, {calls['machine']['cores']} cores; 262,144 points; "
+        f"[{calls['name']}.json](benchmark/Delaunay_from_surface_3/results/{calls['name']}.json)."])
+
+
+def collections(orders, demo):
+    rows = []
+    for name, ratios in (
+            ("meshes of CGAL's demos, of 3,000 vertices and more",
+             [m["ratio"] for m in demo["meshes"] if m.get("ratio") and m["vertices"] >= SMALL_SIZES[-1]]),
+            ("solids as CAD makes them, 200,000 points", [r["median_ratio"] for r in orders["results"] if is_cad(r)]),
+            ("other surfaces, made to be hard, 200,000 points",
+             [r["median_ratio"] for r in orders["results"] if not is_cad(r)])):
+        rows.append([name, str(len(ratios)), two(geometric_mean(ratios)), two(min(ratios)), two(max(ratios))])
+    return table(["", "how many", "geometric mean", "least", "most"], rows)
+
+
+def is_cad(row):
+    return row["kind"] in ("by profile", "by ring", "shuffled")

@@ -1,0 +1,92 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""What uses gain, from what measure_consumers, measure_thinning, measure_sources, measure_python.py and
+measure_compile_time.py wrote; and which parts have an inside, by inside_of_parts.py."""
+
+from manual_tables import cell, measured, range_of, table, thousands
+
+USES = {  # as measure_consumers calls them, and as the page does
+    "points in a cube": "points in a cube",
+    "points on a height field": "points on a height field",
+    "surface: pairs of points and infos": "points with infos",
+    "surface: points alone, in the order of the input": "vertices in the order of the points",
+    "surface: points alone, Fast_location": "`Fast_location`",
+    "surface: points alone, exact constructions": "exact constructions",
+    "surface: points alone, numbers of type float": "coordinates of type float",
+    "advancing front": "advancing front",
+    "alpha shape, one alpha": "alpha shape, one alpha",
+    "alpha shapes, all alphas": "alpha shapes, all alphas",
+    "Voronoi vertices": "Voronoi vertices"}
+
+
+def seconds(value):
+    return f"{value:.2f}"
+
+
+def uses(report):
+    found = {r["consumer"]: r for r in report["results"]}
+    rows = [[title, seconds(found[name]["median_plain_cpu"]), f'{found[name]["median_ratio"]:.2f}']
+            for name, title in USES.items()]
+    return "\n\n".join([measured(report), table(["use", "plain %CGAL, s", "gain"], rows)])
+
+
+THINNED = {"by distance": "points nearer than a distance", "by 2.5 pixels, loop of OpenMVS": "as OpenMVS does",
+           "by 20 pixels, loop of COLMAP, nearest vertex": "in COLMAP's order, by the nearest vertex"}
+
+
+def thinning(report):
+    """Where both leave out by the same rule."""
+    found = {r["consumer"]: r for r in report["results"]}
+    rows = [[title, thousands(found[name]["plain_vertices"]), thousands(found[name]["ours_vertices"]),
+             f'{found[name]["median_ratio"]:.2f}'] for name, title in THINNED.items()]
+    return "\n\n".join([measured(report), table(["left out", "vertices, plain %CGAL", "this package", "gain"], rows)])
+
+
+def sources(report):
+    """Of surfaces made as users make them."""
+    results, worst = report["results"], {}
+    for r in results:
+        worst[r["consumer"]] = min(r["triangles_delaunay"], worst.get(r["consumer"], 1))
+    least = ", ".join(f"{100 * share:.0f} % ({name})" for name, share in sorted(worst.items(), key=lambda item: item[1])
+                      if share < 0.999)
+    return (f"{len(results)} surfaces gain {range_of([r['median_ratio'] for r in results], '{:.2f}')}. Of most all triangles are "
+            f"Delaunay, to 0.1 %; of the others {least} are. {measured(report)}")
+
+
+def python(report):
+    rows = [[f'{r["consumer"]}, {thousands(r["points"])}', "SciPy", seconds(r["median_scipy_cpu"]), seconds(r["median_ours_cpu"]),
+             f'{r["median_ratio"]:.0f}', cell(r.get("median_speedup"), "{:.2f}")]
+            for r in report["results"] + report["queries"]]
+    rows += [[f'a bumpy sphere, {thousands(r["points"])}', "VTK", seconds(r["median_vtk_cpu"]),
+              seconds(r["median_ours_cpu"]), f'{r["median_vtk_cpu"] / r["median_ours_cpu"]:.0f}', "–"]
+             for r in report["vtk"]]
+    lost = ", ".join(f'{r["tetrahedra"] - r["tetrahedra_of_vtk"]:,} of {r["tetrahedra"]:,}' for r in report["vtk"])
+    return "\n\n".join([f'Python {report["python"]}, NumPy {report["numpy"]}, SciPy {report["scipy"]}: `{report["name"]}`.',
+                        table(["what", "beside", "its CPU s", "ours", "gain", "one thread / two"], rows, 2),
+                        f"VTK loses {lost} tetrahedra to rounding."])
+
+
+def python_of_readme(report):
+    ratios = [r["median_ratio"] for r in report["results"]]
+    points = max(r["points"] for r in report["results"])
+    vtk = "".join(f', and on {r["points"]:,} points {r["median_vtk_cpu"] / r["median_ours_cpu"]:.0f} times as fast as '
+                  "`vtkDelaunay3D`" for r in report["vtk"])
+    return (f"On {points:,} points, with tetrahedra and neighbours, it is {range_of(ratios, '{:.0f}')} times as fast as "
+            f'`scipy.spatial.Delaunay` (SciPy {report["scipy"]}){vtk}.')
+
+
+def compile_time(report):
+    rows = [[c["compiler"].replace("(Debian 12.2.0-14+deb12u1) ", "").replace("Debian ", ""),
+             *(f'{c[form]["median_user"]:.1f}' for form in ("plain", "package", "compiled")),
+             *(str(c[form]["megabytes"]) for form in ("plain", "package", "compiled"))] for c in report["compilers"]]
+    return "\n\n".join([f'`{report["flags"]}`, load {range_of(report["load"], "{:.1f}")}: `{report["name"]}`.',
+                        table(["compiler", "plain %CGAL, s", "headers", "core compiled", "plain %CGAL, MB", "headers",
+                               "core compiled"], rows)])
+
+
+def counts_of_parts(report):
+    of = {kind: [r for r in report["results"] if r["inside"] == kind] for kind in ("closed mesh", "winding numbers", "none")}
+    return (f'Of {len(report["results"])} files {len(of["closed mesh"])} are closed, {len(of["winding numbers"])} have an '
+            f'inside by winding numbers, and {len(of["none"])} are open patches and have none.')
