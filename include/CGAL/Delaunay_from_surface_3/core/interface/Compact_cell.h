@@ -20,6 +20,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace CGAL {
@@ -53,6 +54,13 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 // infinite vertex stays the last.
 inline constexpr unsigned char facet_corners[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
 
+// Ids of 64 bits number more than an address space of 32 bits holds.
+constexpr std::size_t at_most_all(std::uint64_t n)
+{
+  return n < (std::numeric_limits<std::size_t>::max)() ? std::size_t(n)
+                                                       : (std::numeric_limits<std::size_t>::max)();
+}
+
 // What the numbers say.
 template <class Id>
 struct Compact_numbers
@@ -62,8 +70,8 @@ struct Compact_numbers
 
   static constexpr Id infinite = 0;
   static constexpr Id dead = Id(Id(1) << (std::numeric_limits<Id>::digits - 1)); // of v[0]
-  static constexpr std::size_t max_vertices = dead;
-  static constexpr std::size_t max_cells = std::size_t((std::numeric_limits<Id>::max)() >> 2) + 1;
+  static constexpr std::size_t max_vertices = at_most_all(dead);
+  static constexpr std::size_t max_cells = at_most_all(((std::numeric_limits<Id>::max)() >> 2) + 1);
 
   static Id vertex_of_point(std::size_t i) { return Id(i + 1); }
   static std::size_t point_of_vertex(std::size_t v) { return v - 1; }
