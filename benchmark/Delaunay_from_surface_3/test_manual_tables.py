@@ -60,15 +60,8 @@ class Manual_tables(unittest.TestCase):
     def test_sources(self):
         self.check(["Sources.txt"], "source_tables.py", "sources*.json")
 
-    def test_theory(self):
-        self.check(["Theory.txt"], "plot_location_costs.py", "location_costs.json")
-
-    def test_statements(self):
-        self.check(["Statements.txt"], "statement_tables.py", "subgraphs_traced*.json", "uniform_samples.json",
-                   "paper_256k.json")
-
-    def test_subgraphs(self):
-        self.check(["bounded_degree_subgraphs.txt"], "subgraph_tables.py", "subgraph_*.json")
+    def test_paper(self):
+        self.check(["The_paper.txt"], "paper_tables.py")
 
     def test_orders(self):
         self.check(["Orders.txt"], "order_tables.py", "orders*.json", "flat_and_far.json", "nets_*.json", "*_meshes.json",
