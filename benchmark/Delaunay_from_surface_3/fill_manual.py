@@ -49,7 +49,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "uses", ["consumers"], use_tables.uses),
     (HOW_FAST, "thinning", ["thinning"], use_tables.thinning),
     (HOW_FAST, "sources", ["sources"], use_tables.sources),
-    (HOW_FAST, "memory", ["calls_256k", "calls_1M", "single_calls"], speed_tables.memory),
+    (HOW_FAST, "memory", ["calls_256k", "calls_1M", "single_calls", "threads_memory"], speed_tables.memory),
     (HOW_FAST, "compile_time", ["compile_time"], use_tables.compile_time),
     (HOW_FAST, "python", ["python"], use_tables.python),
     (HOW_FAST, "tiles", ["tiles"], hard_tables.tiles),
