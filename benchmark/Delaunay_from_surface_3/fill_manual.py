@@ -18,6 +18,7 @@ from pathlib import Path
 
 import hard_tables
 import list_of_results
+import paper_tables
 import speed_tables
 import use_tables
 from manual_tables import read
@@ -27,6 +28,7 @@ ROOT = HERE.parents[1]
 README = "README.md"
 MAIN_PAGE = "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt"
 BENCHMARK = "benchmark/Delaunay_from_surface_3/README.md"
+PAPER = "doc/Delaunay_from_surface_3/The_paper.txt"
 HOW_FAST = "doc/Delaunay_from_surface_3/How_fast.txt"
 
 TABLES = [  # page, marker, names of results, and the function that makes the text of them
@@ -47,11 +49,12 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "uses", ["consumers"], use_tables.uses),
     (HOW_FAST, "thinning", ["thinning"], use_tables.thinning),
     (HOW_FAST, "sources", ["sources"], use_tables.sources),
-    (HOW_FAST, "memory", ["calls_256k", "calls_1M", "single_calls"], speed_tables.memory),
+    (HOW_FAST, "memory", ["calls_256k", "calls_1M", "single_calls", "threads_memory"], speed_tables.memory),
     (HOW_FAST, "compile_time", ["compile_time"], use_tables.compile_time),
     (HOW_FAST, "python", ["python"], use_tables.python),
     (HOW_FAST, "tiles", ["tiles"], hard_tables.tiles),
     (HOW_FAST, "peers", ["compare_peers"], hard_tables.peers),
+    *((PAPER, make.__name__, [], make) for make in paper_tables.BLOCKS),
 ]
 
 BLOCK = re.compile(r"<!-- (\w+) -->\n.*?<!-- end -->", re.S)

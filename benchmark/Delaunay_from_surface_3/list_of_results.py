@@ -43,12 +43,15 @@ SHOWS = {
     "parts": "the parts of openfoam-examples: inside or not, and why not",
     "tiles": "what tiles keep, tell and take",
     "location_costs": "the paper's theorems: locations, traces, crossings, by sizes",
+    "total_work": "the total work of the paper's Q, by parts, sizes and seeds",
     "subgraphs_traced": "which subgraph is traced; histories side by side",
     "subgraphs_traced_4k": "the same, also of marching cubes",
     "uniform_samples": "degrees on samples, thinned samples as rounds",
     "subgraph_bounds": "degrees beside their bounds",
     "subgraph_degrees": "degrees by genus",
     "subgraph_near_minimum": "trees of nearly minimum degree",
+    "subgraph_meshes": "the same for each mesh of `libcgal-demo`",
+    "subgraph_parts": "the same for each part of openfoam-examples",
     "subgraph_times": "times and memory of subgraphs",
 }
 COMMANDS = {"demo_meshes": "scripts/check_meshes build/data/meshes --repetitions 9 --least-vertices 3000 --json FILE"}
@@ -57,8 +60,8 @@ COMMANDS = {"demo_meshes": "scripts/check_meshes build/data/meshes --repetitions
 def command_of(name, report):
     """Without the name of the output, and of what it is told of other programs."""
     text = re.sub(r" (--output|-o) \S+", "", COMMANDS.get(name) or report["command"])
-    text = re.sub(r" --peer ('[^']*'|\S+)", "", text).replace("--data-dir meshes", "").replace("  ", " ")
-    return re.sub(r"(\S+\.off )+", "MESHES ", text).strip()
+    text = re.sub(r" --peer ('[^']*'|\S+)", "", text).replace("--data-dir meshes", "").replace("--cache-dir surfaces", "")
+    return re.sub(" +", " ", re.sub(r"(\S+\.off )+", "MESHES ", text)).strip()
 
 
 def machine(report):

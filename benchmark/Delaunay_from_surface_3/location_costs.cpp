@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The claims of Choi 2002, measured: what it costs to locate a point, by history and by walk, from
-// the last trace and from elsewhere; how many triangles a trace crosses; and what becomes of it
-// when T is not Delaunay.
+// the last trace and from elsewhere; how many triangles a trace crosses; what becomes of it when T
+// is not Delaunay; and the total work of the paper's Q.
 
 #include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
@@ -15,6 +15,7 @@
 #include <Delaunay_from_surface_3_surfaces/topology.h>
 #include <Delaunay_from_surface_3_theory/report.h>
 #include <Delaunay_from_surface_3_theory/surfaces.h>
+#include <Delaunay_from_surface_3_theory/total_work.h>
 #include <Delaunay_from_surface_3_theory/whole_runs.h>
 
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
@@ -57,8 +58,8 @@ Options)";
 struct Options
 {
   std::vector<std::string> surfaces;
-  std::vector<std::size_t> sizes, time_sizes, subgraph_sizes;
-  std::size_t hypothesis_size = 32768, threads = 1;
+  std::vector<std::size_t> sizes, time_sizes, subgraph_sizes, work_sizes;
+  std::size_t hypothesis_size = 32768, threads = 1, seeds = 5;
   std::string output = "location_costs.json", data_dir, cache_dir, command;
   unsigned int seed = 0;
 };
@@ -69,9 +70,9 @@ po::options_description describe(Options& o)
   auto add = options.add_options();
   add("help,h", "say this and stop");
   add("surfaces", po::value(&o.surfaces)->multitoken()->value_name("NAME..."),
-      "delaunay-sphere, delaunay-genus-3, bunny, armadillo, bunny-alike, delaunay-round-genus-3; "
-      "default: all; for --subgraph-sizes also marching-cubes, delaunay-marching-cubes, noise, "
-      "delaunay-noise, room");
+      "delaunay-sphere, delaunay-genus-3, bunny, armadillo, bunny-alike, delaunay-round-genus-3, "
+      "genus-50; default: all; for --subgraph-sizes also marching-cubes, delaunay-marching-cubes, "
+      "noise, delaunay-noise, room; for --work-sizes cube, torus, hub, genus-50");
   add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."),
       "numbers of points to count at; default: the powers of 2 from 1024 to 1048576");
   add("time-sizes", po::value(&o.time_sizes)->multitoken()->value_name("N..."),
@@ -82,6 +83,11 @@ po::options_description describe(Options& o)
   add("subgraph-sizes", po::value(&o.subgraph_sizes)->multitoken()->value_name("N..."),
       "numbers of points to compare subgraphs T at, with both histories; then nothing else is "
       "measured");
+  add("work-sizes", po::value(&o.work_sizes)->multitoken()->value_name("N..."),
+      "numbers of points to count the total work of the paper's Q at, with T = EMST and the "
+      "subgraph of bounded degree; then nothing else is measured");
+  add("seeds", po::value(&o.seeds)->value_name("N")->default_value(o.seeds),
+      "how many seeds for that, from --seed on");
   add("output,o", po::value(&o.output)->value_name("FILE")->default_value(o.output),
       "where the JSON goes");
   add("data-dir,d", po::value(&o.data_dir)->value_name("FOLDER"),
@@ -254,6 +260,21 @@ Json iso_surface_as_json(const surfaces::Volume& volume)
           {"plain_seconds", rounded(plain_time.cpu, 1e3)}};
 }
 
+// EMST(S), which need not be in F.
+Edges emst_of(const std::vector<comparison::Kernel::Point_3>& points)
+{
+  const comparison::Triangulation tr(points.begin(), points.end());
+  std::map<comparison::Kernel::Point_3, std::size_t> number;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    number[points[v]] = v;
+  Edges emst;
+  CGAL::euclidean_minimum_spanning_tree_3(
+      tr, boost::make_function_output_iterator([&](const auto& e) {
+        emst.push_back(edge(number.at(e.first->point()), number.at(e.second->point())));
+      }));
+  return emst;
+}
+
 // Subgraphs for T side by side: the bounded degree subgraph, the minimum spanning forest of F, any
 // spanning forest, and the Euclidean minimum spanning tree, which need not be in F.
 Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned int seed)
@@ -261,15 +282,7 @@ Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned
   const Indexed_surface indexed = surface.make(size);
   const std::size_t n = indexed.points.size();
   const Edges edges = edges_of(indexed);
-  const comparison::Triangulation tr(indexed.points.begin(), indexed.points.end());
-  std::map<comparison::Kernel::Point_3, std::size_t> number;
-  for (std::size_t v = 0; v < n; ++v)
-    number[indexed.points[v]] = v;
-  Edges emst;
-  CGAL::euclidean_minimum_spanning_tree_3(
-      tr, boost::make_function_output_iterator([&](const auto& e) {
-        emst.push_back(edge(number.at(e.first->point()), number.at(e.second->point())));
-      }));
+  const Edges emst = emst_of(indexed.points);
   const std::map<std::string, Edges> subgraphs = {
       {"subgraph of bounded degree", bounded_degree_edges(indexed)},
       {"minimum spanning forest of F", minimum_spanning_forest(indexed)},
@@ -289,6 +302,36 @@ Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned
     if (surface.name == delaunay_prefix + volume.name)
       result["iso_surface"] = iso_surface_as_json(volume.make(size));
   return result;
+}
+
+// The total work of the paper's Q, with both T where there are faces: other points and another order
+// for every seed.
+void count_work(const Options& options, Json& report)
+{
+  for (const std::size_t size : options.work_sizes)
+    for (unsigned int seed = options.seed; seed < options.seed + options.seeds; ++seed)
+      for (const Theory_surface& surface : work_surfaces(seed)) {
+        const auto& names = options.surfaces;
+        if (size < surface.least_size ||
+            (!names.empty() && std::find(names.begin(), names.end(), surface.name) == names.end()))
+          continue;
+        const Indexed_surface indexed = surface.make(size);
+        std::map<std::string, Edges> subgraphs = {
+            {"Euclidean minimum spanning tree", emst_of(indexed.points)}};
+        if (!indexed.faces.empty())
+          subgraphs["subgraph of bounded degree"] = bounded_degree_edges(indexed);
+        for (const auto& [name, T] : subgraphs) {
+          Json result = {{"surface", surface.name},
+                         {"size", size},
+                         {"points", indexed.points.size()},
+                         {"T", name},
+                         {"seed", seed}};
+          result.update(Total_work(indexed.points, T, seed)());
+          std::cerr << result.dump() << '\n';
+          report["work"].push_back(result);
+          write(report, options.output);
+        }
+      }
 }
 
 // a + b log2 n for every surface and way, without and with the cells that traces enter.
@@ -344,7 +387,7 @@ void everywhere(const std::vector<Theory_surface>& surfaces, const std::vector<s
   std::vector<std::pair<const Theory_surface*, std::size_t>> jobs;
   for (const std::size_t size : sizes)
     for (const Theory_surface& surface : surfaces)
-      if (size <= surface.largest_size)
+      if (surface.least_size <= size && size <= surface.largest_size)
         jobs.emplace_back(&surface, size);
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
@@ -366,6 +409,13 @@ void everywhere(const std::vector<Theory_surface>& surfaces, const std::vector<s
 // What is measured is written at once, should the rest be interrupted.
 void run(const Options& options)
 {
+  if (!options.work_sizes.empty()) {
+    Json report = description_of(options, work_surfaces(options.seed));
+    for (const char* list : {"fits", "results", "hypothesis", "subgraphs", "times"})
+      report.erase(list);
+    count_work(options, report);
+    return;
+  }
   const std::vector<Theory_surface> surfaces = chosen_surfaces(options);
   Json report = description_of(options, surfaces);
   const auto keep_in = [&](const char* list) {

@@ -54,7 +54,7 @@ struct Options
   std::size_t vertices_by_genus = 200000, repetitions = 3, largest_for_others = 1000000;
   int triangulations = 1000;
   std::vector<std::size_t> near_minimum_genera;
-  std::string near_minimum_meshes;
+  std::string near_minimum_files;
   std::string output = "subgraphs.json";
 };
 
@@ -201,11 +201,11 @@ ordered_json measure_near_minimum(const Options& options)
     const Mesh mesh =
         surfaces::to_mesh<Mesh>(surfaces::genus_surface(genus, options.vertices_by_genus, 0.05, 1));
     std::cerr << "genus " << genus << ", " << num_vertices(mesh) << " vertices\n";
-    result["times"].push_back(
-        subgraphs::time_near_minimum("genus " + std::to_string(genus), mesh, options.repetitions));
+    result["times"].push_back(subgraphs::time_near_minimum(
+        "genus " + std::to_string(genus), CGAL::surface_of(mesh), options.repetitions));
   }
-  if (!options.near_minimum_meshes.empty())
-    result["meshes"] = subgraphs::measure_near_minimum_meshes<Mesh>(options.near_minimum_meshes);
+  result["times"].push_back(
+      subgraphs::time_stacked(31, options.vertices_by_genus, options.repetitions));
   return result;
 }
 
@@ -234,6 +234,8 @@ ordered_json measure_all(const Options& options)
   ordered_json result = {{"times", times}, {"degrees", by_genus}, {"bounds", by_surface}};
   if (!options.near_minimum_genera.empty())
     result["near_minimum"] = measure_near_minimum(options);
+  if (!options.near_minimum_files.empty())
+    result["files"] = subgraphs::measure_near_minimum_files(options.near_minimum_files);
   return result;
 }
 
@@ -257,8 +259,8 @@ Options read_options(int argc, char** argv)
       "of each kind of surface, for degrees beside their bounds");
   add("near-minimum", po::value(&o.near_minimum_genera)->multitoken()->value_name("G..."),
       "trees of nearly minimum degree: families, and times for these genera");
-  add("near-minimum-meshes", po::value(&o.near_minimum_meshes)->value_name("FOLDER"),
-      "the same on the meshes of a folder");
+  add("near-minimum-files", po::value(&o.near_minimum_files)->value_name("FOLDER"),
+      "degrees for all .off, .obj, .stl and .ply of a folder, and of those in it");
   add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
   comparison::read_command_line(argc, argv, options);
   return o;

@@ -68,6 +68,8 @@ class Sheet:
         self.figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
         svg = re.sub(r'width="[^"]*" height="[^"]*"', f'width="{self.width}" height="{self.height}"', text.getvalue(),
                      count=1)
+        svg = re.sub(r"(\d\.\d\d)\d+", r"\1", svg)  # of a pixel
+        svg = re.sub(r" *<!--.*?-->\n|^ +", "", svg, flags=re.M)
         with open(file_name, "w", encoding="utf-8") as file:
             file.write(svg)
 

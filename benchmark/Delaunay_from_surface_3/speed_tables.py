@@ -104,9 +104,11 @@ def more_memory(results):
     return range_of([bytes_per_point(r, "default") / bytes_per_point(r, "plain") for r in results], "{:.2f}")
 
 
-def memory(calls, large_calls, small_calls):
+def memory(calls, large_calls, small_calls, threads):
     rows = [[surface_of(r), *(f"{bytes_per_point(r, name):.0f}" for name in MEMORY)] for r in calls["results"]]
     both = calls["results"] + large_calls["results"]
+    of_sixteen = [r["memory"]["threads_16"]["peak_above_input_per_point"] /
+                  r["memory"]["threads_1"]["peak_above_input_per_point"] for r in threads["results"]]
     many = {name: range_of([bytes_per_point(r, name) / 100 for r in both], "{:.1f}")
             for name in ("plain", "default", "arrays")}
     return "\n\n".join([
@@ -114,7 +116,8 @@ def memory(calls, large_calls, small_calls):
         f"With faces the peak is {more_memory(both)} times plain %CGAL's, for a million points too (`{large_calls['name']}`), and "
         f"{more_memory(small_calls['results'])} for {range_of([r['points'] for r in small_calls['results']], '{:,}')} points "
         f"(`{small_calls['name']}`). Ten million points at these rates: plain %CGAL {many['plain']} GB, this package "
-        f"{many['default']}, arrays {many['arrays']}."])
+        f"{many['default']}, arrays {many['arrays']}.",
+        f"16 threads take {range_of(of_sixteen, '{:.2f}')} times the bytes of one (`{threads['name']}`)."])
 
 
 def gains(report):

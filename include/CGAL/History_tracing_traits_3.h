@@ -22,7 +22,7 @@ is slower.
 
 \f$O(n \log^* n)\f$ expected time under the assumptions of the paper: T is of bounded degree and
 consists of Delaunay edges, and triangulations of the points inserted so far have linear expected
-size. How far measurements agree is on the page \ref delaunay_from_surface_3_theory. T is that of
+size. How far measurements agree is on the page \ref delaunay_from_surface_3_the_paper. T is that of
 `Bounded_degree_subgraph`, for meshes and soups; a surface that it refuses, and a graph without
 faces, get a `Spanning_forest`, whose degree has no bound, and the visitor is told. Not with
 `Fast_location`.

@@ -29,6 +29,15 @@
 #include <string>
 #include <vector>
 
+// When the degree is bounded. Let the sizing field f be L-Lipschitz for some L < 1: for t up to 1, t
+// times the spacing is t-Lipschitz. Let p and q be kept and neighbours on the surface: a point c of it
+// is as far from p as from q, and no point that is kept is nearer to it. Let c be at most r away from a
+// point s of the whole sample. A point within f(s) of s is kept, so |cp| <= r + f(s) <= r + f(p) +
+// L (r + |cp|). Where r is at most k f(p) with a constant k, this gives |cp| <= C f(p) with
+// C = (1 + k + k L) / (1 - L). All neighbours of p are then in a ball of radius 2 C f(p) around it,
+// their sizes are at least (1 - 2 C L) f(p), and so are their distances from each other. If 2 C L < 1,
+// which takes an L of less than 1/3, their number is bounded.
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {

@@ -43,8 +43,7 @@ window.MathJax = {AuthorInit: () => MathJax.Hub.Register.StartupHook("End", () =
 </script>
 """
 
-PAGES_WITH_FORMULAS = ("index.html", "bounded_degree_subgraphs.html", "delaunay_from_surface_3_statements.html",
-                       "delaunay_from_surface_3_theory.html",
+PAGES_WITH_FORMULAS = ("index.html", "delaunay_from_surface_3_the_paper.html",
                        "classCGAL_1_1Delaunay__from__surface__3_1_1Log__star__rounds.html")
 
 # Doxygen needs bibtex for \cite; that all keys exist is the matter of test_bibliography.

@@ -3,21 +3,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Draws the figures on subgraphs of bounded degree: the cut of a torus step by step, on the square it
-// unrolls to, and a tree of it; the peeling of a disc step by step.
+// unrolls to, and a tree of it; the peeling of a disc step by step; a tree of the stacked K_7.
 //
 //   draw_subgraph FOLDER
 
 #include "Svg.h"
 
+#include <Delaunay_from_surface_3_triangle_lists/stacked_complete_graph.h>
+
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_marks.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>
+#include <CGAL/near_minimum_degree_spanning_tree.h>
+#include <CGAL/surface_of.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <random>
 #include <stdexcept>
@@ -42,7 +48,7 @@ const char* const style =
 
 // --- the cut of a torus, on the square ---
 
-constexpr int grid = 14;
+constexpr int grid = 9;
 
 struct Flat_torus
 {
@@ -104,6 +110,16 @@ void draw_panel(Svg& svg, const Flat_torus& torus, int panel, const Layers& laye
   svg.text("", {left + 115, 262}, words);
 }
 
+// Each edge at one of its darts.
+internal::Dart_marks all_edges(const internal::Rotation_system<std::uint32_t>& surface)
+{
+  internal::Dart_marks marks(surface.number_of_darts(), false);
+  for (std::uint32_t v = 0; v < surface.number_of_vertices(); ++v)
+    for (std::uint32_t dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
+      marks[dart] = v < surface.neighbor[dart];
+  return marks;
+}
+
 internal::Dart_marks subgraph_of(Flat_torus torus,
                                  internal::Subgraph_kind kind) // opening changes it
 {
@@ -113,7 +129,7 @@ internal::Dart_marks subgraph_of(Flat_torus torus,
 void draw_torus(const std::string& cut_file_name, const std::string& tree_file_name)
 {
   const Flat_torus torus = flat_torus();
-  const internal::Dart_marks all(torus.surface.number_of_darts(), true);
+  const internal::Dart_marks all = all_edges(torus.surface);
   internal::Cut_candidate<std::uint32_t> candidate(torus.surface);
   internal::Search_triangles<std::uint32_t>(torus.surface, candidate)();
   const internal::Dart_marks uncrossed = candidate.marks;
@@ -205,7 +221,7 @@ Segments segments(const Hexagon& hexagon, const internal::Dart_marks& marks, dou
 void draw_peeling(const std::string& file_name)
 {
   Hexagon disc = hexagon();
-  const internal::Dart_marks all(disc.surface.number_of_darts(), true);
+  const internal::Dart_marks all = all_edges(disc.surface);
   internal::Dart_marks subgraph(disc.surface.number_of_darts(), false);
   internal::Opened_surface<std::uint32_t> opened(disc.surface);
   for (std::uint32_t v = 0; v < disc.surface.number_of_vertices(); ++v)
@@ -233,6 +249,87 @@ void draw_peeling(const std::string& file_name)
   svg.write(file_name);
 }
 
+// --- a tree of the stacked K_7 ---
+
+// The torus as the plane in which vertices x + 3y modulo 7 are the same: a window on it.
+constexpr double unit = 62, window_width = 483, window_height = 270;
+
+Place in_window(double x, double y)
+{
+  return {unit * (x + 0.5 * y) - 100, window_height - unit * 0.866 * y + 12};
+}
+
+// Where the vertices of the complete graph and those in the triangles are, in and near the window.
+std::map<std::size_t, std::vector<Place>> places_of(const triangle_lists::Triangle_list& stacked)
+{
+  std::map<std::array<std::size_t, 3>, std::size_t> apex;
+  for (std::size_t t = 0; t < stacked.triangles.size(); t += 3) {
+    const auto& first = stacked.triangles[t];
+    const auto& second = stacked.triangles[t + 1];
+    std::array<std::size_t, 3> corners = {std::size_t(first[0]), std::size_t(first[1]),
+                                          std::size_t(second[1])};
+    std::sort(corners.begin(), corners.end());
+    apex[corners] = std::size_t(first[2]);
+  }
+  const auto number = [](int x, int y) { return std::size_t(((x + 3 * y) % 7 + 7) % 7); };
+  std::map<std::size_t, std::vector<Place>> places;
+  for (int y = -2; y < 8; ++y)
+    for (int x = -6; x < 12; ++x) {
+      places[number(x, y)].push_back(in_window(x, y));
+      std::array<std::size_t, 3> up = {number(x, y), number(x + 1, y), number(x, y + 1)};
+      std::array<std::size_t, 3> down = {number(x + 1, y), number(x, y + 1), number(x + 1, y + 1)};
+      std::sort(up.begin(), up.end());
+      std::sort(down.begin(), down.end());
+      places[apex.at(up)].push_back(in_window(x + 1 / 3., y + 1 / 3.));
+      places[apex.at(down)].push_back(in_window(x + 2 / 3., y + 2 / 3.));
+    }
+  return places;
+}
+
+// Every copy of an edge: between copies of its ends that are as near as neighbours are.
+template <class Edges>
+Segments copies_of(const Edges& edges, const std::map<std::size_t, std::vector<Place>>& places)
+{
+  const auto is_near_window = [](Place p) {
+    return p.x > -unit && p.x < window_width + unit && p.y > -unit && p.y < window_height + unit;
+  };
+  Segments result;
+  for (const auto& [u, v] : edges)
+    for (const Place& p : places.at(u))
+      for (const Place& q : places.at(v))
+        if (is_near_window(p) && std::hypot(p.x - q.x, p.y - q.y) < 1.01 * unit)
+          result.push_back({p, q});
+  return result;
+}
+
+void draw_stacked(const std::string& file_name)
+{
+  const triangle_lists::Triangle_list stacked = triangle_lists::stacked_complete_graph(7);
+  const auto places = places_of(stacked);
+  std::vector<std::pair<std::size_t, std::size_t>> edges, tree;
+  for (const auto& t : stacked.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.emplace_back(std::minmax(std::size_t(t[k]), std::size_t(t[(k + 1) % 3])));
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  CGAL::near_minimum_degree_spanning_tree(
+      CGAL::surface_of(std::size_t(stacked.n), stacked.triangles), std::back_inserter(tree));
+
+  Svg svg(int(window_width), int(window_height), style);
+  svg.begin_clip("window", {0, 0}, window_width, window_height);
+  svg.lines("e", copies_of(edges, places));
+  svg.lines("h", copies_of(tree, places));
+  for (const auto& [v, copies] : places)
+    for (const Place& p : copies)
+      if (p.x > -9 && p.x < window_width + 9 && p.y > -9 && p.y < window_height + 9) {
+        svg.circle("v", p, v < 7 ? 9 : 2.5);
+        if (v < 7)
+          svg.text("", {p.x, p.y + 5}, std::to_string(v));
+      }
+  svg.end_clip();
+  svg.write(file_name);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -242,6 +339,7 @@ try {
   const std::string folder = argv[1];
   draw_torus(folder + "/subgraph_cut.svg", folder + "/subgraph_tree.svg");
   draw_peeling(folder + "/subgraph_peel.svg");
+  draw_stacked(folder + "/stacked_k7.svg");
 } catch (const std::exception& e) {
   std::cerr << "draw_subgraph: " << e.what() << "\n";
   return EXIT_FAILURE;

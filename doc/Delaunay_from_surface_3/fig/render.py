@@ -31,6 +31,17 @@ ORANGE, BLUE, STEEL, RED, GREY, INK = (
 FINER = 2  # pixels that become one, in each direction
 
 
+def save_small(picture, file_name, largest=30000):
+    """As well as fits into so many bytes: first quality goes down, then size."""
+    for share in (1, 0.8, 0.65, 0.55, 0.45):
+        size = [round(share * side) for side in picture.size]
+        smaller = picture.convert("RGBa").resize(size, Image.LANCZOS).convert("RGBA")
+        for quality in (84, 66, 50, 35):
+            smaller.save(file_name, quality=quality, alpha_quality=40, method=6)
+            if os.path.getsize(file_name) < largest:
+                return
+
+
 class Scene:
     """One picture, without a background: it is rendered before black and before white, and the difference tells how
     much of the background is seen."""
@@ -110,7 +121,7 @@ class Scene:
         width, height, _ = image.GetDimensions()
         return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].astype(float)
 
-    def write(self, file_name, quality=84, on_white=False):
+    def write(self, file_name, on_white=False):
         dark, light = self.pixels((0, 0, 0)), self.pixels((1, 1, 1))
         alpha = 1 - np.clip((light - dark).mean(axis=2) / 255, 0, 1)
         color = np.where(alpha[..., None] > 0, dark / np.maximum(alpha, 1e-6)[..., None], 0)
@@ -118,8 +129,8 @@ class Scene:
         small = Image.fromarray(rgba, "RGBA").convert("RGBa").resize(self.size, Image.LANCZOS).convert("RGBA")
         small = small.crop(small.getchannel("A").point(lambda a: 255 if a > 3 else 0).getbbox())
         if on_white:  # half the bytes
-            small = Image.alpha_composite(Image.new("RGBA", small.size, "white"), small).convert("RGB")
-        small.save(file_name, quality=quality, method=6)
+            small = Image.alpha_composite(Image.new("RGBA", small.size, "white"), small)
+        save_small(small, file_name)
         print(f"{file_name}: {small.size[0]} x {small.size[1]}, {os.path.getsize(file_name) / 1000:.0f} kB")
 
 
@@ -291,7 +302,7 @@ def nets(inputs, file_name):
         scene.add(balls(points[rounds == h], radius), ORANGE, panel, smooth=True)
     print("nets:", [(int((rounds <= h).sum()), h) for h in shown], "of", len(points))
     scene.look(VIEW, zoom=1.35)
-    scene.write(file_name, 72, on_white=True)
+    scene.write(file_name, on_white=True)
 
 
 def trace(inputs, file_name):

@@ -20,7 +20,9 @@
 #include <CGAL/near_minimum_degree_spanning_tree.h>
 #include <CGAL/surface_of.h>
 
-#include <CGAL/boost/graph/IO/OFF.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
 #include <nlohmann/json.hpp>
 
@@ -95,24 +97,57 @@ inline nlohmann::ordered_json measure_near_minimum_families()
   return rows;
 }
 
-// Processor time of the tree of bounded degree and of the exchanges that follow, the fastest of
-// some repetitions, and what was done.
-template <class Mesh>
-nlohmann::ordered_json time_near_minimum(const std::string& name, const Mesh& mesh,
-                                         std::size_t repetitions)
+// Into how many components a surface falls without the vertices of a witness, by the lists of
+// neighbours alone: one pass over the edges.
+inline std::size_t
+components_without(const CGAL::Delaunay_from_surface_3::internal::Rotation_system<std::uint32_t>& g,
+                   const std::vector<std::size_t>& removed)
+{
+  std::vector<bool> is_met(g.number_of_vertices(), false);
+  for (const std::size_t v : removed)
+    is_met[v] = true;
+  std::size_t found = 0;
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t root = 0; root < g.number_of_vertices(); ++root) {
+    if (is_met[root])
+      continue;
+    ++found;
+    is_met[root] = true;
+    for (stack.assign(1, root); !stack.empty();) {
+      const std::uint32_t v = stack.back();
+      stack.pop_back();
+      for (const std::uint32_t u : g.star(v))
+        if (!is_met[u]) {
+          is_met[u] = true;
+          stack.push_back(u);
+        }
+    }
+  }
+  return found;
+}
+
+// Processor time of the tree of bounded degree, of the exchanges that follow and of a check of the
+// witness, the fastest of some repetitions, and what was done. The surface has one component.
+template <class Reader>
+nlohmann::ordered_json
+time_near_minimum(const std::string& name,
+                  const CGAL::Delaunay_from_surface_3::Triangulated_surface<Reader>& of,
+                  std::size_t repetitions)
 {
   namespace internal = CGAL::Delaunay_from_surface_3::internal;
-  using Index_map = typename boost::property_map<Mesh, boost::vertex_index_t>::const_type;
-  double tree_seconds = 1e300, exchange_seconds = 1e300;
+  double tree_seconds = 1e300, exchange_seconds = 1e300, witness_seconds = 1e300;
   std::vector<std::size_t> degree, degree_before;
   internal::Reduction_counts counts;
   Witnesses witnesses;
+  const auto seconds = [](std::clock_t start, std::clock_t end) {
+    return double(end - start) / CLOCKS_PER_SEC;
+  };
+  std::size_t n = 0;
   for (std::size_t r = 0; r < repetitions; ++r) {
     const std::clock_t start = std::clock();
-    const internal::Halfedge_graph_reader<Mesh, Index_map> reader(mesh,
-                                                                  get(boost::vertex_index, mesh));
     internal::Rotation_system<std::uint32_t> surface;
-    reader.read(surface);
+    of.reader().read(surface);
+    n = surface.number_of_vertices();
     internal::Bounded_degree_marks<std::uint32_t> find_tree(surface, internal::Subgraph_kind::TREE);
     internal::Dart_marks marks = find_tree();
     const std::clock_t middle = std::clock();
@@ -135,67 +170,109 @@ nlohmann::ordered_json time_near_minimum(const std::string& name, const Mesh& me
       counts = internal::Reduce_degrees<std::uint32_t>(surface, marks)(witnesses);
     const std::clock_t end = std::clock();
     degree = count_degrees();
-    tree_seconds = (std::min)(tree_seconds, double(middle - start) / CLOCKS_PER_SEC);
-    exchange_seconds = (std::min)(exchange_seconds, double(end - counted) / CLOCKS_PER_SEC);
+    tree_seconds = (std::min)(tree_seconds, seconds(start, middle));
+    exchange_seconds = (std::min)(exchange_seconds, seconds(counted, end));
+    const std::clock_t checked = std::clock();
+    for (const auto& witness : witnesses)
+      if (components_without(surface, witness.vertices) != witness.number_of_components)
+        throw std::runtime_error(name + ": a witness that does not check");
+    witness_seconds = (std::min)(witness_seconds, seconds(checked, std::clock()));
   }
-  const double n = double(num_vertices(mesh));
-  return {{"surface", name},
-          {"vertices", num_vertices(mesh)},
-          {"maximum_degree_of_tree", *std::max_element(degree_before.begin(), degree_before.end())},
-          {"vertices_of_degree_4_or_more",
-           std::count_if(degree_before.begin(), degree_before.end(), [](auto d) { return d > 3; })},
-          {"maximum_degree", *std::max_element(degree.begin(), degree.end())},
-          {"least_degree_by_witness", least_degree(witnesses)},
-          {"exchanges_nearby", counts.exchanges_nearby},
-          {"phases", counts.phases},
-          {"phases_in_vain", counts.phases_in_vain},
-          {"nanoseconds_per_vertex_of_tree", tree_seconds * 1e9 / n},
-          {"nanoseconds_per_vertex_of_exchanges", exchange_seconds * 1e9 / n}};
+  nlohmann::ordered_json result = {
+      {"surface", name},
+      {"vertices", n},
+      {"maximum_degree_of_tree", *std::max_element(degree_before.begin(), degree_before.end())},
+      {"vertices_of_degree_4_or_more",
+       std::count_if(degree_before.begin(), degree_before.end(), [](auto d) { return d > 3; })},
+      {"maximum_degree", *std::max_element(degree.begin(), degree.end())},
+      {"least_degree_by_witness", least_degree(witnesses)},
+      {"exchanges_nearby", counts.exchanges_nearby},
+      {"phases", counts.phases},
+      {"phases_in_vain", counts.phases_in_vain},
+      {"nanoseconds_per_vertex_of_tree", tree_seconds * 1e9 / double(n)},
+      {"nanoseconds_per_vertex_of_exchanges", exchange_seconds * 1e9 / double(n)}};
+  if (!witnesses.empty()) {
+    result["vertices_of_witness"] = witnesses.front().vertices.size();
+    result["components_without_witness"] = witnesses.front().number_of_components;
+    result["nanoseconds_per_vertex_of_witness"] = witness_seconds * 1e9 / double(n);
+  }
+  return result;
 }
 
-// The meshes of a folder: how many trees of bounded degree have which largest degree, before and
-// after.
-template <class Mesh>
-nlohmann::ordered_json measure_near_minimum_meshes(const std::string& folder)
+// A stacked complete graph, stacked again until it has so many vertices: the same witness serves.
+inline nlohmann::ordered_json time_stacked(int n, std::size_t vertices, std::size_t repetitions)
+{
+  triangle_lists::Triangle_list s = triangle_lists::stacked_complete_graph(n);
+  std::size_t times = 1;
+  for (; std::size_t(s.n) < vertices; ++times)
+    s = stacked(s);
+  return time_near_minimum("K_" + std::to_string(n) + ", stacked " + std::to_string(times) +
+                               " times",
+                           CGAL::surface_of(std::size_t(s.n), s.triangles), repetitions);
+}
+
+// What is found on the triangles of a file, or why they are refused. STL repeats points: they are
+// merged.
+inline nlohmann::ordered_json measure_near_minimum_file(const std::filesystem::path& path,
+                                                        const std::string& name)
+{
+  std::vector<CGAL::Epick::Point_3> points;
+  std::vector<std::vector<std::size_t>> faces;
+  if (!CGAL::IO::read_polygon_soup(path.string(), points, faces))
+    return {{"file", name}, {"refused", "no polygon soup"}};
+  CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points, faces);
+  const auto surface = CGAL::surface_of(points.size(), faces);
+  std::vector<std::pair<std::size_t, std::size_t>> tree, near_minimum;
+  Witnesses witnesses;
+  try {
+    CGAL::bounded_degree_spanning_tree(surface, std::back_inserter(tree));
+    CGAL::near_minimum_degree_spanning_tree(surface, std::back_inserter(near_minimum),
+                                            std::back_inserter(witnesses));
+  } catch (const CGAL::Surface_input_error& error) {
+    return {{"file", name}, {"vertices", points.size()}, {"refused", error.what()}};
+  }
+  const auto found = CGAL::certify_spanning_subgraph(surface, near_minimum);
+  if (!found.is_valid_near_minimum_tree())
+    throw std::runtime_error(name + ": the tree does not keep what it promises");
+  std::size_t loops = 0, bound = 0, euler_genus = 0;
+  const auto topology = CGAL::Delaunay_from_surface_3::surface_topology(surface);
+  for (const auto& component : topology.components) {
+    loops += component.number_of_boundary_loops;
+    bound = (std::max)(bound, component.near_minimum_tree_degree_bound());
+    euler_genus += component.euler_genus();
+  }
+  nlohmann::ordered_json result = {
+      {"file", name},
+      {"vertices", points.size()},
+      {"components", topology.components.size()},
+      {"boundary_loops", loops},
+      {"orientable", topology.is_orientable()},
+      {"euler_genus", euler_genus},
+      {"maximum_degree_of_tree", CGAL::certify_spanning_subgraph(surface, tree).maximum_degree},
+      {"maximum_degree", found.maximum_degree},
+      {"bound", bound}};
+  for (const auto& witness : witnesses)
+    result["witnesses"].push_back({{"vertices", witness.vertices.size()},
+                                   {"components_without", witness.number_of_components},
+                                   {"least_degree", witness.least_degree()}});
+  return result;
+}
+
+// The files of a folder and of those in it, one row each.
+inline nlohmann::ordered_json measure_near_minimum_files(const std::string& folder)
 {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".off")
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".off" || extension == ".obj" || extension == ".stl" || extension == ".ply")
       paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  std::size_t closed = 0, with_boundary = 0, refused = 0;
-  std::vector<std::size_t> before(1, 0), after(1, 0);
-  const auto count = [](std::vector<std::size_t>& histogram, std::size_t degree) {
-    histogram.resize((std::max)(histogram.size(), degree + 1), 0);
-    ++histogram[degree];
-  };
-  for (const auto& path : paths) {
-    Mesh mesh;
-    if (!CGAL::IO::read_OFF(path.string(), mesh)) {
-      ++refused;
-      continue;
-    }
-    std::vector<typename Mesh::Edge_index> tree, near_minimum;
-    try {
-      CGAL::bounded_degree_spanning_tree(CGAL::surface_of(mesh), std::back_inserter(tree));
-      CGAL::near_minimum_degree_spanning_tree(CGAL::surface_of(mesh),
-                                              std::back_inserter(near_minimum));
-    } catch (const CGAL::Surface_input_error&) {
-      ++refused;
-      continue;
-    }
-    const auto found = CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), near_minimum);
-    if (!found.is_valid_near_minimum_tree())
-      throw std::runtime_error(path.string() + ": the tree does not keep what it promises");
-    ++(CGAL::is_closed(mesh) ? closed : with_boundary);
-    count(before, CGAL::certify_spanning_subgraph(CGAL::surface_of(mesh), tree).maximum_degree);
-    count(after, found.maximum_degree);
   }
-  return {{"closed", closed},
-          {"with_boundary", with_boundary},
-          {"refused", refused},
-          {"meshes_of_degree_of_tree", before},
-          {"meshes_of_degree", after}};
+  std::sort(paths.begin(), paths.end());
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const auto& path : paths)
+    rows.push_back(
+        measure_near_minimum_file(path, std::filesystem::relative(path, folder).string()));
+  return rows;
 }
 
 } // namespace subgraphs

@@ -7,7 +7,10 @@
 
 // The surfaces on which the theory is measured, by name.
 
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
+#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
+#include <Delaunay_from_surface_3_surfaces/random.h>
 #include <Delaunay_from_surface_3_surfaces/restricted_delaunay.h>
 #include <Delaunay_from_surface_3_surfaces/simplify.h>
 
@@ -28,6 +31,7 @@ struct Theory_surface
   bool meets_assumptions;   // all triangles Delaunay, and D(S) of linear size as far as can be seen
   std::size_t largest_size; // up to which it is measured
   std::function<surfaces::Indexed_surface(std::size_t n)> make;
+  std::size_t least_size = 0;
 };
 
 // `data_dir` holds bunny00.off and armadillo.off. What takes Mesh_3 minutes to make is kept in
@@ -75,7 +79,32 @@ inline std::vector<Theory_surface> theory_surfaces(const std::string& data_dir,
        false, any, scan("bunny00.off", jitter_as_bend)},
       {"delaunay-round-genus-3",
        "restricted Delaunay triangulation of three joined tori with round tubes: D(S) is larger",
-       false, 131072, cached("delaunay-round-genus-3", surfaces::delaunay_round_genus_3)}};
+       false, 131072, cached("delaunay-round-genus-3", surfaces::delaunay_round_genus_3)},
+      {"genus-50", "a chain of fifty tori", false, any,
+       [seed](std::size_t n) { return surfaces::genus_surface(50, n, 0, seed); }, 12000}};
+}
+
+// Those on which the total work is counted, other points for every seed.
+inline std::vector<Theory_surface> work_surfaces(std::uint64_t seed)
+{
+  using surfaces::Indexed_surface;
+  const std::size_t any = std::size_t(1) << 30;
+  const auto cube = [seed](std::size_t n) {
+    surfaces::Random random(seed);
+    Indexed_surface points;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double x = random.uniform(0, 1), y = random.uniform(0, 1);
+      points.points.emplace_back(x, y, random.uniform(0, 1));
+    }
+    return points;
+  };
+  return {{"cube", "random points in a cube, without a surface", true, any, cube},
+          {"torus", "a torus, jitter of 5 % of the edge length", true, any,
+           [seed](std::size_t n) { return surfaces::genus_surface(1, n, 0.05, seed); }},
+          {"hub", "six walls that bulge inwards, and a point in the middle, in no face", true, any,
+           [seed](std::size_t n) { return surfaces::room(n, seed); }},
+          {"genus-50", "a chain of fifty tori", false, any,
+           [seed](std::size_t n) { return surfaces::genus_surface(50, n, 0, seed); }, 12000}};
 }
 
 } // namespace theory

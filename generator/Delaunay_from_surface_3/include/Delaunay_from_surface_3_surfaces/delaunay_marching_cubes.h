@@ -4,6 +4,28 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_DELAUNAY_MARCHING_CUBES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_DELAUNAY_MARCHING_CUBES_H
 
+// Why edges can be Delaunay. The points lie on lattice edges, of unit length, where f changes its
+// sign. Consider a square of the lattice, from (0, 0) to (1, 1), and an edge of a loop in it. The
+// ball that has the edge as diameter reaches no parallel plane of the lattice, as its radius is less
+// than 1. In the plane of the square it is a disc; no lattice point will be inside, so the ball meets
+// no lattice edge that leaves the plane. Between points (a, 0) and (c, 1) the disc meets the lines
+// y = 0 and y = 1 between a and c only, and the lines x = 0 and x = 1 between y = 0 and y = 1, where no
+// points are. Between (a, 0) and (0, b) its circle goes through (0, 0); on the other sides of the
+// square it can contain (t, 1) only if t < a, and (1, r) only if r < b. These are there only in an
+// ambiguous square, where two corners at a diagonal are inside and the others are not; so in all
+// other squares the edges of loops are Delaunay. An ambiguous one can be cut by edges from (a, 0) to
+// (0, b) and from (t, 1) to (1, r), which are Delaunay if a <= t and b <= r; or from (a, 0) to (1, r)
+// and from (0, b) to (t, 1), which are if a >= t and b >= r. As points are found by linear
+// interpolation, a <= t and b <= r say the same, |f(0, 0) f(1, 1)| <= |f(0, 1) f(1, 0)|. So one of the
+// two ways always has Delaunay edges: that of the asymptotic decider (Nielson and Hamann 1991).
+//
+// Triangles with such edges need not be. Each triangle considered for a loop is tested, exactly, with
+// the points as far as the smallest of its empty balls reaches. A loop is triangulated as the table
+// says if that is Delaunay, else with as few triangles as can be that are not; as a last resort it
+// gets diagonals in an ambiguous square, unless the neighbouring cube has the same ones, or the square
+// is cut the other way, for both cubes. Each edge has two triangles whatever is chosen, and the degree
+// is bounded, as loops have at most 12 points.
+
 #include <Delaunay_from_surface_3_surfaces/Crossed_lattice.h>
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/Loop_triangulator.h>

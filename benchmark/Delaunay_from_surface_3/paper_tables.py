@@ -1,0 +1,281 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""The tables of the manual's page on the paper, from what location_costs, measure_subgraphs, measure_uniform_samples
+and compare_with_plain wrote, which needs nothing but Python; and its plot, paper_work.svg, which needs Matplotlib.
+
+  paper_tables.py --tables
+  paper_tables.py --manual The_paper.txt [--check]
+  paper_tables.py --output-dir fig
+"""
+
+import argparse
+import os
+import statistics
+from pathlib import Path
+
+import manual_tables
+from manual_tables import cell, table
+
+RESULTS = Path(__file__).resolve().parent / "results"
+EMST = "Euclidean minimum spanning tree"
+PARTS = {  # what the calls are for: colour, and what is counted beside them
+    "location": ("#0072b2", "nodes"), "traces": ("#e69f00", "cells"), "records": ("#d00000", "nodes"),
+    "updates": ("#9a9a9a", "cells_created")}
+
+
+def result(name):
+    return manual_tables.read(RESULTS / f"{name}.json")
+
+
+def in_millions(number):
+    return f"{number / 1e6:.0f}M"
+
+
+def percent(share):
+    return "100 %" if share == 1 else f"{100 * share:.1f} %"
+
+
+# --- the theory ---
+
+def by_seed():
+    """{(surface, T): {size: the records of all seeds}}"""
+    found = {}
+    for r in result("total_work")["work"]:
+        found.setdefault((r["surface"], r["T"]), {}).setdefault(r["size"], []).append(r)
+    return dict(sorted(found.items(), key=lambda item: (item[0][0] == "genus-50", item[0])))
+
+
+def work():
+    """Calls per point, the mean of all seeds, and how far the farthest is from it."""
+    found = {surface: records for (surface, T), records in by_seed().items() if T == EMST}
+    sizes = sorted({size for records in found.values() for size in records})
+    rows = []
+    for surface, records in found.items():
+        cells = []
+        for size in sizes:
+            calls = [r["calls"] for r in records.get(size, [])]
+            middle = statistics.mean(calls) if calls else 0
+            cells.append(f"{middle:.0f}±{max(abs(c - middle) for c in calls):.0f}" if calls else "–")
+        rows.append([surface, *cells])
+    return table(["surface", *(rf"\f$2^{{{size.bit_length() - 1}}}\f$" for size in sizes)], rows)
+
+
+def mean(records, part, key):
+    return statistics.mean(r[part][key] for r in records)
+
+
+def work_parts():
+    """The same by parts, at the largest size: nodes or cells, and calls."""
+    rows = []
+    for (surface, T), records in by_seed().items():
+        if T != EMST:
+            continue
+        of_largest = records[max(records)]
+        parts = [(part, key) for part, (_, key) in PARTS.items()] + [("location_from_root", "nodes")]
+        rows.append([surface] +
+                    [f'{mean(of_largest, part, key):.0f}/{mean(of_largest, part, "calls"):.0f}' for part, key in parts])
+    return table(["surface", "location: nodes/calls", "traces: cells/calls", "records: nodes/calls",
+                  "updates: made/calls", "location from the root"], rows)
+
+
+def largest_by_surface():
+    """The largest result of location_costs on each surface, and those from 2^14 points on."""
+    found = {}
+    for name in ("location_costs",):
+        for r in sorted(result(name)["results"], key=lambda r: r["size"]):
+            found.setdefault(r["surface"], []).append(r)
+    return [(results[-1], [r for r in results if r["size"] >= 2**14]) for results in found.values()]
+
+
+def surfaces():
+    """How far the assumptions hold, what the traces cross and enter, and what walks cost; all per point."""
+    rows = []
+    for r, _ in largest_by_surface():
+        found, ways = r["assumptions"], r["locations"]
+        walk = ways["walk-trace"]
+        rows.append([
+            r["surface"], str(r["points"]), percent(found["subgraph_edges_delaunay"]),
+            f'{found["delaunay_cells_per_point"]:.1f}', f'{sum(t["crossings_per_point"] for t in r["traces"]):.1f}',
+            *(f'{ways[way]["cells_entered"]:.0f}/{ways[way]["calls"]:.0f}' for way in ("plain", "walk-random")),
+            f'{walk["cells_entered"]:.0f}+{walk["trace_cells_entered"]:.0f}/'
+            f'{walk["calls"] + walk["trace_calls"]:.0f}'])
+    return table(["surface", "points", "T in D(S)", "cells of D(S)", "crossings", "plain %CGAL", "random start",
+                  "from the trace"], rows)
+
+
+def crossings():
+    """The largest value of a trace from 2^14 points on over the smallest."""
+    factor = {}
+    for r, results in largest_by_surface():
+        series = [[s["traces"][h]["crossings_per_point"] for s in results] for h in range(3)]
+        if min(map(min, series)) > 0:
+            factor[r["surface"]] = max(max(s) / min(s) for s in series)
+    most = max(factor, key=factor.get)
+    return (f'By a factor of {factor["delaunay-genus-3"]:.2f} at most on delaunay-genus-3, '
+            f'{factor["delaunay-round-genus-3"]:.2f} on the round tubes, and {factor[most]:.2f}, the most, on {most}.')
+
+
+ORDERS = {"tracing": "the paper's, from the trace",
+          "tracing-hilbert": "the paper's, each round along a Hilbert curve, from the trace",
+          "geometric-traced": "coherent rounds, from the trace",
+          "geometric-neighbor": "coherent rounds, from the neighbour on F",
+          "plain-order": "plain %CGAL's, from the point before",
+          "nets": "nets, from the point they name"}
+
+
+def genus_50():
+    """Cells entered by traces and walks at three sizes; calls and times at the largest. All with CGAL's insertion."""
+    reports = [r for name in ("paper_64k", "paper_256k") for r in result(name)["results"] if r["surface"] == "genus-50"]
+    reports.sort(key=lambda r: r["points"])
+    methods = [{m["method"]: m for m in r["methods"]} for r in reports]
+    rows = []
+    for name, title in ORDERS.items():
+        found = [m[name] for m in methods]
+        cells = [sum(m["predicates"][phase]["cells_entered"] for phase in ("trace", "location")) for m in found]
+        seconds = found[-1]["phases"]["seconds"]
+        rows.append([title, *(f"{c:.0f}" for c in cells), f'{found[-1]["predicates"]["all_calls_per_point"]:.0f}',
+                     f'{seconds["trace"] + seconds["location"]:.1f}+{seconds["update"]:.1f}'])
+    return table(["order and start", *(f'cells, {str(r["points"])}' for r in reports), "calls", "seconds"], rows)
+
+
+CHANGES = [("none", 0), ("jitter", 0.45), ("decimated", 16), ("random spanning tree of F", 1), ("random edges", 0.01),
+           ("random edges", 1)]
+
+
+def hypothesis():
+    rows = []
+    for change, amount in CHANGES:
+        r = next(r for r in result("location_costs")["hypothesis"]
+                 if (r["surface"], r["change"], r["amount"]) == ("delaunay-genus-3", change, amount))
+        cells = statistics.mean(t["crossings_per_point"] for t in r["traces"])
+        named = change + (f" {amount:g}" if change not in ("none", "random spanning tree of F") else "")
+        rows.append([named, percent(r["assumptions"]["subgraph_edges_delaunay"]), f"{cells:.2f}",
+                     f'{r["locations"]["history-trace"]["cells_entered"]:.2f}'])
+    return table(["change of T or of the points", "T in D(S)", "crossings per trace and point", "nodes from the trace"],
+                 rows)
+
+
+def iso_surfaces():
+    """Ordinary marching cubes beside those with Delaunay triangles."""
+    results = {r["surface"]: r for r in result("subgraphs_traced_4k")["subgraphs"]}
+    rows = []
+    for name in ("marching-cubes", "delaunay-marching-cubes", "noise", "delaunay-noise"):
+        found = results[name]["subgraphs"]["all of F"]["assumptions"]
+        made = results[name].get("iso_surface")
+        rows.append([name, str(results[name]["points"]), percent(found["surface_triangles_delaunay"]),
+                     percent(found["emst_edges_in_surface"]), str(found["subgraph_degree"]),
+                     cell(made and made["seconds"] / made["plain_seconds"], "{:.1f}")])
+    return table(["surface", "points", "triangles Delaunay", "EMST in F", "degree", "time, by that of D(S)"], rows)
+
+
+def uniform_samples():
+    rows = []
+    for r in result("uniform_samples")["samples"]:
+        if r["all"]["points"] < 60000 or r["sample"] == "denser at one end":
+            continue
+        for found in [r["all"], *(s for s in r["subsets"] if s["factor"] == 1)]:
+            ratio = found["largest_ratio_of_edges"]
+            rows.append([f'{r["sample"]}, {"thinned" if "factor" in found else "all"}', str(found["points"]),
+                         str(found["surface_largest_degree"]), f'{ratio:.{1 if ratio < 100 else 0}f}',
+                         str(found["delaunay_largest_degree"])])
+    return table(["sample", "points", "largest degree on the surface", "longest edge / shortest", "largest degree in D(S)"],
+                 rows)
+
+
+# --- the subgraphs ---
+
+def bounds():
+    found = result("subgraph_bounds")["bounds"]
+    pairs = (("bound", "maximum_degree"), ("bound_of_tree", "maximum_degree_of_tree"))
+    reached = [r["surface"] for r in found if all(r[bound] == r[degree] for bound, degree in pairs)]
+    high = next(r for r in found if r["surface"] == "genus 10")
+    return (f'In a hundred random triangulations of each of {len(found)} surfaces (`subgraph_bounds.json`) both bounds '
+            f'are reached on {", ".join(reached[:-1])} and {reached[-1]}; for genus 10 the largest degree is '
+            f'{high["maximum_degree"]}, and {high["maximum_degree_of_tree"]} in a tree.')
+
+
+def times():
+    rows = []
+    for r in result("subgraph_times")["times"]:
+        if not 900000 < r["vertices"] < 2000000:
+            continue
+        kruskal = r.get("minimum_spanning_tree")
+        rows.append([f'{r["surface"]}, {r["order"]}',
+                     *(f'{r[what]["nanoseconds_per_vertex"]:.0f}' for what in ("subgraph", "tree", "cut_graph")),
+                     f'{r["subgraph"]["bytes_per_vertex"]:.0f}',
+                     cell(kruskal and kruskal["nanoseconds_per_vertex"], "{:.0f}")])
+    return table(["surface, order", "subgraph, ns", "tree", "cut", "bytes", "Kruskal"], rows)
+
+
+def near_minimum():
+    rows = []
+    for r in result("subgraph_near_minimum")["near_minimum"]["families"]:
+        least = max(r["least_degree_by_witness"], r.get("least_degree", 0))
+        rows.append([r["surface"], *(str(r[key]) for key in (
+            "genus", "bound_of_the_paper", "maximum_degree_of_subgraph", "maximum_degree_of_tree", "maximum_degree",
+            "bound")), cell(least or None)])
+    return table(["surface", "genus", "paper", "subgraph", "tree", "exchanged", "B", "every tree"], rows)
+
+
+def near_minimum_times():
+    rows = []
+    for r in result("subgraph_near_minimum")["near_minimum"]["times"]:
+        rows.append([r["surface"], in_millions(r["vertices"]), f'{r["maximum_degree_of_tree"]}→{r["maximum_degree"]}',
+                     *(str(r[key]) for key in ("exchanges_nearby", "phases")),
+                     *(cell(r.get(f"nanoseconds_per_vertex_of_{what}"), "{:.0f}")
+                       for what in ("tree", "exchanges", "witness"))])
+    return table(["surface", "vertices", "degree", "nearby", "phases", "tree, ns", "exchanges", "witness"], rows)
+
+
+def near_minimum_files():
+    """How many files have a tree of degree 4 and more, before and after."""
+    rows = []
+    for name, title in (("subgraph_meshes", "meshes of %CGAL's demos"), ("subgraph_parts", "parts of openfoam-examples")):
+        files = result(name)["files"]
+        served = [r for r in files if "refused" not in r]
+        rows.append([title, str(len(files)), str(len(served)),
+                     *(str(sum(r[key] > 3 for r in served)) for key in ("maximum_degree_of_tree", "maximum_degree"))])
+    return table(["files", "all", "served", "degree 4 in the tree", "after exchanges"], rows)
+
+
+BLOCKS = [bounds, crossings, genus_50, hypothesis, iso_surfaces, near_minimum, near_minimum_files,
+          near_minimum_times, surfaces, times, uniform_samples, work, work_parts]
+
+
+# --- the plot ---
+
+def draw_work(file_name):
+    """Calls per point by parts, with T = EMST, and those of location from the root."""
+    from plot_style import Sheet, grid_height, line, lines_along, patch, size_ticks, ticks
+    found = {surface: sizes for (surface, T), sizes in by_seed().items() if T == EMST}
+    sheet = Sheet(grid_height(len(found), 4, 2, height=170))
+    for axes, (surface, records) in zip(sheet.grid(len(found), 4, height=170), found.items()):
+        sizes = sorted(records)
+        axes.stackplot(sizes, *([mean(records[n], part, "calls") for n in sizes] for part in PARTS),
+                       colors=[color for color, _ in PARTS.values()])
+        axes.plot(sizes, [mean(records[n], "location_from_root", "calls") + mean(records[n], "updates", "calls")
+                          for n in sizes], color="#000000", linestyle=":")
+        lines_along(axes, "y")
+        size_ticks(axes, sizes)
+        ticks(axes.yaxis, [0, 400, 800, 1200])
+        axes.set(title=surface, xlabel="points", ylim=(0, 1300))
+    sheet.legend([patch(color, part) for part, (color, _) in PARTS.items()] +
+                 [line("#000000", "location from the root, and updates", None, linestyle=":")], columns=5)
+    sheet.write(file_name)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--output-dir", metavar="FOLDER", help="draw; where the SVG file goes")
+    manual_tables.add_options(parser)
+    arguments = parser.parse_args()
+    manual_tables.serve(arguments, {make.__name__: make() for make in BLOCKS})
+    if arguments.output_dir:
+        draw_work(os.path.join(arguments.output_dir, "paper_work.svg"))
+
+
+if __name__ == "__main__":
+    main()
