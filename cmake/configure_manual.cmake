@@ -16,6 +16,6 @@ file(CONFIGURE OUTPUT "${DOC_OUTPUT_DIR}/Doxyfile" CONTENT
 "@INCLUDE = ${DOC_OUTPUT_DIR}/package.dxy
 PROJECT_NAME = Delaunay_from_surface_3
 PROJECT_NUMBER = ${PROJECT_VERSION}
-PROJECT_BRIEF = \"The 3D Delaunay triangulation of a surface mesh's vertices\"
+PROJECT_BRIEF = \"3D Delaunay triangulations of points and surfaces\"
 ${DOC_COLOR_STYLE}
 ")
