@@ -39,6 +39,7 @@ SHOWS = {
     "thinning": "points left out, beside what COLMAP and OpenMVS do",
     "sources": "surfaces of CGAL's packages: how much is Delaunay, EMST, cells, times",
     "python": "the Python module beside SciPy and VTK",
+    "history": "instructions, page faults and bytes of a call, revision by revision",
     "compile_time": "a file with one call, by g++ and clang, time and memory",
     "parts": "the parts of openfoam-examples: inside or not, and why not",
     "tiles": "what tiles keep, tell and take",
