@@ -272,16 +272,8 @@ BOOST_AUTO_TEST_CASE(searches_are_as_long_as_lemma_4_says)
 // too, where T is of bounded degree and no forest.
 BOOST_AUTO_TEST_CASE(the_papers_algorithm_gives_plain_triangulations)
 {
-  std::vector<tests::Named_surface> all = tests::tiny_and_flat_surfaces();
-  for (const auto& surfaces : {tests::ordinary_surfaces(2000), tests::degenerate_surfaces(400)})
-    all.insert(all.end(), surfaces.begin(), surfaces.end());
-  for (const tests::Named_surface& named : all) {
-    const tests::Plain_case<Triangulation> plain_case(named);
-    plain_case.check<CGAL::History_tracing_traits_3>(0);
-    plain_case.check<CGAL::History_tracing_traits_3>(1);
-    plain_case.check<CGAL::Surface_insertion_policies_3<DFS::Spanning_forest, DFS::Geometric_rounds,
-                                                        DFS::Conflict_history_hints_3>>();
-  }
+  tests::history::check_plain_triangulations<CGAL::History_tracing_traits_3,
+                                             DFS::Conflict_history_hints_3>(400, 2);
   for (const tests::Named_surface& named : tests::ordinary_surfaces(2000))
     for (unsigned int seed = 0; seed < 2; ++seed)
       tests::Plain_case<Triangulation>(named).check_as_mesh<CGAL::History_tracing_traits_3>(seed);
@@ -303,13 +295,7 @@ BOOST_AUTO_TEST_CASE(records_are_conflict_sets)
   std::vector<Point> points = random_points(400, 1000, 7);
   points[350] = points[20];
   points[351] = points[320];
-  std::vector<std::pair<std::size_t, std::size_t>> path;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (i != 100 && i != 300) { // three components
-      path.emplace_back(i - 1, i);
-      path.emplace_back(i, i - 1);
-    }
-  const Graph graph(boost::edges_are_unsorted_multi_pass, path.begin(), path.end(), points.size());
+  const Graph graph = tests::history::broken_path(points.size(), 100, 300);
   Triangulation tr;
   Target target(tr, points);
   Hints hints(target, graph);

@@ -301,16 +301,7 @@ BOOST_AUTO_TEST_CASE(descents_are_as_long_as_lemma_4_says)
 // TracingDT with this history for Q, on everything from a single point to degenerate surfaces.
 BOOST_AUTO_TEST_CASE(traces_and_this_history_give_plain_triangulations)
 {
-  std::vector<tests::Named_surface> all = tests::tiny_and_flat_surfaces();
-  for (const auto& surfaces : {tests::ordinary_surfaces(2000), tests::degenerate_surfaces(600)})
-    all.insert(all.end(), surfaces.begin(), surfaces.end());
-  for (const tests::Named_surface& named : all) {
-    const tests::Plain_case<Triangulation> plain_case(named);
-    for (unsigned int seed = 0; seed < 3; ++seed)
-      plain_case.check<Traits>(seed);
-    plain_case.check<CGAL::Surface_insertion_policies_3<DFS::Spanning_forest, DFS::Geometric_rounds,
-                                                        meters::History_hints_3>>();
-  }
+  tests::history::check_plain_triangulations<Traits, meters::History_hints_3>(600, 3);
 }
 
 BOOST_AUTO_TEST_CASE(with_exact_constructions)
@@ -326,13 +317,7 @@ BOOST_AUTO_TEST_CASE(records_contain_their_points)
   using Graph = CGAL::Delaunay_from_surface_3::internal::Index_graph;
   using Hints = meters::History_hints_3<Target, Graph>;
   const std::vector<Point> points = random_points(500, 1000, 7);
-  std::vector<std::pair<std::size_t, std::size_t>> path;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (i != 100 && i != 400) { // three components
-      path.emplace_back(i - 1, i);
-      path.emplace_back(i, i - 1);
-    }
-  const Graph graph(boost::edges_are_unsorted_multi_pass, path.begin(), path.end(), points.size());
+  const Graph graph = tests::history::broken_path(points.size(), 100, 400);
   Triangulation tr;
   Target target(tr, points);
   Hints hints(target, graph);

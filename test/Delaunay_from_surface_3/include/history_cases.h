@@ -5,13 +5,18 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_HISTORY_CASES_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_HISTORY_CASES_H
 
-// The point sets on which histories are tested, degenerate ones among them.
+// The point sets on which histories are tested, degenerate ones among them, and what both are asked.
 
+#include "check_equal.h"
 #include "named_surfaces.h"
 
+#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_insertion_policies_3.h>
 
 #include <cmath>
 #include <cstddef>
@@ -111,6 +116,36 @@ void insert_all(Triangulation& tr, const std::vector<Point>& points, Observer& o
 }
 
 inline void ignore(std::size_t) {}
+
+// A path through n points, broken before two of them: three components.
+inline CGAL::Delaunay_from_surface_3::internal::Index_graph
+broken_path(std::size_t n, std::size_t first, std::size_t second)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> path;
+  for (std::size_t i = 1; i < n; ++i)
+    if (i != first && i != second) {
+      path.emplace_back(i - 1, i);
+      path.emplace_back(i, i - 1);
+    }
+  return {boost::edges_are_unsorted_multi_pass, path.begin(), path.end(), n};
+}
+
+// TracingDT with a history for Q, on everything from a single point to degenerate surfaces.
+template <class Traits, template <class Target, class Subgraph> class Hints>
+void check_plain_triangulations(std::size_t degenerate, unsigned int seeds)
+{
+  namespace DFS = CGAL::Delaunay_from_surface_3;
+  std::vector<Named_surface> all = tiny_and_flat_surfaces();
+  for (const auto& surfaces : {ordinary_surfaces(2000), degenerate_surfaces(degenerate)})
+    all.insert(all.end(), surfaces.begin(), surfaces.end());
+  for (const Named_surface& named : all) {
+    const Plain_case<Triangulation> plain_case(named);
+    for (unsigned int seed = 0; seed < seeds; ++seed)
+      plain_case.check<Traits>(seed);
+    plain_case.check<
+        CGAL::Surface_insertion_policies_3<DFS::Spanning_forest, DFS::Geometric_rounds, Hints>>();
+  }
+}
 
 } // namespace history
 } // namespace tests
