@@ -5,7 +5,7 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_HISTORY_CASES_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_HISTORY_CASES_H
 
-// The point sets on which histories are tested, degenerate ones among them, and what both are asked.
+// Point sets on which histories are tested, degenerate ones among them, and what both are asked.
 
 #include "check_equal.h"
 #include "named_surfaces.h"
