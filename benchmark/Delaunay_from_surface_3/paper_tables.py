@@ -30,10 +30,6 @@ def result(name):
     return manual_tables.read(RESULTS / f"{name}.json")
 
 
-def in_millions(number):
-    return f"{number / 1e6:.0f}M"
-
-
 def percent(share):
     return "100 %" if share == 1 else f"{100 * share:.1f} %"
 
@@ -119,9 +115,9 @@ def crossings():
 
 
 ORDERS = {"tracing": "the paper's, from the trace",
-          "tracing-hilbert": "the paper's, each round along a Hilbert curve, from the trace",
+          "tracing-hilbert": "the same along Hilbert curves, from the trace",
           "geometric-traced": "coherent rounds, from the trace",
-          "geometric-neighbor": "coherent rounds, from the neighbour on F",
+          "geometric-neighbor": "coherent rounds, from a neighbour on F",
           "plain-order": "plain %CGAL's, from the point before",
           "nets": "nets, from the point they name"}
 
@@ -138,11 +134,14 @@ def genus_50():
         seconds = found[-1]["phases"]["seconds"]
         rows.append([title, *(f"{c:.0f}" for c in cells), f'{found[-1]["predicates"]["all_calls_per_point"]:.0f}',
                      f'{seconds["trace"] + seconds["location"]:.1f}+{seconds["update"]:.1f}'])
-    return table(["order and start", *(f'cells, {str(r["points"])}' for r in reports), "calls", "seconds"], rows)
+    whole = {m["method"]: m["median_cpu"] for r in result("compare_256k")["results"] if r["surface"] == "genus-50"
+             for m in r["methods"]}
+    return (table(["order and start", *(f'cells, {r["points"]}' for r in reports), "calls", "seconds"], rows) +
+            f'\n\nThe default takes {whole["default"]:.1f} seconds of CPU time for the same points, plain %CGAL '
+            f'{whole["plain"]:.1f} (`compare_256k.json`, another run).')
 
 
-CHANGES = [("none", 0), ("jitter", 0.45), ("decimated", 16), ("random spanning tree of F", 1), ("random edges", 0.01),
-           ("random edges", 1)]
+CHANGES = [("none", 0), ("jitter", 0.45), ("decimated", 16), ("random edges", 0.01), ("random edges", 1)]
 
 
 def hypothesis():
@@ -151,24 +150,30 @@ def hypothesis():
         r = next(r for r in result("location_costs")["hypothesis"]
                  if (r["surface"], r["change"], r["amount"]) == ("delaunay-genus-3", change, amount))
         cells = statistics.mean(t["crossings_per_point"] for t in r["traces"])
-        named = change + (f" {amount:g}" if change not in ("none", "random spanning tree of F") else "")
+        named = f"{change} {amount:g}" if amount else change
         rows.append([named, percent(r["assumptions"]["subgraph_edges_delaunay"]), f"{cells:.2f}",
                      f'{r["locations"]["history-trace"]["cells_entered"]:.2f}'])
     return table(["change of T or of the points", "T in D(S)", "crossings per trace and point", "nodes from the trace"],
                  rows)
 
 
+def traced():
+    r = next(r for r in result("subgraphs_traced")["subgraphs"] if r["surface"] == "armadillo" and r["size"] == 16384)
+    crossed = {T: statistics.mean(t["crossings_per_point"] for t in found["traces"])
+               for T, found in r["subgraphs"].items()}
+    return ("Minimum spanning trees are crossed least: on a scan with noise (armadillo, `subgraphs_traced.json`) "
+            f'{crossed[EMST]:.2f} times per trace and point, the subgraph of bounded degree '
+            f'{crossed["subgraph of bounded degree"]:.2f}, any forest {crossed["a spanning forest of F"]:.2f}.')
+
+
 def iso_surfaces():
-    """Ordinary marching cubes beside those with Delaunay triangles."""
     results = {r["surface"]: r for r in result("subgraphs_traced_4k")["subgraphs"]}
-    rows = []
-    for name in ("marching-cubes", "delaunay-marching-cubes", "noise", "delaunay-noise"):
-        found = results[name]["subgraphs"]["all of F"]["assumptions"]
-        made = results[name].get("iso_surface")
-        rows.append([name, str(results[name]["points"]), percent(found["surface_triangles_delaunay"]),
-                     percent(found["emst_edges_in_surface"]), str(found["subgraph_degree"]),
-                     cell(made and made["seconds"] / made["plain_seconds"], "{:.1f}")])
-    return table(["surface", "points", "triangles Delaunay", "EMST in F", "degree", "time, by that of D(S)"], rows)
+    volumes = ("marching-cubes", "noise")
+    shares = [results[name]["subgraphs"]["all of F"]["assumptions"]["surface_triangles_delaunay"] for name in volumes]
+    made = [results[f"delaunay-{name}"]["iso_surface"] for name in volumes]
+    longer = [m["seconds"] / m["plain_seconds"] for m in made]
+    return (f'That takes {min(longer):.0f} to {max(longer):.0f} times as long as D(S). Of the triangles of ordinary '
+            f'marching cubes {int(100 * min(shares))} % or more are Delaunay (`subgraphs_traced_4k.json`).')
 
 
 def uniform_samples():
@@ -181,8 +186,8 @@ def uniform_samples():
             rows.append([f'{r["sample"]}, {"thinned" if "factor" in found else "all"}', str(found["points"]),
                          str(found["surface_largest_degree"]), f'{ratio:.{1 if ratio < 100 else 0}f}',
                          str(found["delaunay_largest_degree"])])
-    return table(["sample", "points", "largest degree on the surface", "longest edge / shortest", "largest degree in D(S)"],
-                 rows)
+    return table(["sample", "points", "largest degree on the surface", "longest edge / shortest",
+                  "largest degree in D(S)"], rows)
 
 
 # --- the subgraphs ---
@@ -192,15 +197,19 @@ def bounds():
     pairs = (("bound", "maximum_degree"), ("bound_of_tree", "maximum_degree_of_tree"))
     reached = [r["surface"] for r in found if all(r[bound] == r[degree] for bound, degree in pairs)]
     high = next(r for r in found if r["surface"] == "genus 10")
-    return (f'In a hundred random triangulations of each of {len(found)} surfaces (`subgraph_bounds.json`) both bounds '
-            f'are reached on {", ".join(reached[:-1])} and {reached[-1]}; for genus 10 the largest degree is '
-            f'{high["maximum_degree"]}, and {high["maximum_degree_of_tree"]} in a tree.')
+    regular = [r["cut_graph"] for r in result("subgraph_degrees")["degrees"]]
+    return (f'In random triangulations of many surfaces (`subgraph_bounds.json`) both bounds are reached on '
+            f'{", ".join(reached[:-1])} and {reached[-1]}; for genus 10 the largest degree is {high["maximum_degree"]}, and '
+            f'{high["maximum_degree_of_tree"]} in a tree.\n\nOn regular surfaces up to genus 50 it is at most '
+            f'{max(r["maximum_degree"] for r in regular)}, and {max(r["maximum_degree_of_tree"] for r in regular)} in a '
+            "tree; a cut along loops through one vertex gives more vertices of degree 4 and more "
+            "(`subgraph_degrees.json`).")
 
 
 def times():
     rows = []
     for r in result("subgraph_times")["times"]:
-        if not 900000 < r["vertices"] < 2000000:
+        if not 900000 < r["vertices"] < 2000000 or r["surface"] == "disc":
             continue
         kruskal = r.get("minimum_spanning_tree")
         rows.append([f'{r["surface"]}, {r["order"]}',
@@ -213,6 +222,8 @@ def times():
 def near_minimum():
     rows = []
     for r in result("subgraph_near_minimum")["near_minimum"]["families"]:
+        if r["genus"] in (2, 3):
+            continue
         least = max(r["least_degree_by_witness"], r.get("least_degree", 0))
         rows.append([r["surface"], *(str(r[key]) for key in (
             "genus", "bound_of_the_paper", "maximum_degree_of_subgraph", "maximum_degree_of_tree", "maximum_degree",
@@ -223,17 +234,18 @@ def near_minimum():
 def near_minimum_times():
     rows = []
     for r in result("subgraph_near_minimum")["near_minimum"]["times"]:
-        rows.append([r["surface"], in_millions(r["vertices"]), f'{r["maximum_degree_of_tree"]}→{r["maximum_degree"]}',
+        rows.append([r["surface"], f'{r["maximum_degree_of_tree"]}→{r["maximum_degree"]}',
                      *(str(r[key]) for key in ("exchanges_nearby", "phases")),
                      *(cell(r.get(f"nanoseconds_per_vertex_of_{what}"), "{:.0f}")
                        for what in ("tree", "exchanges", "witness"))])
-    return table(["surface", "vertices", "degree", "nearby", "phases", "tree, ns", "exchanges", "witness"], rows)
+    return table(["surface", "degree", "nearby", "phases", "tree, ns", "exchanges", "witness"], rows)
 
 
 def near_minimum_files():
     """How many files have a tree of degree 4 and more, before and after."""
     rows = []
-    for name, title in (("subgraph_meshes", "meshes of %CGAL's demos"), ("subgraph_parts", "parts of openfoam-examples")):
+    for name, title in (("subgraph_meshes", "meshes of %CGAL's demos"),
+                        ("subgraph_parts", "parts of openfoam-examples")):
         files = result(name)["files"]
         served = [r for r in files if "refused" not in r]
         rows.append([title, str(len(files)), str(len(served)),
@@ -242,7 +254,7 @@ def near_minimum_files():
 
 
 BLOCKS = [bounds, crossings, genus_50, hypothesis, iso_surfaces, near_minimum, near_minimum_files,
-          near_minimum_times, surfaces, times, uniform_samples, work, work_parts]
+          near_minimum_times, surfaces, times, traced, uniform_samples, work, work_parts]
 
 
 # --- the plot ---
