@@ -21,7 +21,7 @@ MOST_BYTES = 30000
 FIGURES = [  # file, name of the results, and what draws it
     ("times.svg", "calls_256k", speed_plots.draw_times),
     ("where_time_goes.svg", "compare_64k", speed_plots.draw_where_time_goes),
-    ("paper_work.svg", "total_work", lambda report, name: paper_tables.draw_work(name)),
+    ("paper_work.svg", "total_work", paper_tables.draw_work),
 ]
 
 

@@ -54,7 +54,20 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "python", ["python"], use_tables.python),
     (HOW_FAST, "tiles", ["tiles"], hard_tables.tiles),
     (HOW_FAST, "peers", ["compare_peers"], hard_tables.peers),
-    *((PAPER, make.__name__, [], make) for make in paper_tables.BLOCKS),
+    (PAPER, "work", ["total_work"], paper_tables.work),
+    (PAPER, "work_parts", ["total_work"], paper_tables.work_parts),
+    (PAPER, "surfaces", ["location_costs"], paper_tables.surfaces),
+    (PAPER, "crossings", ["location_costs"], paper_tables.crossings),
+    (PAPER, "genus_50", ["paper_64k", "paper_256k", "calls_256k"], paper_tables.genus_50),
+    (PAPER, "hypothesis", ["location_costs"], paper_tables.hypothesis),
+    (PAPER, "traced", ["subgraphs_traced"], paper_tables.traced),
+    (PAPER, "iso_surfaces", ["subgraphs_traced_4k"], paper_tables.iso_surfaces),
+    (PAPER, "uniform_samples", ["uniform_samples"], paper_tables.uniform_samples),
+    (PAPER, "bounds", ["subgraph_bounds", "subgraph_degrees"], paper_tables.bounds),
+    (PAPER, "times", ["subgraph_times"], paper_tables.times),
+    (PAPER, "near_minimum", ["subgraph_near_minimum"], paper_tables.near_minimum),
+    (PAPER, "near_minimum_times", ["subgraph_near_minimum"], paper_tables.near_minimum_times),
+    (PAPER, "near_minimum_files", ["subgraph_meshes", "subgraph_parts"], paper_tables.near_minimum_files),
 ]
 
 BLOCK = re.compile(r"<!-- (\w+) -->\n.*?<!-- end -->", re.S)

@@ -1,37 +1,19 @@
-#!/usr/bin/env python3
 # Copyright (c) 2026 The authors of Delaunay_from_surface_3
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""The tables of the manual's page on the paper, from what location_costs, measure_subgraphs, measure_uniform_samples
-and compare_with_plain wrote, which needs nothing but Python; and its plot, paper_work.svg, which needs Matplotlib.
+"""The tables of the manual's page on the paper, from what location_costs, measure_subgraphs, measure_uniform_samples,
+compare_with_plain and measure_single_calls.py wrote; and its plot, which needs Matplotlib."""
 
-  paper_tables.py --tables
-  paper_tables.py --manual The_paper.txt [--check]
-  paper_tables.py --output-dir fig
-"""
-
-import argparse
-import os
 import statistics
-from pathlib import Path
 
-import manual_tables
 from manual_tables import cell, table
+from speed_tables import gain, surface_of, two
 
-RESULTS = Path(__file__).resolve().parent / "results"
 EMST = "Euclidean minimum spanning tree"
 PARTS = {  # what the calls are for: colour, and what is counted beside them
     "location": ("#0072b2", "nodes"), "traces": ("#e69f00", "cells"), "records": ("#d00000", "nodes"),
     "updates": ("#9a9a9a", "cells_created")}
-
-
-def result(name):
-    return manual_tables.read(RESULTS / f"{name}.json")
-
-
-def in_millions(number):
-    return f"{number / 1e6:.0f}M"
 
 
 def percent(share):
@@ -40,17 +22,17 @@ def percent(share):
 
 # --- the theory ---
 
-def by_seed():
+def by_seed(report):
     """{(surface, T): {size: the records of all seeds}}"""
     found = {}
-    for r in result("total_work")["work"]:
+    for r in report["work"]:
         found.setdefault((r["surface"], r["T"]), {}).setdefault(r["size"], []).append(r)
     return dict(sorted(found.items(), key=lambda item: (item[0][0] == "genus-50", item[0])))
 
 
-def work():
+def work(report):
     """Calls per point, the mean of all seeds, and how far the farthest is from it."""
-    found = {surface: records for (surface, T), records in by_seed().items() if T == EMST}
+    found = {surface: records for (surface, T), records in by_seed(report).items() if T == EMST}
     sizes = sorted({size for records in found.values() for size in records})
     rows = []
     for surface, records in found.items():
@@ -67,10 +49,10 @@ def mean(records, part, key):
     return statistics.mean(r[part][key] for r in records)
 
 
-def work_parts():
+def work_parts(report):
     """The same by parts, at the largest size: nodes or cells, and calls."""
     rows = []
-    for (surface, T), records in by_seed().items():
+    for (surface, T), records in by_seed(report).items():
         if T != EMST:
             continue
         of_largest = records[max(records)]
@@ -81,19 +63,18 @@ def work_parts():
                   "updates: made/calls", "location from the root"], rows)
 
 
-def largest_by_surface():
+def largest_by_surface(report):
     """The largest result of location_costs on each surface, and those from 2^14 points on."""
     found = {}
-    for name in ("location_costs",):
-        for r in sorted(result(name)["results"], key=lambda r: r["size"]):
-            found.setdefault(r["surface"], []).append(r)
+    for r in sorted(report["results"], key=lambda r: r["size"]):
+        found.setdefault(r["surface"], []).append(r)
     return [(results[-1], [r for r in results if r["size"] >= 2**14]) for results in found.values()]
 
 
-def surfaces():
+def surfaces(report):
     """How far the assumptions hold, what the traces cross and enter, and what walks cost; all per point."""
     rows = []
-    for r, _ in largest_by_surface():
+    for r, _ in largest_by_surface(report):
         found, ways = r["assumptions"], r["locations"]
         walk = ways["walk-trace"]
         rows.append([
@@ -106,10 +87,10 @@ def surfaces():
                   "from the trace"], rows)
 
 
-def crossings():
+def crossings(report):
     """The largest value of a trace from 2^14 points on over the smallest."""
     factor = {}
-    for r, results in largest_by_surface():
+    for r, results in largest_by_surface(report):
         series = [[s["traces"][h]["crossings_per_point"] for s in results] for h in range(3)]
         if min(map(min, series)) > 0:
             factor[r["surface"]] = max(max(s) / min(s) for s in series)
@@ -119,16 +100,16 @@ def crossings():
 
 
 ORDERS = {"tracing": "the paper's, from the trace",
-          "tracing-hilbert": "the paper's, each round along a Hilbert curve, from the trace",
+          "tracing-hilbert": "the same along Hilbert curves, from the trace",
           "geometric-traced": "coherent rounds, from the trace",
-          "geometric-neighbor": "coherent rounds, from the neighbour on F",
+          "geometric-neighbor": "coherent rounds, from a neighbour on F",
           "plain-order": "plain %CGAL's, from the point before",
           "nets": "nets, from the point they name"}
 
 
-def genus_50():
+def genus_50(small, large, calls):
     """Cells entered by traces and walks at three sizes; calls and times at the largest. All with CGAL's insertion."""
-    reports = [r for name in ("paper_64k", "paper_256k") for r in result(name)["results"] if r["surface"] == "genus-50"]
+    reports = [r for report in (small, large) for r in report["results"] if r["surface"] == "genus-50"]
     reports.sort(key=lambda r: r["points"])
     methods = [{m["method"]: m for m in r["methods"]} for r in reports]
     rows = []
@@ -138,42 +119,49 @@ def genus_50():
         seconds = found[-1]["phases"]["seconds"]
         rows.append([title, *(f"{c:.0f}" for c in cells), f'{found[-1]["predicates"]["all_calls_per_point"]:.0f}',
                      f'{seconds["trace"] + seconds["location"]:.1f}+{seconds["update"]:.1f}'])
-    return table(["order and start", *(f'cells, {str(r["points"])}' for r in reports), "calls", "seconds"], rows)
+    whole = next(r for r in calls["results"] if surface_of(r) == "genus-50")
+    return (table(["order and start", *(f'cells, {r["points"]}' for r in reports), "calls", "seconds"], rows) +
+            f'\n\nThe default is {two(gain(whole, "default"))} times as fast as plain %CGAL here (`{calls["name"]}.json`).')
 
 
-CHANGES = [("none", 0), ("jitter", 0.45), ("decimated", 16), ("random spanning tree of F", 1), ("random edges", 0.01),
-           ("random edges", 1)]
+CHANGES = [("none", 0), ("jitter", 0.45), ("decimated", 16), ("random edges", 0.01), ("random edges", 1)]
 
 
-def hypothesis():
+def hypothesis(report):
     rows = []
     for change, amount in CHANGES:
-        r = next(r for r in result("location_costs")["hypothesis"]
+        r = next(r for r in report["hypothesis"]
                  if (r["surface"], r["change"], r["amount"]) == ("delaunay-genus-3", change, amount))
         cells = statistics.mean(t["crossings_per_point"] for t in r["traces"])
-        named = change + (f" {amount:g}" if change not in ("none", "random spanning tree of F") else "")
+        named = f"{change} {amount:g}" if amount else change
         rows.append([named, percent(r["assumptions"]["subgraph_edges_delaunay"]), f"{cells:.2f}",
                      f'{r["locations"]["history-trace"]["cells_entered"]:.2f}'])
     return table(["change of T or of the points", "T in D(S)", "crossings per trace and point", "nodes from the trace"],
                  rows)
 
 
-def iso_surfaces():
-    """Ordinary marching cubes beside those with Delaunay triangles."""
-    results = {r["surface"]: r for r in result("subgraphs_traced_4k")["subgraphs"]}
-    rows = []
-    for name in ("marching-cubes", "delaunay-marching-cubes", "noise", "delaunay-noise"):
-        found = results[name]["subgraphs"]["all of F"]["assumptions"]
-        made = results[name].get("iso_surface")
-        rows.append([name, str(results[name]["points"]), percent(found["surface_triangles_delaunay"]),
-                     percent(found["emst_edges_in_surface"]), str(found["subgraph_degree"]),
-                     cell(made and made["seconds"] / made["plain_seconds"], "{:.1f}")])
-    return table(["surface", "points", "triangles Delaunay", "EMST in F", "degree", "time, by that of D(S)"], rows)
+def traced(report):
+    r = next(r for r in report["subgraphs"] if r["surface"] == "armadillo" and r["size"] == 16384)
+    crossed = {T: statistics.mean(t["crossings_per_point"] for t in found["traces"])
+               for T, found in r["subgraphs"].items()}
+    return ("Minimum spanning trees are crossed least: on a scan with noise (armadillo, `subgraphs_traced.json`) "
+            f'{crossed[EMST]:.2f} times per trace and point, the subgraph of bounded degree '
+            f'{crossed["subgraph of bounded degree"]:.2f}, any forest {crossed["a spanning forest of F"]:.2f}.')
 
 
-def uniform_samples():
+def iso_surfaces(report):
+    results = {r["surface"]: r for r in report["subgraphs"]}
+    volumes = ("marching-cubes", "noise")
+    shares = [results[name]["subgraphs"]["all of F"]["assumptions"]["surface_triangles_delaunay"] for name in volumes]
+    made = [results[f"delaunay-{name}"]["iso_surface"] for name in volumes]
+    longer = [m["seconds"] / m["plain_seconds"] for m in made]
+    return (f'That takes {min(longer):.0f} to {max(longer):.0f} times as long as D(S). Of the triangles of ordinary '
+            f'marching cubes {int(100 * min(shares))} % or more are Delaunay (`subgraphs_traced_4k.json`).')
+
+
+def uniform_samples(report):
     rows = []
-    for r in result("uniform_samples")["samples"]:
+    for r in report["samples"]:
         if r["all"]["points"] < 60000 or r["sample"] == "denser at one end":
             continue
         for found in [r["all"], *(s for s in r["subsets"] if s["factor"] == 1)]:
@@ -181,26 +169,30 @@ def uniform_samples():
             rows.append([f'{r["sample"]}, {"thinned" if "factor" in found else "all"}', str(found["points"]),
                          str(found["surface_largest_degree"]), f'{ratio:.{1 if ratio < 100 else 0}f}',
                          str(found["delaunay_largest_degree"])])
-    return table(["sample", "points", "largest degree on the surface", "longest edge / shortest", "largest degree in D(S)"],
-                 rows)
+    return table(["sample", "points", "largest degree on the surface", "longest edge / shortest",
+                  "largest degree in D(S)"], rows)
 
 
 # --- the subgraphs ---
 
-def bounds():
-    found = result("subgraph_bounds")["bounds"]
+def bounds(random, regular):
+    found = random["bounds"]
     pairs = (("bound", "maximum_degree"), ("bound_of_tree", "maximum_degree_of_tree"))
     reached = [r["surface"] for r in found if all(r[bound] == r[degree] for bound, degree in pairs)]
     high = next(r for r in found if r["surface"] == "genus 10")
-    return (f'In a hundred random triangulations of each of {len(found)} surfaces (`subgraph_bounds.json`) both bounds '
-            f'are reached on {", ".join(reached[:-1])} and {reached[-1]}; for genus 10 the largest degree is '
-            f'{high["maximum_degree"]}, and {high["maximum_degree_of_tree"]} in a tree.')
+    cut = [r["cut_graph"] for r in regular["degrees"]]
+    return (f'In random triangulations of many surfaces (`subgraph_bounds.json`) both bounds are reached on '
+            f'{", ".join(reached[:-1])} and {reached[-1]}; for genus 10 the largest degree is {high["maximum_degree"]}, and '
+            f'{high["maximum_degree_of_tree"]} in a tree.\n\nOn regular surfaces up to genus 50 it is at most '
+            f'{max(r["maximum_degree"] for r in cut)}, and {max(r["maximum_degree_of_tree"] for r in cut)} in a '
+            "tree; a cut along loops through one vertex gives more vertices of degree 4 and more "
+            "(`subgraph_degrees.json`).")
 
 
-def times():
+def times(report):
     rows = []
-    for r in result("subgraph_times")["times"]:
-        if not 900000 < r["vertices"] < 2000000:
+    for r in report["times"]:
+        if not 900000 < r["vertices"] < 2000000 or r["surface"] == "disc":
             continue
         kruskal = r.get("minimum_spanning_tree")
         rows.append([f'{r["surface"]}, {r["order"]}',
@@ -210,9 +202,11 @@ def times():
     return table(["surface, order", "subgraph, ns", "tree", "cut", "bytes", "Kruskal"], rows)
 
 
-def near_minimum():
+def near_minimum(report):
     rows = []
-    for r in result("subgraph_near_minimum")["near_minimum"]["families"]:
+    for r in report["near_minimum"]["families"]:
+        if r["genus"] in (2, 3):
+            continue
         least = max(r["least_degree_by_witness"], r.get("least_degree", 0))
         rows.append([r["surface"], *(str(r[key]) for key in (
             "genus", "bound_of_the_paper", "maximum_degree_of_subgraph", "maximum_degree_of_tree", "maximum_degree",
@@ -220,37 +214,33 @@ def near_minimum():
     return table(["surface", "genus", "paper", "subgraph", "tree", "exchanged", "B", "every tree"], rows)
 
 
-def near_minimum_times():
+def near_minimum_times(report):
     rows = []
-    for r in result("subgraph_near_minimum")["near_minimum"]["times"]:
-        rows.append([r["surface"], in_millions(r["vertices"]), f'{r["maximum_degree_of_tree"]}→{r["maximum_degree"]}',
+    for r in report["near_minimum"]["times"]:
+        rows.append([r["surface"], f'{r["maximum_degree_of_tree"]}→{r["maximum_degree"]}',
                      *(str(r[key]) for key in ("exchanges_nearby", "phases")),
                      *(cell(r.get(f"nanoseconds_per_vertex_of_{what}"), "{:.0f}")
                        for what in ("tree", "exchanges", "witness"))])
-    return table(["surface", "vertices", "degree", "nearby", "phases", "tree, ns", "exchanges", "witness"], rows)
+    return table(["surface", "degree", "nearby", "phases", "tree, ns", "exchanges", "witness"], rows)
 
 
-def near_minimum_files():
+def near_minimum_files(meshes, parts):
     """How many files have a tree of degree 4 and more, before and after."""
     rows = []
-    for name, title in (("subgraph_meshes", "meshes of %CGAL's demos"), ("subgraph_parts", "parts of openfoam-examples")):
-        files = result(name)["files"]
+    for report, title in ((meshes, "meshes of %CGAL's demos"), (parts, "parts of openfoam-examples")):
+        files = report["files"]
         served = [r for r in files if "refused" not in r]
         rows.append([title, str(len(files)), str(len(served)),
                      *(str(sum(r[key] > 3 for r in served)) for key in ("maximum_degree_of_tree", "maximum_degree"))])
     return table(["files", "all", "served", "degree 4 in the tree", "after exchanges"], rows)
 
 
-BLOCKS = [bounds, crossings, genus_50, hypothesis, iso_surfaces, near_minimum, near_minimum_files,
-          near_minimum_times, surfaces, times, uniform_samples, work, work_parts]
-
-
 # --- the plot ---
 
-def draw_work(file_name):
+def draw_work(report, file_name):
     """Calls per point by parts, with T = EMST, and those of location from the root."""
     from plot_style import Sheet, grid_height, line, lines_along, patch, size_ticks, ticks
-    found = {surface: sizes for (surface, T), sizes in by_seed().items() if T == EMST}
+    found = {surface: sizes for (surface, T), sizes in by_seed(report).items() if T == EMST}
     sheet = Sheet(grid_height(len(found), 4, 2, height=170))
     for axes, (surface, records) in zip(sheet.grid(len(found), 4, height=170), found.items()):
         sizes = sorted(records)
@@ -265,17 +255,3 @@ def draw_work(file_name):
     sheet.legend([patch(color, part) for part, (color, _) in PARTS.items()] +
                  [line("#000000", "location from the root, and updates", None, linestyle=":")], columns=5)
     sheet.write(file_name)
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--output-dir", metavar="FOLDER", help="draw; where the SVG file goes")
-    manual_tables.add_options(parser)
-    arguments = parser.parse_args()
-    manual_tables.serve(arguments, {make.__name__: make() for make in BLOCKS})
-    if arguments.output_dir:
-        draw_work(os.path.join(arguments.output_dir, "paper_work.svg"))
-
-
-if __name__ == "__main__":
-    main()

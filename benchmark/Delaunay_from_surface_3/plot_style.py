@@ -16,8 +16,6 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
 PAGE = 864  # div.figure in manual.css
 TEXT, SMALL = 13, 12
-COLORS = ["#d00000", "#0072b2", "#009e73", "#e69f00", "#7a3b00", "#cc79a7"]
-MARKERS = ["o", "s", "^", "D", "v", "P"]  # so that colours are not all that tells series apart
 matplotlib.rcParams.update({
     "svg.fonttype": "none", "svg.hashsalt": "Delaunay_from_surface_3",
     "font.family": "sans-serif", "font.sans-serif": ["DejaVu Sans", "Verdana"], "font.size": TEXT,
@@ -94,13 +92,6 @@ def size_ticks(axes, sizes):
     step = (len(sizes) + 4) // 5
     ticks(axes.xaxis, sizes[(len(sizes) - 1) % step::step], size_name, log=True)
     axes.set_xlim(sizes[0] / 1.2, sizes[-1] * 1.2)
-
-
-def enclosing(values, known):
-    """Those between the last that is not above the known ones and the first that is not below them."""
-    low = max((v for v in values if v <= min(known)), default=values[0])
-    high = min((v for v in values if v >= max(known)), default=values[-1])
-    return [v for v in values if low <= v <= high]
 
 
 def lines_along(axes, axis):

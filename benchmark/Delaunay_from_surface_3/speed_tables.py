@@ -63,7 +63,7 @@ def more_threads(report):
         return 1000 * sum(row["rolled_back"][f"workers_{workers}"]) / row["points"]
 
     most = {workers: max(share(row, workers) for row in report["results"]) for workers in (2, 8, 64)}
-    return (f"of a thousand insertions {most[2]:.1f} at most clashed with two workers, {most[8]:.1f} with 8, and "
+    return (f"Of a thousand insertions {most[2]:.1f} at most clashed with two workers, {most[8]:.1f} with 8, and "
             f"{most[64]:.0f} with 64, on {len(report['results'])} surfaces (`{report['name']}`).")
 
 

@@ -17,7 +17,7 @@
 // (0, b) and from (t, 1) to (1, r), which are Delaunay if a <= t and b <= r; or from (a, 0) to (1, r)
 // and from (0, b) to (t, 1), which are if a >= t and b >= r. As points are found by linear
 // interpolation, a <= t and b <= r say the same, |f(0, 0) f(1, 1)| <= |f(0, 1) f(1, 0)|. So one of the
-// two ways always has Delaunay edges: that of the asymptotic decider (Nielson and Hamann 1991).
+// two ways always has Delaunay edges: that of the asymptotic decider (Nielson, Hamann 1991).
 //
 // Triangles with such edges need not be. Each triangle considered for a loop is tested, exactly, with
 // the points as far as the smallest of its empty balls reaches. A loop is triangulated as the table
