@@ -357,6 +357,15 @@ BOOST_AUTO_TEST_CASE(bad_files)
           ply + "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
                 "end_header\nxxxxyyyyzzzz",
           "ends early");
+  const std::string xyz = "property float x\nproperty float y\nproperty float z\nend_header\n";
+  refused("absurd.ply", // 2^62 times 4 bytes are none
+          ply + "element cell 4611686018427387904\nproperty int a\nelement vertex 1\n" + xyz +
+              std::string(12, ' '),
+          "ends early");
+  refused("type.ply", ply + "element vertex 1\nproperty half w\n" + xyz, "'half' is no type");
+  refused("head.npy", std::string("\x93NUMPY\x02\x00\x00\x00\x00\x40", 12), "head has no end");
+  check_refused([&] { core::join_tiles(folder.path, folder.path / "all.npy"); },
+                folder.path.string(), "has no tiles.json");
   check_refused([&] { CGAL::Point_files_3({folder.path / "none.npy"}); }, "none.npy",
                 "No such file");
   write_bytes(folder.path / "nan.raw", bytes_of(std::vector<double>{0, 0, 0, 1, 1, std::nan("")}));

@@ -223,7 +223,7 @@ private:
   {
     m_is_over = m_is_over || m_is_vertex;
     if (m_elements > 0 && !m_is_over)
-      m_before += m_count * m_stride;
+      m_before += (std::min)(m_count, std::uint64_t(1) << 48) * m_stride; // no file is longer
   }
 
   void read_property(const std::string& type, const std::string& name)
