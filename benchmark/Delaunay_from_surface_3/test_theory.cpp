@@ -14,6 +14,7 @@
 #include <Delaunay_from_surface_3_surfaces/topology.h>
 #include <Delaunay_from_surface_3_theory/count_locations.h>
 #include <Delaunay_from_surface_3_theory/fractions.h>
+#include <Delaunay_from_surface_3_theory/total_work.h>
 #include <Delaunay_from_surface_3_theory/trees.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -357,4 +358,25 @@ BOOST_AUTO_TEST_CASE(an_edge_goes_through_cells_in_conflict_with_its_ends)
   BOOST_TEST(tried.edges > 20000u);
   BOOST_TEST(tried.crossings > 5000u);
   BOOST_TEST(tried.others_beyond > 100u);
+}
+
+// The parts add up; and which cells are in conflict with a point does not depend on T.
+BOOST_AUTO_TEST_CASE(total_work_is_that_of_its_parts)
+{
+  const Indexed_surface surface = small_sphere();
+  const theory::Edges edges = theory::edges_of(surface);
+  const theory::Edges tree = theory::random_spanning_tree(edges, surface.points.size(), 1);
+  const theory::Json all = theory::Total_work(surface.points, edges, 1)();
+  const theory::Json of_tree = theory::Total_work(surface.points, tree, 1)();
+  for (const theory::Json& work : {all, of_tree}) {
+    double calls = 0;
+    for (const char* part : {"location", "traces", "records", "updates"})
+      calls += work[part]["calls"].get<double>();
+    BOOST_TEST(calls == work["calls"].get<double>(), boost::test_tools::tolerance(1e-4));
+  }
+  for (const auto& [part, counted] : {std::pair("location", "nodes"), std::pair("records", "nodes"),
+                                      std::pair("updates", "cells_created")}) {
+    BOOST_TEST(all[part][counted].get<double>() > 1.);
+    BOOST_TEST(all[part][counted].get<double>() == of_tree[part][counted].get<double>());
+  }
 }

@@ -41,8 +41,8 @@ opened; the rest hangs on these as trees.
 Complexity: time linear in the size of the surface, without recursion, and at most about 40 bytes of
 memory per vertex besides it, where there are about three edges per vertex.
 
-The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given in the
-user manual.
+The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given on
+the page \ref delaunay_from_surface_3_the_paper.
 */
 template <class Reader, class EdgeOutputIterator>
 EdgeOutputIterator bounded_degree_spanning_subgraph(

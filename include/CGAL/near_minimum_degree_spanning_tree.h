@@ -50,7 +50,7 @@ vertices that shows what degree every spanning tree of it must have: its
 Complexity: that of `bounded_degree_spanning_tree()` if its tree has no vertex of degree 4; else
 nearly linear time for the exchanges near heavy vertices and for each phase of the general search.
 Exchanges and phases that succeed are at most \f$n \ln K\f$, with K the largest degree of that tree;
-how many there are in practice is in the user manual.
+how many there are in practice is in \ref bds_near_minimum.
 */
 template <class Reader, class EdgeOutputIterator, class WitnessOutputIterator = Emptyset_iterator>
 EdgeOutputIterator near_minimum_degree_spanning_tree(
