@@ -52,7 +52,7 @@ def two_threads(calls, threads):
         for column, value in zip(columns.values(), values):
             column.append(value)
         rows.append([surface_of(result), *map(two, values)])
-    titles = ["surface", "plain %CGAL, one thread", "`Parallel_tag`, two", "this package, one"]
+    titles = ["surface", "plain %CGAL, one thread", "plain %CGAL with `Parallel_tag`, two (Xeon)", "this package, one"]
     return "\n\n".join([f"{measured(calls)[:-1]}; the second column {measured(threads)}", table(titles, rows),
                         f"Geometric means: {means(columns)}."])
 

@@ -51,8 +51,8 @@ def sources(report):
         worst[r["consumer"]] = min(r["triangles_delaunay"], worst.get(r["consumer"], 1))
     least = ", ".join(f"{100 * share:.0f} % ({name})" for name, share in sorted(worst.items(), key=lambda item: item[1])
                       if share < 0.999)
-    return (f"{len(results)} surfaces gain {range_of([r['median_ratio'] for r in results], '{:.2f}')}. Of most all triangles are "
-            f"Delaunay, to 0.1 %; of the others {least} are. {measured(report)}")
+    return (f"{len(results)} surfaces gain {range_of([r['median_ratio'] for r in results], '{:.2f}')}. On most of them all triangles "
+            f"are Delaunay, to 0.1 %; on the others {least} are. {measured(report)}")
 
 
 def python(report):

@@ -49,8 +49,8 @@ insert_through_cgal(Triangulation& tr, const std::vector<typename Triangulation:
 // So many points take the core as long as CGAL.
 constexpr std::size_t few_points = 30;
 
-// A few points, in their own order, into an empty triangulation: to order them, to build aside and to
-// export takes longer than to insert them. Of equal points the first one gives the vertex.
+// A few points, in their own order, into an empty triangulation: to order and to export them takes
+// longer than to insert them. Of equal points the first one gives the vertex.
 template <class Triangulation>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_few_points(Triangulation& tr, const std::vector<typename Triangulation::Point>& points)
