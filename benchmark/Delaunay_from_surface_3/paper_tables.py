@@ -80,7 +80,7 @@ def work_parts():
 def largest_by_surface():
     """The largest result of location_costs on each surface, and those from 2^14 points on."""
     found = {}
-    for name in ("location_costs",):
+    for name in ("location_costs", "location_costs_genus_50"):
         for r in sorted(result(name)["results"], key=lambda r: r["size"]):
             found.setdefault(r["surface"], []).append(r)
     return [(results[-1], [r for r in results if r["size"] >= 2**14]) for results in found.values()]
