@@ -199,9 +199,11 @@ def bounds():
     high = next(r for r in found if r["surface"] == "genus 10")
     regular = [r["cut_graph"] for r in result("subgraph_degrees")["degrees"]]
     return (f'In random triangulations of many surfaces (`subgraph_bounds.json`) both bounds are reached on '
-            f'{", ".join(reached[:-1])} and {reached[-1]}; for genus 10 the largest degree is {high["maximum_degree"]}, and '
+            f'{", ".join(reached[:-1])} and {reached[-1]}; for genus 10 the largest degree is '
+            f'{high["maximum_degree"]}, and '
             f'{high["maximum_degree_of_tree"]} in a tree.\n\nOn regular surfaces up to genus 50 it is at most '
-            f'{max(r["maximum_degree"] for r in regular)}, and {max(r["maximum_degree_of_tree"] for r in regular)} in a '
+            f'{max(r["maximum_degree"] for r in regular)}, and '
+            f'{max(r["maximum_degree_of_tree"] for r in regular)} in a '
             "tree; a cut along loops through one vertex gives more vertices of degree 4 and more "
             "(`subgraph_degrees.json`).")
 
@@ -212,8 +214,9 @@ def times():
     of = {order: r["subgraph"]["nanoseconds_per_vertex"] for order, r in found.items()}
     kruskal = found["coherent"]["minimum_spanning_tree"]["nanoseconds_per_vertex"]
     return (f'On a sphere of a million vertices the subgraph takes {of["coherent"]:.0f} nanoseconds per vertex, '
-            f'{of["shuffled"]:.0f} where they are shuffled, and Boost\'s Kruskal {kruskal:.0f}; a tree and the cut graph take '
-            "about as long as the subgraph. About 40 bytes per vertex are used besides the mesh (`subgraph_times.json`).")
+            f'{of["shuffled"]:.0f} where they are shuffled, and Boost\'s Kruskal {kruskal:.0f}; a tree and the cut graph '
+            "take about as long as the subgraph. About 40 bytes per vertex are used besides the mesh "
+            "(`subgraph_times.json`).")
 
 
 def near_minimum():
