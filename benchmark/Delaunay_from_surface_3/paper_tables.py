@@ -214,8 +214,8 @@ def times():
     of = {order: r["subgraph"]["nanoseconds_per_vertex"] for order, r in found.items()}
     kruskal = found["coherent"]["minimum_spanning_tree"]["nanoseconds_per_vertex"]
     return (f'On a sphere of a million vertices the subgraph takes {of["coherent"]:.0f} nanoseconds per vertex, '
-            f'{of["shuffled"]:.0f} where they are shuffled, and Boost\'s Kruskal {kruskal:.0f}; a tree and the cut graph '
-            "take about as long as the subgraph. About 40 bytes per vertex are used besides the mesh "
+            f'{of["shuffled"]:.0f} where they are shuffled, and Boost\'s Kruskal {kruskal:.0f}; a tree and the cut '
+            "graph take about as long as the subgraph. About 40 bytes per vertex are used besides the mesh "
             "(`subgraph_times.json`).")
 
 
