@@ -44,6 +44,7 @@ SHOWS = {
     "parts": "the parts of openfoam-examples: inside or not, and why not",
     "tiles": "what tiles keep, tell and take",
     "location_costs": "the paper's theorems: locations, traces, crossings, by sizes",
+    "location_costs_genus_50": "the same on genus 50; ended before its largest size",
     "total_work": "the total work of the paper's Q, by parts, sizes and seeds",
     "subgraphs_traced": "which subgraph is traced; histories side by side",
     "subgraphs_traced_4k": "the same, also of marching cubes",

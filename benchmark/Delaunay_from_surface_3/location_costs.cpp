@@ -304,8 +304,8 @@ Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned
   return result;
 }
 
-// The total work of the paper's Q, with both T where there are faces: other points and another order
-// for every seed.
+// The total work of the paper's Q, with both T where there are faces: other points and another
+// order for every seed.
 void count_work(const Options& options, Json& report)
 {
   for (const std::size_t size : options.work_sizes)

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws the figures on subgraphs of bounded degree: the cut of a torus step by step, on the square it
-// unrolls to, and a tree of it; the peeling of a disc step by step; a tree of the stacked K_7.
+// Draws the figures on subgraphs of bounded degree: the cut of a torus step by step, on the square
+// it unrolls to, and a tree of it; the peeling of a disc step by step; a tree of the stacked K_7.
 //
 //   draw_subgraph FOLDER
 
