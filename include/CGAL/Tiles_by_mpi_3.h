@@ -20,7 +20,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 \ingroup PkgDelaunayFromSurface3Tiles
 
 is an engine of `delaunay_3_tiles()` for the processes of an MPI communicator, its *ranks*: each has
-some of the tiles in memory, and reads one range of the points. It is constructed, between
+some of the tiles in memory, and reads one part of the points
+(`Tile_source_3::first_of_part()`). It is constructed, between
 `MPI_Init()` and `MPI_Finalize()` and by all ranks, from an `MPI_Comm`, of which it makes a copy,
 and the number of threads of a rank. With more than one, MPI is initialized with
 `MPI_THREAD_FUNNELED` at least: MPI is called by the thread that calls `delaunay_3_tiles()`.

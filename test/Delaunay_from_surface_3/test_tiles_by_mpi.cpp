@@ -210,6 +210,42 @@ BOOST_AUTO_TEST_CASE(the_same_as_in_memory)
   check_tiles(points, options_of(tiles));
 }
 
+// Points that were made where they are: a rank has a part of them, which is larger if its number is, and none if
+// that is 0 and there are others.
+BOOST_AUTO_TEST_CASE(points_of_many_ranks)
+{
+  struct Source : CGAL::Tile_source_3
+  {
+    const Points& points;
+    std::uint64_t first = 0, last = 0; // what this rank has
+
+    explicit Source(const Points& p)
+      : points(p)
+    {
+    }
+    std::uint64_t size() const override { return points.size(); }
+    std::uint64_t first_of_part(std::uint64_t part, std::uint64_t parts) const override
+    {
+      return part == parts ? points.size() : points.size() * part * (part - 1) / (parts * parts);
+    }
+    void read(std::uint64_t from, std::size_t n, double* coordinates) const override
+    {
+      BOOST_TEST(from == first);
+      BOOST_TEST(from + n == last);
+      std::copy(points[0].data() + 3 * from, points[0].data() + 3 * (from + n), coordinates);
+    }
+  };
+  const Points points = random_points(2000, 5, 1000);
+  CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD, 2);
+  Source source(points);
+  const auto parts = std::uint64_t(engine.number_of_ranks());
+  source.first = source.first_of_part(std::uint64_t(engine.rank()), parts);
+  source.last = source.first_of_part(std::uint64_t(engine.rank()) + 1, parts);
+  Owned_cells owned;
+  CGAL::delaunay_3_tiles(engine, source, owned, options_of(7));
+  BOOST_TEST((owned.of_all_ranks() == cells_of(CGAL::delaunay_3_arrays(points))));
+}
+
 BOOST_AUTO_TEST_CASE(small_ones_with_many_tiles_whose_cells_are_compared)
 {
   for (unsigned seed = 0; seed < 30; ++seed)
@@ -221,21 +257,31 @@ BOOST_AUTO_TEST_CASE(small_ones_with_many_tiles_whose_cells_are_compared)
     }
 }
 
-// Those that are said to differ show each other what they have; and it is seen if a list of cells differs.
+// Those that are said to differ show each other what they have, and answer; and it is seen if a list of cells
+// differs.
 BOOST_AUTO_TEST_CASE(shown_and_compared)
 {
   const Points points = random_points(500, 1, 1000);
   CGAL::Tiles_options options = options_of(6);
   options.compares_cells = true;
   CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD);
-  engine.begin(source_of(points), options);
-  engine.exchange();
-  BOOST_TEST(!core::tiles_that_differ(engine.gather(1)).empty()); // too early
-  engine.show({{0, 5}, {1, 2}});
-  while (engine.exchange() > 0)
-    ;
-  auto certificates = engine.gather(1);
-  BOOST_TEST(core::is_certified(certificates, 6, points.size()));
+  CGAL::Tiles_here_3 here;
+  const core::Tile_pairs pairs = {{0, 5}, {1, 2}};
+  const auto told_when_shown = [&](auto& tiles) {
+    tiles.begin(source_of(points), options);
+    tiles.exchange();
+    BOOST_TEST(!core::tiles_that_differ(tiles.gather(1)).empty()); // too early
+    while (tiles.exchange() > 0)
+      ;
+    tiles.show(pairs);
+    const std::uint64_t told = tiles.exchange();
+    BOOST_TEST(told > 0u);
+    while (tiles.exchange() > 0)
+      ;
+    BOOST_TEST(core::is_certified(tiles.gather(1), 6, points.size()));
+    return told;
+  };
+  BOOST_TEST(told_when_shown(engine) == told_when_shown(here));
 
   core::Ranks_of_mpi ranks(MPI_COMM_WORLD);
   std::vector<core::Tile_certificate> mine; // two of each rank

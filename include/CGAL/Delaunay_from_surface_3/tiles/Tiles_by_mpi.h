@@ -71,14 +71,15 @@ public:
     m_told = 0;
     m_progress = options.progress;
     const auto tiles = agree_on_input(source, options);
-    const std::uint64_t n = source.size(), first = share(n, std::uint64_t(rank()));
+    const auto part = std::uint64_t(rank()), parts = std::uint64_t(number_of_ranks());
+    const std::uint64_t n = source.size(), first = source.first_of_part(part, parts);
     const Sampling sampling(n, tiles, options.sample_share);
     std::vector<double> coordinates;
     Packed_bytes summary;
     together([&] {
       const Rounding_to_nearest rounding;
       const Stage_progress progress(m_progress, "reading", 1);
-      coordinates = read_range(source, first, share(n, std::uint64_t(rank()) + 1));
+      coordinates = read_range(source, first, source.first_of_part(part + 1, parts));
       pack(summary, summary_of(coordinates, first, sampling));
       progress.tell_next();
     });
@@ -157,20 +158,14 @@ public:
   void forget() { m_tiles.clear(); }
 
 private:
-  // Where the part of a rank begins, of so many points or tiles.
-  std::uint64_t share(std::uint64_t n, std::uint64_t rank) const
+  // The first tile of a rank.
+  std::uint32_t first_tile(int rank) const
   {
-    const auto ranks = std::uint64_t(number_of_ranks());
-    return n / ranks * rank + n % ranks * rank / ranks;
+    return std::uint32_t(std::uint64_t(m_number_of_tiles) * std::uint64_t(rank) /
+                         std::uint64_t(number_of_ranks()));
   }
-  std::uint32_t begin() const
-  {
-    return std::uint32_t(share(m_number_of_tiles, std::uint64_t(rank())));
-  }
-  std::uint32_t end() const
-  {
-    return std::uint32_t(share(m_number_of_tiles, std::uint64_t(rank()) + 1));
-  }
+  std::uint32_t begin() const { return first_tile(rank()); }
+  std::uint32_t end() const { return first_tile(rank() + 1); }
   std::size_t rank_of(std::uint32_t tile) const { return m_rank_of_tile[tile]; }
 
   // All ranks see the same input and have the same options, or none begins.
@@ -199,9 +194,9 @@ private:
     m_with_cells = options.compares_cells;
     together([&] {
       m_rank_of_tile.assign(m_number_of_tiles, 0);
-      for (std::uint32_t r = 0, t = 0; t < m_number_of_tiles; m_rank_of_tile[t++] = r)
-        while (t >= share(m_number_of_tiles, r + 1))
-          ++r;
+      for (int r = 0; r < number_of_ranks(); ++r)
+        std::fill(m_rank_of_tile.begin() + first_tile(r),
+                  m_rank_of_tile.begin() + first_tile(r + 1), std::uint32_t(r));
     });
     return m_number_of_tiles;
   }
