@@ -5,6 +5,7 @@
 """README and the pages of the manual that show measured results have the tables that their scripts make of the
 committed JSON."""
 
+import json
 import re
 import subprocess
 import sys
@@ -46,6 +47,26 @@ class Manual_tables(unittest.TestCase):
 
     def test_performance(self):
         self.check(["Performance.txt", "Performance_tables.txt"], "plot_results.py", "compare_*.json", "paper_*.json")
+
+    def test_cluster(self):
+        """Its figures stand in sentences."""
+        def counts(name):
+            record = json.loads((HERE / f"results/{name}.json").read_text())["results"][0]
+            self.assertEqual(record["input"], "elephant")
+            return {count["tiles"]: count for count in record["counts"]}
+
+        def sent(count):
+            return [str(round(count["load"]["bytes_sent_per_own_point"][key])) for key in ("mean", "worst")]
+
+        text = " ".join((MANUAL / "On_a_cluster.txt").read_text().split())
+        large, small = counts("tiles_load_2M"), counts("tiles_load")
+        mean, worst = sent(large[1024])
+        self.assertIn(f"sends {mean} bytes for each of its points (the worst {worst}), in {large[1024]['rounds']} rounds, in up to "
+                      f"{large[1024]['load']['most_messages_of_a_tile']} messages", text)
+        mean, worst = sent(large[64])
+        self.assertIn(f"in 64 tiles {mean} bytes ({worst})", text)
+        self.assertIn(f"in {small[1024]['rounds']} rounds.", text)
+        self.assertEqual([count["pairs_that_differed"] > 0 for count in (large[1024], small[1024])], [False, True])
 
     def test_readme(self):
         self.check(["../../README.md"], "readme_tables.py", "compare_peers.json", "threads_256k.json",
