@@ -952,7 +952,7 @@ class Module(unittest.TestCase):
         self.assertEqual(doctest.testmod(dfs).failed, 0)
         for name in dfs.__all__:
             self.assertTrue(getattr(dfs, name).__doc__, name)
-        for function in (dfs.delaunay3, dfs.delaunay3_tiles, dfs.subgraph, dfs.surface_topology):
+        for function in (dfs.delaunay3, dfs.delaunay3_dask, dfs.delaunay3_tiles, dfs.subgraph, dfs.surface_topology):
             self.assertIn("return", typing.get_type_hints(function))
         self.assertRegex(dfs.__version__, r"^\d+\.\d+\.\d+$")
         self.assertTrue(Path(dfs.__file__).with_name("py.typed").exists())

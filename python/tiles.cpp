@@ -25,44 +25,31 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
-// With progress: it and signals are asked after each task; what they raise goes through as an exception.
-CGAL::Tiles_report run(const std::vector<std::string>& files, const std::string& output,
-                       std::uint32_t tiles, std::uint64_t memory, std::size_t workers, bool vtu,
-                       const py::object& progress)
+// What a call is of.
+struct Run
 {
-  const CGAL::Point_files_3 points(std::vector<std::filesystem::path>(files.begin(), files.end()));
+  CGAL::Point_files_3 points;
   CGAL::Tiles_options options;
-  options.number_of_tiles = tiles;
-  options.starts_again = tiles == 0;
-  options.memory = memory;
-  options.points_at_once =
-      std::size_t((std::min)(std::uint64_t(4000000), memory / workers / 100 + 1));
-  options.progress = [&](const char* what, std::size_t done, std::size_t all) {
-    const py::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0)
-      throw py::error_already_set();
-    return progress.is_none() || !progress(what, done, all).is(py::bool_(false));
-  };
-  const py::gil_scoped_release unlocked;
-  return core::Tiles_to_files(output, workers, vtu).run(points, options);
-}
 
-py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::string& output,
-                         std::uint32_t tiles, std::uint64_t memory, std::size_t workers, bool vtu,
-                         const py::object& progress)
+  Run(const std::vector<std::string>& files, std::uint32_t tiles, std::uint64_t memory,
+      std::size_t workers)
+    : points(std::vector<std::filesystem::path>(files.begin(), files.end()))
+  {
+    options.number_of_tiles = tiles;
+    options.starts_again = tiles == 0;
+    options.memory = memory;
+    options.points_at_once =
+        std::size_t((std::min)(std::uint64_t(4000000), memory / workers / 100 + 1));
+  }
+};
+
+// f(), which has no interpreter lock; what it throws is one of Python's exceptions.
+template <class F>
+auto without_lock(const F& f)
 {
   try {
-    const CGAL::Tiles_report report = run(files, output, tiles, memory, workers, vtu, progress);
-    py::dict result;
-    result["points"] = report.points;
-    result["tiles"] = report.tiles;
-    result["rounds"] = report.rounds;
-    result["told"] = report.told;
-    result["kept"] = report.kept;
-    result["most_kept"] = report.most_kept;
-    result["cells"] = report.cells;
-    result["hash"] = report.hash;
-    return result;
+    const py::gil_scoped_release unlocked;
+    return f();
   } catch (const CGAL::Tiles_stopped&) {
     PyErr_SetString(py::module_::import("delaunay_from_surface").attr("Stopped").ptr(),
                     "progress returned False");
@@ -76,9 +63,84 @@ py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::strin
   throw py::error_already_set();
 }
 
+// With progress: it and signals are asked after each task; what they raise goes through as an exception.
+py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::string& output,
+                         std::uint32_t tiles, std::uint64_t memory, std::size_t workers, bool vtu,
+                         const py::object& progress)
+{
+  const CGAL::Tiles_report report = without_lock([&] {
+    Run run(files, tiles, memory, workers);
+    run.options.progress = [&](const char* what, std::size_t done, std::size_t all) {
+      const py::gil_scoped_acquire lock;
+      if (PyErr_CheckSignals() != 0)
+        throw py::error_already_set();
+      return progress.is_none() || !progress(what, done, all).is(py::bool_(false));
+    };
+    return core::Tiles_to_files(output, workers, vtu).run(run.points, run.options);
+  });
+  py::dict result;
+  result["points"] = report.points;
+  result["tiles"] = report.tiles;
+  result["rounds"] = report.rounds;
+  result["told"] = report.told;
+  result["kept"] = report.kept;
+  result["most_kept"] = report.most_kept;
+  result["cells"] = report.cells;
+  result["hash"] = report.hash;
+  return result;
+}
+
+// Closes what is done: how many tasks there are now, what they are for, and how many tiles there are.
+py::tuple next_of_tiles(const std::vector<std::string>& files, const std::string& output,
+                        std::uint32_t tiles, std::uint64_t memory, bool vtu)
+{
+  struct Next
+  {
+    std::size_t tasks;
+    std::string name;
+    std::uint32_t tiles;
+  };
+  const Next next = without_lock([&] {
+    const Run run(files, tiles, memory, 1);
+    core::Tiles_to_files work(output, 1, vtu);
+    const std::size_t n = work.next(run.points, run.options);
+    return Next{n, work.name(), work.number_of_tiles()};
+  });
+  return py::make_tuple(next.tasks, next.name, next.tiles);
+}
+
+// Does one of these. Returns with how many tiles to begin again; 0: it is done.
+std::uint32_t do_task_of_tiles(const std::vector<std::string>& files, const std::string& output,
+                               std::uint32_t tiles, std::uint64_t memory, bool vtu,
+                               std::size_t task)
+{
+  return without_lock([&]() -> std::uint32_t {
+    const Run run(files, tiles, memory, 1);
+    try {
+      core::Tiles_to_files(output, 1, vtu).do_task(run.points, run.options, task);
+      return 0;
+    } catch (const core::Tile_too_large& error) {
+      if (tiles != 0 || error.number_of_tiles() == 0)
+        throw;
+      return error.number_of_tiles();
+    }
+  });
+}
+
+void forget_tiles(const std::string& output)
+{
+  without_lock([&] {
+    core::Tiles_to_files(output, 1, false).forget();
+    return 0;
+  });
+}
+
 } // namespace
 
 void python::define_tiles(py::module_& m)
 {
   m.def("delaunay3_tiles", &delaunay3_tiles);
+  m.def("next_of_tiles", &next_of_tiles);
+  m.def("do_task_of_tiles", &do_task_of_tiles);
+  m.def("forget_tiles", &forget_tiles);
 }

@@ -54,6 +54,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "python", ["python"], use_tables.python),
     (HOW_FAST, "tiles", ["tiles"], hard_tables.tiles),
     (HOW_FAST, "peers", ["compare_peers"], hard_tables.peers),
+    (MAIN_PAGE, "cluster", ["tiles_load_2M", "tiles_load"], use_tables.cluster),
     (PAPER, "work", ["total_work"], paper_tables.work),
     (PAPER, "work_parts", ["total_work"], paper_tables.work_parts),
     (PAPER, "surfaces", ["location_costs", "location_costs_genus_50"], paper_tables.surfaces),

@@ -43,6 +43,8 @@ SHOWS = {
     "compile_time": "a file with one call, by g++ and clang, time and memory",
     "parts": "the parts of openfoam-examples: inside or not, and why not",
     "tiles": "what tiles keep, tell and take",
+    "tiles_load": "the messages that tiles would send, each on a machine of its own",
+    "tiles_load_2M": "the same of two million points",
     "location_costs": "the paper's theorems: locations, traces, crossings, by sizes",
     "location_costs_genus_50": "the same on genus 50; ended before its largest size",
     "total_work": "the total work of the paper's Q, by parts, sizes and seeds",

@@ -27,6 +27,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -85,6 +86,54 @@ struct Share
   Json json() const { return {{"mean", rounded(sum / double(own))}, {"worst", rounded(worst)}}; }
 };
 
+// What tiles would send each other, were each on a machine of its own: one message to each that is told
+// of something in a round, of 16 bytes and 32 for a point.
+struct Load
+{
+  std::vector<std::uint64_t> sent, received, messages_of; // bytes by tile; messages sent by it
+  std::vector<std::uint64_t> by_round;                    // messages
+
+  explicit Load(std::uint32_t tiles)
+    : sent(tiles)
+    , received(tiles)
+    , messages_of(tiles)
+  {
+  }
+  void add(const core::Tile_message& message)
+  {
+    const std::uint64_t bytes = 16 + 32 * message.points.size();
+    sent[message.from] += bytes;
+    received[message.to] += bytes;
+    ++messages_of[message.from];
+    ++by_round.back();
+  }
+  void add_shown(const CGAL::Tiles_here_3& engine, const core::Tile_pairs& pairs)
+  {
+    for (const auto& [a, b] : pairs)
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
+        for (const core::Tile_message& message : engine.tiles()[from]->witnesses({to}))
+          add(message);
+  }
+  Json json(const std::vector<core::Tile_certificate>& certificates) const
+  {
+    Share all_sent, all_received;
+    std::uint64_t certificate = 0, partners = 0;
+    for (const core::Tile_certificate& c : certificates) {
+      all_sent.add(double(sent[c.tile]), std::size_t(c.own_points));
+      all_received.add(double(received[c.tile]), std::size_t(c.own_points));
+      certificate += 60 + 29 * c.common.size();
+      partners = (std::max)(partners, std::uint64_t(c.common.size()));
+    }
+    return {{"messages_by_round", by_round},
+            {"most_messages_of_a_tile", *std::max_element(messages_of.begin(), messages_of.end())},
+            {"most_partners", partners},
+            {"bytes_sent_per_own_point", all_sent.json()},
+            {"bytes_received_per_own_point", all_received.json()},
+            {"bytes_to_bring_a_point_home", 32},
+            {"bytes_of_certificates", certificate}};
+  }
+};
+
 // The tiles run to their end, and what each was told is counted on the way.
 Json count_tiles(const Points& points, std::uint32_t tiles)
 {
@@ -96,13 +145,29 @@ Json count_tiles(const Points& points, std::uint32_t tiles)
   const double own_seconds = seconds_since(start);
   std::vector<std::uint64_t> told(tiles);
   std::vector<std::uint64_t> by_round;
-  do
-    by_round.push_back(engine.exchange(
-        [&](core::Tile_message& message) { told[message.to] += message.points.size(); }));
-  while (by_round.back() > 0);
+  Load load(tiles);
+  const auto run_to_rest = [&] {
+    do {
+      load.by_round.push_back(0);
+      by_round.push_back(engine.exchange([&](core::Tile_message& message) {
+        told[message.to] += message.points.size();
+        load.add(message);
+      }));
+    } while (by_round.back() > 0);
+  };
+  run_to_rest();
   const double rest = seconds_since(start);
-  const auto certificates = engine.gather(seed);
+  auto certificates = engine.gather(seed);
   const double all = seconds_since(start);
+  std::uint64_t shown = 0; // as the driver does it, where tiles are small
+  for (auto pairs = core::tiles_that_differ(certificates); !pairs.empty();
+       pairs = core::tiles_that_differ(certificates)) {
+    shown += pairs.size();
+    load.add_shown(engine, pairs);
+    engine.show(pairs);
+    run_to_rest();
+    certificates = engine.gather(seed);
+  }
   if (!core::is_certified(certificates, tiles, points.size()))
     throw std::runtime_error("the certificate does not hold");
   Share shares_told, kept, needed;
@@ -119,6 +184,8 @@ Json count_tiles(const Points& points, std::uint32_t tiles)
           {"needed", needed.json()},
           {"told", shares_told.json()},
           {"kept", kept.json()},
+          {"pairs_that_differed", shown},
+          {"load", load.json(certificates)},
           {"seconds_own", rounded(own_seconds)},
           {"seconds_offers", rounded(rest - own_seconds)},
           {"seconds_certificate", rounded(all - rest)}};

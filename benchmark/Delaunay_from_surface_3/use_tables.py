@@ -55,6 +55,24 @@ def sources(report):
             f"are Delaunay, to 0.1 %; on the others {least} are. {measured(report)}")
 
 
+def cluster(large, small):
+    """What tiles of an elephant would send if each were on a machine of its own."""
+    counts, others = ({c["tiles"]: c for c in next(r for r in report["results"] if r["input"] == "elephant")["counts"]}
+                      for report in (large, small))
+
+    def sent(count):
+        return [f'{count["load"]["bytes_sent_per_own_point"][which]:.0f}' for which in ("mean", "worst")]
+
+    many, few, crowded = counts[1024], counts[64], others[1024]
+    if many["pairs_that_differed"] or not crowded["pairs_that_differed"]:
+        raise ValueError("other tiles had to be shown where they differ than the text says")
+    (mean, worst), (mean_64, worst_64) = sent(many), sent(few)
+    return (f"Of two million points of an elephant in 1024 tiles, each on a machine of its own, a tile sends {mean} bytes for each "
+            f"of its points, the worst {worst}, in {many['rounds']} rounds; in 64 tiles {mean_64} and {worst_64}. Tiles should "
+            f"have a thousand points and more: with three hundred it took {crowded['rounds']} rounds (`{large['name']}.json`, "
+            f"`{small['name']}.json`).")
+
+
 def python(report):
     rows = [[f'{r["consumer"]}, {thousands(r["points"])}', "SciPy", seconds(r["median_scipy_cpu"]), seconds(r["median_ours_cpu"]),
              f'{r["median_ratio"]:.0f}', cell(r.get("median_speedup"), "{:.2f}")]

@@ -57,12 +57,12 @@ thread.
 <b>Disk</b>: the points (32 bytes each), 32 bytes for each that is kept, twice, and 16 for each cell
 of a tile.
 
-\tparam Engine `Tiles_here_3` or `Tiles_in_files_3`
+\tparam Engine `Tiles_here_3`, `Tiles_in_files_3` or `Tiles_by_mpi_3`
 \tparam Sink a callable with an argument `Delaunay_3_tile`
 
 \param engine where the work is done
 \param source the points
-\param sink is called for each tile, in their order
+\param sink is called for each tile, in their order; by MPI, for those of the rank
 \param options what else there is to say
 
 \throws Surface_input_error if a coordinate is not finite, or all points lie in one plane
@@ -87,8 +87,7 @@ Tiles_report delaunay_3_tiles(Engine& engine, const Tile_source_3& source, Sink&
     return std::uint64_t(random()) << 32 | random();
   };
   return run_until_certified(engine, source, options, draw, [&](const Tiles_report& report) {
-    for (std::uint32_t t = 0; t < report.tiles; ++t)
-      sink(engine.tile(t));
+    engine.give(sink);
     return report;
   });
 }

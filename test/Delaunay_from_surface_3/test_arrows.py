@@ -68,6 +68,14 @@ class Arrows(unittest.TestCase):
                          (1, "Delaunay_from_surface_3/core/kernel/Cell.h:2: core kernel names another library's "
                              "header: CGAL/enum.h\n"))
 
+    def test_mpi(self):
+        one = f"{PACKAGE}/tiles/Ranks_of_mpi.h"
+        self.assertEqual(self.check_tree({one: "mpi.h", f"{PACKAGE}/tiles/Tiles_by_mpi.h": one}),
+                         (0, "all arrows go down\n"))
+        self.assertEqual(self.check_tree({f"{PACKAGE}/door/Export.h": "mpi.h"}),
+                         (1, f"Delaunay_from_surface_3/door/Export.h:2: MPI's header is named by "
+                             "Delaunay_from_surface_3/tiles/Ranks_of_mpi.h alone\n"))
+
     def test_surface_knows_no_triangulation(self):
         for header, room, how in (("paper/trace.h", "paper", "up"), ("arrays/cells.h", "arrays", "sideways"),
                                   ("core/build.h", "core", "though it knows nothing of it"),

@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OPTIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OPTIONS_H
 
+#include "checked_number.h"
+
 #include <Delaunay_from_surface_3_files/file_extension.h>
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>
 
@@ -15,7 +17,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -36,19 +37,6 @@ struct Options
   bool inside = false, mark_inside = false;
   bool compare = false, stats = false, json = false, quiet = false, verbose = false;
 };
-
-// A number in [lowest, highest]; Boost alone would take -1 for 4294967295.
-inline unsigned int checked_number(const std::string& option, long long value, long long lowest,
-                                   long long highest = (std::numeric_limits<unsigned int>::max)())
-{
-  if (value < lowest || value > highest)
-    throw std::runtime_error("option '--" + option + "' needs a whole number from " +
-                             std::to_string(lowest) + " to " + std::to_string(highest));
-  return static_cast<unsigned int>(value);
-}
-
-// More would not insert, and TBB does not bear any number.
-constexpr long long most_threads = 64;
 
 // The format of the output: what was said, or what the extension says.
 inline std::string output_format(const Options& options)

@@ -6,8 +6,9 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_COMMAND_H
 
 #include "Messages.h"
-#include "Options.h"
 #include "Report.h"
+#include "checked_number.h"
+#include "report_tiles.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
@@ -96,25 +97,6 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[])
   return command;
 }
 
-inline void report_tiles(const Tiles_command& command, const CGAL::Tiles_report& result,
-                         Report& report)
-{
-  report("output", command.output);
-  report("points", result.points);
-  report("tiles", result.tiles);
-  report("rounds", result.rounds);
-  report("points told", result.told);
-  report("points kept", result.kept);
-  report("most points kept by a tile", result.most_kept);
-  report("cells", result.cells);
-  report(
-      "certificate",
-      command.options.compares_cells
-          ? "holds: the tiles are the Delaunay triangulation of all points"
-          : "holds: the tiles are the Delaunay triangulation of all points, up to a collision of "
-            "hashes of 128 bits");
-}
-
 inline int run_tiles_command(Tiles_command& command)
 {
   namespace core = CGAL::Delaunay_from_surface_3::internal;
@@ -146,7 +128,7 @@ inline int run_tiles_command(Tiles_command& command)
   Report report(std::cout, command.json    ? Report::Style::JSON
                            : command.quiet ? Report::Style::NONE
                                            : Report::Style::TEXT);
-  report_tiles(command, result, report);
+  report_tiles(command.output, result, command.options.compares_cells, report);
   if (!command.join.empty())
     report("finite cells joined", core::join_tiles(command.output, command.join));
   if (!command.join.empty() && command.neighbors) {

@@ -22,11 +22,12 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._delaunay_from_surface import InsertionOrder, Stopped, __version__
+from ._dask import DaskTiles, delaunay3_dask
 from ._result import AlphaComplex, Delaunay3, number_of_threads
 from ._tiles import Tile, Tiles, delaunay3_tiles
 
-__all__ = ["AlphaComplex", "Delaunay3", "InsertionOrder", "Stopped", "SurfaceComponent", "Tile", "Tiles", "delaunay3",
-           "delaunay3_tiles", "subgraph", "surface_topology"]
+__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "Stopped", "SurfaceComponent", "Tile", "Tiles",
+           "delaunay3", "delaunay3_dask", "delaunay3_tiles", "subgraph", "surface_topology"]
 
 Points = Union[np.ndarray, Iterable[Any]]
 Faces = Union[np.ndarray, Iterable[Iterable[int]]]

@@ -83,12 +83,12 @@ inline std::vector<double> read_range(const Tile_source_3& source, std::uint64_t
   return coordinates;
 }
 
-inline Range_summary summary_of_range(const Tile_source_3& source, std::uint64_t first,
-                                      std::uint64_t last, const Sampling& sampling)
+// Of points from `first` on.
+inline Range_summary summary_of(const std::vector<double>& coordinates, std::uint64_t first,
+                                const Sampling& sampling)
 {
   Range_summary summary;
-  const std::vector<double> coordinates = read_range(source, first, last);
-  const Point_array points(coordinates.data(), std::size_t(last - first));
+  const Point_array points(coordinates.data(), coordinates.size() / 3);
   for (const double x : coordinates) {
     const double size = std::abs(x);
     summary.largest = (std::max)(summary.largest, size);

@@ -35,6 +35,14 @@ public:
   /// writes the coordinates of the points `first`, …, `first + n - 1`, three of each.
   virtual void read(std::uint64_t first, std::size_t n, double* coordinates) const = 0;
 
+  /// returns the first point of one of so many parts, which ascend; part `parts` begins at `size()`.
+  /// Processes that share the work read one part each, and nothing else: whose points are in the
+  /// memory of many of them says here who has which, and need have no others.
+  virtual std::uint64_t first_of_part(std::uint64_t part, std::uint64_t parts) const
+  {
+    return size() / parts * part + size() % parts * part / parts;
+  }
+
   /// returns another number when the points may have changed, as the times of files say; a run goes
   /// on only with what it began with.
   virtual std::uint64_t stamp() const { return 0; }

@@ -46,8 +46,9 @@ struct Tile_tasks
 
   void summarize(std::size_t k) const
   {
+    const std::uint64_t first = first_of_range(k);
     folder.write_summary(
-        k, summary_of_range(source, first_of_range(k), first_of_range(k + 1), sampling()));
+        k, summary_of(read_range(source, first, first_of_range(k + 1)), first, sampling()));
   }
 
   Tiling make_tiling() const

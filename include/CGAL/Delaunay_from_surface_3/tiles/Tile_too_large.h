@@ -33,6 +33,13 @@ public:
   {
   }
 
+  // As another process has thrown it.
+  Tile_too_large(const std::string& what, std::uint32_t tiles)
+    : std::runtime_error(what)
+    , m_tiles(tiles)
+  {
+  }
+
   // How many tiles would do; 0: no number does.
   std::uint32_t number_of_tiles() const { return m_tiles; }
 

@@ -9,21 +9,18 @@
 // with.
 
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
-#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_news.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/piece_of_tile.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/run_tasks.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -40,7 +37,7 @@ class Tiles_here
 {
 public:
   explicit Tiles_here(std::size_t number_of_threads = 1)
-    : m_executor(number_of_threads)
+    : m_tiles(number_of_threads)
   {
   }
   Tiles_here(const Tiles_here&) = delete; // tiles refer to what all know
@@ -63,21 +60,13 @@ public:
     m_rounds = 0;
     m_told = 0;
     m_with_cells = options.compares_cells;
-    m_tiling.emplace(tiling_of({summary_of_range(source, 0, n, sampling)}, n, tiles, sampling));
     std::vector<std::vector<Tile_point>> own(tiles);
     const std::vector<double> coordinates = read_range(source, 0, n);
+    m_tiling.emplace(tiling_of({summary_of(coordinates, 0, sampling)}, n, tiles, sampling));
     for (std::size_t i = 0; i < n; ++i)
       own[m_tiling->tree.owner(&coordinates[3 * i])].push_back(tile_point(i, &coordinates[3 * i]));
     home(own);
-    m_tiles.resize(tiles);
-    m_inboxes.clear();
-    for (std::uint32_t t = 0; t < tiles; ++t)
-      m_inboxes.push_back({{t, t, m_tiling->sample}});
-    const std::size_t limit = most_points_kept(options, 1);
-    for_each([&](std::size_t t) {
-      m_tiles[t] = std::make_unique<Delaunay_tile>(*m_tiling, std::uint32_t(t), std::move(own[t]),
-                                                   Tile_state(), limit);
-    });
+    m_tiles.begin(*m_tiling, 0, std::move(own), most_points_kept(options, 1), nothing);
   }
 
   std::uint64_t number_of_points() const { return m_tiling->number_of_points; }
@@ -95,18 +84,12 @@ public:
   template <class Post>
   std::uint64_t exchange(const Post& post)
   {
-    std::vector<std::vector<Tile_message>> messages(m_tiles.size());
-    for_each([&](std::size_t t) {
-      messages[t] = m_tiles[t]->absorb(
-          news_of(m_inboxes[t], *m_tiling, std::uint32_t(t), m_tiles[t]->known()));
-    });
-    m_inboxes.assign(m_tiles.size(), {});
     std::uint64_t told = 0;
-    for (auto& from : messages)
+    for (auto& from : m_tiles.exchange(nothing))
       for (Tile_message& message : from) {
         told += message.points.size();
         post(message);
-        m_inboxes[message.to].push_back(std::move(message));
+        m_tiles.deliver(std::move(message));
       }
     ++m_rounds;
     m_told += told;
@@ -115,48 +98,36 @@ public:
 
   std::vector<Tile_certificate> gather(std::uint64_t seed) const
   {
-    std::vector<Tile_certificate> certificates(m_tiles.size());
-    for_each(
-        [&](std::size_t t) { certificates[t] = certificate_of(*m_tiles[t], seed, m_with_cells); });
-    return certificates;
+    return m_tiles.certificates(seed, m_with_cells, nothing);
   }
 
   void show(const Tile_pairs& pairs)
   {
-    const auto deliver_all = [&](std::uint32_t from, std::uint32_t to) {
-      for (Tile_message& message : m_tiles[from]->witnesses({to}))
-        m_inboxes[to].push_back(std::move(message));
-    };
-    for (const auto& [a, b] : pairs) {
-      deliver_all(a, b);
-      deliver_all(b, a);
-    }
+    for (Tile_message& message : m_tiles.witnesses(pairs))
+      m_tiles.deliver(std::move(message));
   }
 
-  // What tile t has.
-  Delaunay_3_tile tile(std::uint32_t t) const { return piece_of(*m_tiles[t]); }
+  // What tile t has; and sink(tile) of all.
+  Delaunay_3_tile tile(std::uint32_t t) const { return m_tiles.tile(t); }
+  template <class Sink>
+  void give(Sink& sink) const
+  {
+    for (std::uint32_t t = 0; t < number_of_tiles(); ++t)
+      sink(tile(t));
+  }
 
   void forget() { m_tiles.clear(); }
 
-  const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles; }
+  const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles.tiles(); }
 
 private:
-  template <class Function>
-  void for_each(const Function& f) const
-  {
-    run_tasks(m_executor, m_tiles.size(), [&](std::size_t t) {
-      const Rounding_to_nearest rounding;
-      f(t);
-    });
-  }
+  static void nothing(std::size_t) {} // is to be said of a tile's progress
 
-  Thread_executor m_executor;
   std::optional<Tiling> m_tiling;
   bool m_with_cells = false;
   std::size_t m_rounds = 0;
   std::uint64_t m_told = 0;
-  std::vector<std::unique_ptr<Delaunay_tile>> m_tiles;
-  std::vector<std::vector<Tile_message>> m_inboxes;
+  Tiles_in_memory m_tiles;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Stage_progress.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_folder.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
@@ -26,9 +27,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <mutex>
-#include <string>
 #include <system_error>
 #include <vector>
 
@@ -83,6 +81,12 @@ public:
 
   // What tile t has; and that nobody will ask for it again.
   Delaunay_3_tile tile(std::uint32_t t) const { return m_stages.folder().read_piece(t); }
+  template <class Sink>
+  void give(Sink& sink) const
+  {
+    for (std::uint32_t t = 0; t < number_of_tiles(); ++t)
+      sink(tile(t));
+  }
   void drop_tile(std::uint32_t t) const
   {
     std::error_code ignored;
@@ -98,28 +102,18 @@ public:
 private:
   void do_stage()
   {
-    const std::string name = m_stages.name();
     const std::size_t n = m_stages.number_of_tasks();
-    std::size_t done = 0;
-    tell(name, 0, n);
+    const Stage_progress progress(m_progress, m_stages.name(), n);
     run_tasks(m_executor, n, [&](std::size_t k) {
       m_stages.do_task(k);
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      tell(name, ++done, n);
+      progress.tell_next();
     });
     m_stages.close();
   }
 
-  void tell(const std::string& name, std::size_t done, std::size_t n) const
-  {
-    if (m_progress && !m_progress(name.c_str(), done, n))
-      throw Tiles_stopped();
-  }
-
   Thread_executor m_executor;
   Tiles_stages m_stages;
-  std::mutex m_mutex;
-  std::function<bool(const char*, std::size_t, std::size_t)> m_progress;
+  Stage_progress::Function m_progress;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -28,7 +28,7 @@ struct Tiles_options
   std::uint32_t number_of_tiles = 0;
 
   /// There are no more tiles than one for so many points: smaller ones come to rest too early, and
-  /// are told the rest one after the other.
+  /// are told the rest one after the other. That takes many rounds with fewer than a thousand.
   std::uint32_t least_points = 64;
 
   /// How many bytes the tiles that are in memory at once may have, roughly; 0: any number. A tile

@@ -82,6 +82,16 @@ public:
     return 0;
   }
 
+  // After next(): what the tasks are for, and how many tiles there are.
+  std::string name()
+  {
+    return m_engine.stages().stage() == Tiles_stages::DONE ? "writing" : m_engine.stages().name();
+  }
+  std::uint32_t number_of_tiles() const { return m_engine.number_of_tiles(); }
+
+  // Removes the state, so that the work can begin again with other options.
+  void forget() { m_engine.forget(); }
+
   // Of those that next() has counted.
   void do_task(const Tile_source_3& source, const Tiles_options& options, std::size_t k)
   {

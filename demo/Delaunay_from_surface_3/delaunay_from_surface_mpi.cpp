@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Builds the Delaunay triangulation of points in files by the processes that mpirun or srun has started, and
+// writes it tile by tile. The first of them speaks for all.
+
+#include "Messages.h"
+#include "Report.h"
+#include "checked_number.h"
+#include "report_tiles.h"
+
+#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
+#include <CGAL/Tiles_by_mpi_3.h>
+
+#include <boost/program_options.hpp>
+
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace core = CGAL::Delaunay_from_surface_3::internal;
+
+const char* const help =
+    R"(Usage: mpirun -n RANKS delaunay_from_surface_mpi POINTS... --output FOLDER [OPTION...]
+
+Builds the 3D Delaunay triangulation of more points than one machine holds, in
+tiles that the ranks have in memory. POINTS and FOLDER are what they are for
+`delaunay_from_surface tiles`, which explains them: all ranks see them by these
+names. FOLDER gets cells-T.npy, ids-T.npy and points-T.npy for each tile T, and
+tiles.json when all is done and checked.
+
+  -o, --output FOLDER   the folder of the tiles
+  --tiles NUMBER        how many tiles (one for each rank and thread)
+  --threads NUMBER      how many threads a rank has, up to 64 (1)
+  --vtu                 write tile-T.vtu, too, and tiles.pvtu for ParaView
+  --join FILE.npy       the first rank writes the cells of all tiles into a file
+  --compare-cells       compare cells where tiles meet, not sums of hashes
+  --json                print the results as JSON
+  --quiet, --verbose    print nothing but errors; say what is done
+
+A rank that fails ends all: its number, and what went wrong, are on one line of
+the standard error. Exit code: 0 if all went well, else 1.
+)";
+
+struct Command
+{
+  std::vector<std::string> inputs;
+  std::string output, join;
+  CGAL::Tiles_options options;
+  unsigned int threads = 1;
+  bool vtu = false, json = false, quiet = false, verbose = false, help = false;
+};
+
+Command parse_command_line(int argc, char* argv[])
+{
+  namespace po = boost::program_options;
+  Command command;
+  long long tiles = 0, threads = 1;
+  po::options_description all;
+  all.add_options()("help,h", po::bool_switch(&command.help))(
+      "output,o", po::value(&command.output))("tiles", po::value(&tiles))(
+      "threads", po::value(&threads))("vtu", po::bool_switch(&command.vtu))(
+      "join", po::value(&command.join))("compare-cells",
+                                        po::bool_switch(&command.options.compares_cells))(
+      "json", po::bool_switch(&command.json))("quiet", po::bool_switch(&command.quiet))(
+      "verbose", po::bool_switch(&command.verbose))("input", po::value(&command.inputs));
+  const auto positional = po::positional_options_description().add("input", -1);
+  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+  po::variables_map given;
+  po::store(
+      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+      given);
+  po::notify(given);
+  if (command.help)
+    return command;
+  if (command.inputs.empty())
+    throw std::runtime_error("no points given");
+  if (command.output.empty())
+    throw std::runtime_error("option '--output' needs a folder for the tiles");
+  command.threads = checked_number("threads", threads, 1, most_threads);
+  if (given.count("tiles") != 0)
+    command.options.number_of_tiles = checked_number("tiles", tiles, 1, 1000000);
+  return command;
+}
+
+// The folder is there, and empty of other runs; what a run that failed has left is written again.
+void make_folder(const std::filesystem::path& folder)
+{
+  for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
+    if (std::filesystem::exists(file))
+      throw CGAL::Tile_files_error(file.string() +
+                                   ": is of another run: remove it, or name another folder");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    core::fail_to_write(folder, error.value());
+}
+
+void show_progress(Command& command, Messages& messages)
+{
+  command.options.progress = [&messages](const char* what, std::size_t done, std::size_t all) {
+    const std::string text =
+        std::string(what) + ": " + std::to_string(done) + " of " + std::to_string(all);
+    done == 0 ? messages.step(text) : messages.show(text);
+    return true;
+  };
+}
+
+// What concerns all tiles: by one rank, when all are written.
+void finish(const Command& command, const CGAL::Tiles_report& result,
+            const CGAL::Tiles_by_mpi_3& engine)
+{
+  if (command.vtu)
+    core::write_pvtu(command.output, result.tiles);
+  core::write_report(command.output, result);
+  Report report(std::cout, command.json    ? Report::Style::JSON
+                           : command.quiet ? Report::Style::NONE
+                                           : Report::Style::TEXT);
+  report_tiles(command.output, result, command.options.compares_cells, report);
+  report("ranks", engine.number_of_ranks());
+  report("bytes sent by rank 0", engine.bytes_sent());
+  report("seconds of exchange", engine.seconds_of_exchange(), 3);
+  if (!command.join.empty())
+    report("finite cells joined", core::join_tiles(command.output, command.join));
+  report.finish();
+  if (!std::cout.flush())
+    throw std::runtime_error("the results cannot be written to the standard output");
+}
+
+void run(Command& command, CGAL::Tiles_by_mpi_3& engine, Messages& messages)
+{
+  const bool is_first = engine.rank() == 0;
+  if (is_first)
+    show_progress(command, messages);
+  if (command.options.number_of_tiles == 0)
+    command.options.number_of_tiles = unsigned(engine.number_of_ranks()) * command.threads;
+  std::optional<CGAL::Point_files_3> points;
+  engine.together([&] {
+    points.emplace(
+        std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
+    if (is_first)
+      make_folder(command.output);
+  });
+  const auto write = [&](const CGAL::Delaunay_3_tile& tile) {
+    if (command.vtu)
+      core::write_tile_as_vtu(command.output, tile);
+    core::write_tile_as_arrays(command.output, tile);
+  };
+  const CGAL::Tiles_report result = CGAL::delaunay_3_tiles(engine, *points, write, command.options);
+  messages.clear();
+  engine.together([&] {
+    if (is_first)
+      finish(command, result, engine);
+  });
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  int threads = MPI_THREAD_SINGLE, rank = 0, exit_code = EXIT_SUCCESS;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &threads);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  try {
+    Command command;
+    CGAL::Tiles_by_mpi_3(MPI_COMM_WORLD).together([&] {
+      try {
+        command = parse_command_line(argc, argv);
+      } catch (const std::exception& e) {
+        throw std::runtime_error(std::string(e.what()) + " (--help explains all options)");
+      }
+    });
+    if (command.help) {
+      std::cout << (rank == 0 ? help : "");
+    } else {
+      Messages messages(command.quiet || rank > 0 ? Messages::Volume::QUIET
+                        : command.verbose         ? Messages::Volume::VERBOSE
+                                                  : Messages::Volume::NORMAL);
+      CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD, command.threads);
+      run(command, engine, messages);
+    }
+  } catch (const std::exception& e) { // thrown by all
+    if (rank == 0)
+      std::cerr << "error: " << files::one_line(e.what()) << '\n';
+    exit_code = EXIT_FAILURE;
+  }
+  MPI_Finalize();
+  return exit_code;
+}

@@ -1,0 +1,102 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Runs `delaunay_from_surface_mpi` as a user would: it writes what `delaunay_from_surface tiles` writes, and whatever
+goes wrong on one rank ends all of them soon, with one line that says where."""
+
+import json
+import os
+import struct
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from test_tiles_program import read_npy, write_points
+
+PROGRAM, BY_MPI, MPIEXEC = (os.environ[name] for name in ("DELAUNAY_FROM_SURFACE", "DELAUNAY_FROM_SURFACE_MPI",
+                                                          "MPIEXEC"))
+
+
+class ByMpi(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.points, self.output = self.folder / "points.raw", self.folder / "tiles"
+        write_points(self.points, 6000)
+
+    def run_ranks(self, *commands):
+        """One for each rank. That they end is a part of the test."""
+        parts = [["-n", "1", *map(str, command)] for command in commands]
+        words = [word for part in parts for word in (":", *part)][1:]
+        return subprocess.run([MPIEXEC, *words], capture_output=True, text=True, check=False, timeout=60)
+
+    def works(self, ranks, *arguments):
+        run = self.run_ranks(*[(BY_MPI, *arguments)] * ranks)
+        self.assertEqual((run.stderr, run.returncode), ("", 0))
+        return run.stdout
+
+    def fails(self, *commands, says):
+        run = self.run_ranks(*commands)
+        self.assertNotEqual(run.returncode, 0)
+        errors = [line for line in run.stderr.splitlines() if line.startswith("error: ")]
+        self.assertEqual(len(errors), 1, run.stderr)
+        self.assertRegex(errors[0], f"^error: .*{says}")
+
+    def test_the_same_as_out_of_core(self):
+        here = self.folder / "here"
+        subprocess.run([PROGRAM, "tiles", self.points, "--tiles", "5", "--output", here, "--vtu", "--quiet",
+                        "--join", self.folder / "here.npy"], check=True)
+        shape, cells = read_npy(self.folder / "here.npy")
+        first = None
+        for ranks, extra in ((1, ()), (2, ("--threads", 2)), (2, ("--compare-cells", "--vtu"))):
+            output = self.folder / f"tiles-{ranks}-{len(extra)}-{'--vtu' in extra}"
+            report = json.loads(self.works(ranks, self.points, "--tiles", 5, "--output", output, "--json",
+                                           "--join", self.folder / "joined.npy", *extra))
+            self.assertEqual((report["points"], report["ranks"]), (6000, ranks))
+            self.assertEqual((output / "tiles.json").read_text(), (here / "tiles.json").read_text())
+            self.assertEqual(read_npy(self.folder / "joined.npy")[0], shape)
+            self.assertEqual({tuple(sorted(cells[i:i + 4])) for i in range(0, len(cells), 4)},
+                             {tuple(sorted(joined[i:i + 4])) for joined in [read_npy(self.folder / "joined.npy")[1]]
+                              for i in range(0, len(joined), 4)})
+            files = {file.name: file.read_bytes() for file in output.glob("*.npy")}
+            first = first or files
+            self.assertEqual(files, first)  # whatever the number of ranks and threads
+        self.assertEqual((output / "tiles.pvtu").read_text(), (here / "tiles.pvtu").read_text())
+        self.assertEqual(len([*output.glob("tile-*.vtu")]), 5)
+
+    def test_what_goes_wrong_on_one_rank(self):
+        good = (BY_MPI, self.points, "--output", self.output)
+        missing = self.folder / "missing.raw"
+        self.fails(good, (BY_MPI, missing, "--output", self.output), says="rank 1: .*missing.raw: cannot be read: No such")
+        shorter = self.folder / "shorter.raw"
+        shorter.write_bytes(self.points.read_bytes()[:24 * 5000])
+        self.fails(good, (BY_MPI, shorter, "--output", self.output), says="rank 1: sees 5000 points, and rank 0 6000")
+        self.fails(good, (*good, "--tiles", 7), says="rank 1: .* other options")
+        self.assertEqual([], [*self.output.glob("*")])
+        bad = self.folder / "bad.raw"
+        bad.write_bytes(struct.pack("<3d", 1, float("nan"), 1))
+        both = (BY_MPI, self.points, bad, "--output", self.output)
+        self.fails(both, both, says="rank 1: .*bad.raw: point 0: a coordinate is not a finite number")
+        full = ("sh", "-c", 'trap "" XFSZ; ulimit -f 16; exec "$@"', "sh", *good)
+        self.fails(good, full, says="rank 1: .*tiles/.*00001.npy: cannot be written: File too large")
+        self.assertEqual([], [*self.output.glob("**/*.unfinished"), *self.output.glob("tiles.json")])
+        self.fails(good, (*good, "--join", self.folder), (*good, "--threads", 99), says="threads")
+        self.works(2, self.points, "--output", self.output, "--quiet")  # over what is left
+        self.fails(good, good, says="rank 0: .*tiles.json: is of another run")
+
+    def test_command_line(self):
+        self.assertIn("mpirun -n RANKS", self.works(2, "--help"))
+        for arguments, says in (((), "no points given"), ((self.points,), "'--output' needs a folder"),
+                                ((self.points, "--tiles", "0"), "tiles"), (("--what",), "what.*--help explains")):
+            self.fails((BY_MPI, *arguments), (BY_MPI, *arguments), says=says)
+        flat = self.folder / "flat.raw"
+        flat.write_bytes(b"".join(struct.pack("<3d", i % 7, i // 7, 2) for i in range(99)))
+        command = (BY_MPI, flat, "--output", self.output)
+        self.fails(command, command, says="the points lie in one plane")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,232 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RANKS_OF_MPI_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RANKS_OF_MPI_H
+
+// The only header that names MPI's. Where that is not to be found this one is empty.
+
+#if __has_include(<mpi.h>)
+
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Packed_bytes.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Rank_failure.h>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The processes of a communicator, and what they do together: every one calls the same functions in
+// the same order, by one thread. What one throws by itself the others do not wait for for ever: it
+// is thrown inside together(), and so by all.
+class Ranks_of_mpi
+{
+public:
+  // A communicator of their own, so that nobody else's messages are taken for theirs. What is sent
+  // at once has so many bytes at most: MPI counts with an int.
+  explicit Ranks_of_mpi(MPI_Comm communicator, std::size_t bytes_at_once = std::size_t(1) << 29)
+    : m_bytes_at_once(bytes_at_once)
+  {
+    MPI_Comm_dup(communicator, &m_communicator);
+    MPI_Comm_set_errhandler(m_communicator, MPI_ERRORS_ARE_FATAL);
+    MPI_Comm_rank(m_communicator, &m_rank);
+    MPI_Comm_size(m_communicator, &m_size);
+  }
+  Ranks_of_mpi(const Ranks_of_mpi&) = delete;
+  Ranks_of_mpi& operator=(const Ranks_of_mpi&) = delete;
+  ~Ranks_of_mpi()
+  {
+    int is_over = 0;
+    MPI_Finalized(&is_over);
+    if (is_over == 0)
+      MPI_Comm_free(&m_communicator);
+  }
+
+  int rank() const { return m_rank; }
+  int size() const { return m_size; }
+  std::uint64_t bytes_sent() const { return m_bytes_sent; } // by this one to others, of data
+  double seconds() const { return m_seconds; }              // of sending and of waiting for others
+
+  // What is to be sent to each: nothing yet.
+  std::vector<Packed_bytes> empty_by_rank() const
+  {
+    return std::vector<Packed_bytes>(static_cast<std::size_t>(m_size));
+  }
+
+  // Calls f(), in which they work by themselves. If it throws on any, all throw what it threw on the
+  // first of these.
+  template <class F>
+  void together(const F& f) const
+  {
+    const Rank_failure mine = Rank_failure::of(f);
+    const Stopwatch watch(m_seconds);
+    int first = mine.kind == Rank_failure::NONE ? m_size : m_rank;
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, m_communicator);
+    if (first == m_size)
+      return;
+    Packed_bytes bytes;
+    if (first == m_rank)
+      pack(bytes, mine);
+    auto size = std::uint64_t(bytes.size());
+    MPI_Bcast(&size, 1, MPI_UINT64_T, first, m_communicator);
+    bytes.resize(std::size_t(size));
+    MPI_Bcast(bytes.data(), int(size), MPI_BYTE, first, m_communicator);
+    Unpack from(bytes);
+    unpack_failure(from).rethrow(first);
+  }
+
+  std::uint64_t sum(std::uint64_t number) const
+  {
+    const Stopwatch watch(m_seconds);
+    MPI_Allreduce(MPI_IN_PLACE, &number, 1, MPI_UINT64_T, MPI_SUM, m_communicator);
+    return number;
+  }
+
+  // The numbers that the first rank has.
+  std::vector<std::uint64_t> of_first(std::vector<std::uint64_t> numbers) const
+  {
+    const Stopwatch watch(m_seconds);
+    MPI_Bcast(numbers.data(), int(numbers.size()), MPI_UINT64_T, 0, m_communicator);
+    return numbers;
+  }
+
+  // What each has, by rank.
+  std::vector<Packed_bytes> all_gather(const Packed_bytes& bytes)
+  {
+    const auto mine = std::uint64_t(bytes.size());
+    std::vector<std::uint64_t> sizes(static_cast<std::size_t>(m_size));
+    wait_for([&] {
+      MPI_Allgather(&mine, 1, MPI_UINT64_T, sizes.data(), 1, MPI_UINT64_T, m_communicator);
+    });
+    std::vector<int> counts, places; // of units, of which an int can count enough
+    Packed_bytes all, padded;
+    std::vector<Packed_bytes> result(sizes.size());
+    together([&] {
+      std::uint64_t end = 0;
+      for (const std::uint64_t size : sizes) {
+        counts.push_back(int((size + unit - 1) / unit));
+        places.push_back(int(end));
+        end += std::uint64_t(counts.back());
+      }
+      if (end > std::uint64_t((std::numeric_limits<int>::max)()))
+        throw std::runtime_error("too much for MPI to gather");
+      all.resize(std::size_t(end) * unit);
+      padded = bytes;
+      padded.resize(std::size_t(counts[std::size_t(m_rank)]) * unit);
+    });
+    MPI_Datatype type = MPI_DATATYPE_NULL;
+    MPI_Type_contiguous(int(unit), MPI_BYTE, &type);
+    MPI_Type_commit(&type);
+    wait_for([&] {
+      MPI_Allgatherv(padded.data(), counts[std::size_t(m_rank)], type, all.data(), counts.data(),
+                     places.data(), type, m_communicator);
+    });
+    MPI_Type_free(&type);
+    m_bytes_sent += mine;
+    together([&] {
+      for (std::size_t r = 0; r < sizes.size(); ++r) {
+        const char* const begin = all.data() + std::size_t(places[r]) * unit;
+        result[r].assign(begin, begin + sizes[r]);
+      }
+    });
+    return result;
+  }
+
+  // Sends to each rank what is for it; what each had for this one, by rank. Memory is found before
+  // anything is sent.
+  std::vector<Packed_bytes> exchange(std::vector<Packed_bytes> to)
+  {
+    std::vector<std::uint64_t> sizes, sizes_there(to.size());
+    for (const Packed_bytes& bytes : to)
+      sizes.push_back(bytes.size());
+    wait_for([&] {
+      MPI_Alltoall(sizes.data(), 1, MPI_UINT64_T, sizes_there.data(), 1, MPI_UINT64_T,
+                   m_communicator);
+    });
+    std::vector<Packed_bytes> from(to.size());
+    std::vector<MPI_Request> requests;
+    together([&] {
+      std::size_t messages = 0;
+      for (std::size_t r = 0; r < to.size(); ++r) {
+        if (int(r) != m_rank)
+          from[r].resize(std::size_t(sizes_there[r]));
+        messages += to[r].size() / m_bytes_at_once + from[r].size() / m_bytes_at_once + 2;
+      }
+      requests.reserve(messages);
+    });
+    from[std::size_t(m_rank)] = std::move(to[std::size_t(m_rank)]);
+    for (int distance = 1; distance < m_size; ++distance) {
+      const int sender = (m_rank + m_size - distance) % m_size;
+      in_chunks(from[std::size_t(sender)], [&](char* bytes, int n) {
+        requests.emplace_back();
+        MPI_Irecv(bytes, n, MPI_BYTE, sender, 0, m_communicator, &requests.back());
+      });
+    }
+    for (int distance = 1; distance < m_size; ++distance) {
+      const int receiver = (m_rank + distance) % m_size;
+      m_bytes_sent += to[std::size_t(receiver)].size();
+      in_chunks(to[std::size_t(receiver)], [&](char* bytes, int n) {
+        requests.emplace_back();
+        MPI_Isend(bytes, n, MPI_BYTE, receiver, 0, m_communicator, &requests.back());
+      });
+    }
+    wait_for([&] { MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE); });
+    return from;
+  }
+
+private:
+  static constexpr std::size_t unit = 64; // bytes
+
+  struct Stopwatch
+  {
+    double& seconds;
+    const double begin = MPI_Wtime();
+
+    explicit Stopwatch(double& s)
+      : seconds(s)
+    {
+    }
+    ~Stopwatch() { seconds += MPI_Wtime() - begin; }
+  };
+
+  template <class F>
+  void wait_for(const F& f) const
+  {
+    const Stopwatch watch(m_seconds);
+    f();
+  }
+
+  template <class F>
+  void in_chunks(Packed_bytes& bytes, const F& f) const
+  {
+    for (std::size_t at = 0; at < bytes.size(); at += m_bytes_at_once)
+      f(bytes.data() + at, int((std::min)(m_bytes_at_once, bytes.size() - at)));
+  }
+
+  const std::size_t m_bytes_at_once;
+  MPI_Comm m_communicator = MPI_COMM_NULL;
+  int m_rank = 0, m_size = 1;
+  std::uint64_t m_bytes_sent = 0;
+  mutable double m_seconds = 0;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // __has_include(<mpi.h>)
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RANKS_OF_MPI_H

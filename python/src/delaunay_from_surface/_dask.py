@@ -1,0 +1,221 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""Tiles by the workers of a Dask cluster.
+
+What a run knows is in a folder that all of them see, so a task's arguments and result are numbers: which task of which
+stage, and that it is done. A task may be done again, by any worker; a dead one costs time, never the result.
+"""
+
+from __future__ import annotations
+
+import os
+import uuid
+from pathlib import Path
+from typing import Any, Dict, Iterable, List, Optional, Tuple, Union
+
+import numpy as np
+
+from . import _delaunay_from_surface as _core
+from ._tiles import Place, Tile, Tiles, bytes_of
+
+
+class DaskTiles:
+    """A Delaunay triangulation in a folder that the workers see, as `delaunay3_dask` returns it.
+
+    It is as long as there are tiles. What it gives is read by the workers, when it is computed.
+    """
+
+    def __init__(self, folder: str, report: Dict[str, Any], numbers_of_cells: List[int]) -> None:
+        self.folder = folder
+        self.report = report
+        """How many points, tiles and cells there are, how many points were told and kept, in how many rounds."""
+        self.numbers_of_cells = numbers_of_cells
+        """By tile the number of its finite cells."""
+
+    def __len__(self) -> int:
+        return len(self.numbers_of_cells)
+
+    def __getitem__(self, k: int) -> Any:
+        """Tile k: a `dask.delayed` of a `Tile`."""
+        from dask import delayed
+        if not 0 <= k < len(self):
+            raise IndexError(f"there are tiles 0 to {len(self) - 1}")
+        return delayed(_read_tile, pure=True)(self.folder, k)
+
+    def cells(self) -> Any:
+        """The finite cells of all tiles: a `dask.array` of shape (m, 4) with places in the input, a chunk for each tile."""
+        from dask import array, delayed
+        read = delayed(_read_cells, pure=True)
+        return array.concatenate([array.from_delayed(read(self.folder, k), (n, 4), np.int64)
+                                  for k, n in enumerate(self.numbers_of_cells)])
+
+
+def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int, str] = "1G",
+                   tiles: Optional[int] = None, vtu: bool = False) -> DaskTiles:
+    """Write the Delaunay triangulation of more points than one machine holds, tile by tile, by a Dask cluster.
+
+    The union of the tiles is what `delaunay3` would return for all points, and a certificate is checked before this
+    returns. Workers may die, or be stopped, at any time; what was stopped goes on when it is called again.
+
+    Parameters
+    ----------
+    points
+        A file or several, as `delaunay3_tiles` takes them, by names that all workers know; or a `dask.array` of shape
+        (n, 3), whose chunks the workers write into the folder first, as float64. Called again, an array of the same
+        name (its token) is not written again.
+    client
+        A `distributed.Client`. Its workers import this package; each of their threads has one tile at a time.
+    output
+        The folder for the tiles, and for the state of the work, which all workers see by this name: on one machine any
+        folder, on a cluster one of a file system that is shared.
+    memory
+        What one tile may have: bytes, or a text such as "8G"; the memory of a worker over the number of its threads. It
+        decides how many tiles there are, at about 480 bytes for a point that a tile keeps; a tile keeps up to five times
+        its own points.
+    tiles
+        How many tiles there are, if `memory` shall not decide.
+    vtu
+        Whether to write .vtu files for ParaView, too, with tiles.pvtu over them.
+
+    Returns
+    -------
+    DaskTiles
+        Its tiles and cells as delayed values and a `dask.array`. `Tiles(output)` reads the folder without Dask.
+
+    Raises
+    ------
+    OSError
+        If a file cannot be read or written, or is not what it should be, or the folder is that of another input.
+    ValueError
+        If a coordinate is not a finite number, all points lie in one plane, or an argument is out of range.
+    MemoryError
+        If a tile keeps more points than it may, and more tiles do not help or their number was given.
+    distributed.KilledWorker
+        If a task's workers died again and again: they may have had too little memory.
+
+    What a task raises is raised when the others of its stage have ended.
+
+    Notes
+    -----
+    A round has a task for each tile that was told of something in the one before, and no others; in the dashboard they
+    are named after the round. The number of rounds is about six, whatever the number of points.
+    """
+    if tiles is not None and not 1 <= tiles <= 10**6:
+        raise ValueError("tiles: a number from 1 to 1000000 is needed")
+    folder = os.fspath(output)
+    files = _files_of(points, client, folder)
+    run = _Run(client, (files, folder), (bytes_of(memory), vtu))
+    run.to_the_end(tiles or 0)
+    report, numbers = run.call("report", _report, folder)
+    return DaskTiles(folder, report, numbers)
+
+
+class _Run:
+    """The stages of a run, one after the other: the driver is the folder's state, the client hands out its tasks."""
+
+    def __init__(self, client: Any, places: Tuple[List[str], str], how: Tuple[int, bool]) -> None:
+        self.client, self.places, self.how = client, places, how
+
+    def call(self, name: str, function: Any, *arguments: Any) -> Any:
+        """What one worker returns: it, too, may die and be replaced."""
+        return self.client.submit(function, *arguments, key=f"{name}-{uuid.uuid4()}", pure=False).result()
+
+    def to_the_end(self, tiles: int) -> None:
+        while True:
+            number, stage, tiles_now = self.call("next", _next, *self.places, tiles, *self.how)
+            if number == 0:
+                return
+            try:
+                more = self.stage(number, stage, tiles)
+            except ValueError:  # of a refused input nothing is left
+                self.call("forget", _forget, self.places[1])
+                raise
+            if more > tiles_now:
+                self.call("begin again", _forget, self.places[1])
+                tiles = more
+
+    def stage(self, number: int, name: str, tiles: int) -> int:
+        """Its tasks. Returns with how many tiles to begin again, if one was too large."""
+        from distributed import as_completed, wait
+        futures = self.client.map(_do_task, range(number), places=self.places, tiles=tiles, how=self.how, pure=False,
+                                  key=f"{name}-{uuid.uuid4()}")
+        try:
+            return max(future.result() for future in as_completed(futures))
+        except Exception:
+            wait(futures)  # so that nobody writes any more
+            raise
+
+
+# Functions of an extension cannot be sent to workers; these can.
+def _next(*arguments: Any) -> Tuple[int, str, int]:
+    number, stage, tiles = _core.next_of_tiles(*arguments)
+    return number, stage, tiles
+
+
+def _forget(folder: str) -> None:
+    _core.forget_tiles(folder)
+
+
+def _do_task(k: int, places: Tuple[List[str], str], tiles: int, how: Tuple[int, bool]) -> int:
+    return int(_core.do_task_of_tiles(*places, tiles, *how, k))
+
+
+def _files_of(points: Any, client: Any, folder: str) -> List[str]:
+    if isinstance(points, (str, os.PathLike)):
+        return [os.fspath(points)]
+    if not hasattr(points, "to_delayed"):
+        if isinstance(points, np.ndarray) or not isinstance(points, Iterable):
+            raise TypeError("points: files or a dask.array are needed; dask.array.from_array makes one of NumPy's")
+        return [os.fspath(file) for file in points]
+    return _write_array(points, client, Path(folder) / "points")
+
+
+def _write_array(points: Any, client: Any, folder: Path) -> List[str]:
+    """The chunks of an array as files, by the workers that have them; those of an array of another name are refused."""
+    from dask import delayed
+    from distributed import wait
+    if points.ndim != 2 or points.shape[1] != 3:
+        raise ValueError(f"points: an array of shape (n, 3) is needed, and this one has {points.shape}")
+    chunks = points.rechunk({1: 3}).to_delayed().ravel()
+    files = [str(folder / f"{k:05}.npy") for k in range(len(chunks))]
+    write = delayed(_write_chunk, pure=False)
+    writes = [write(chunk, file, points.name) for chunk, file in zip(chunks, files)]
+    written = client.compute(writes)
+    wait(written)  # so that nobody writes any more if one has failed
+    client.gather(written)
+    return files
+
+
+def _write_chunk(chunk: np.ndarray, file: str, name: str) -> None:
+    """Written aside and renamed, beside a note of the array's name; not again if it is there."""
+    place, note = Path(file), Path(file).with_suffix(".name")
+    if place.exists():
+        if note.read_text(encoding="utf-8") != name:
+            raise OSError(f"{file}: is of another array: remove the folder, or name another one")
+        return
+    place.parent.mkdir(parents=True, exist_ok=True)
+    aside = place.with_name(f"{place.name}-{uuid.uuid4()}.unfinished")
+    try:
+        note.write_text(name, encoding="utf-8")
+        with open(aside, "wb") as stream:
+            np.save(stream, np.ascontiguousarray(chunk, dtype=np.float64))
+        if not place.exists():  # else another worker was asked, too
+            os.replace(aside, place)
+    finally:
+        aside.unlink(missing_ok=True)
+
+
+def _report(folder: str) -> Tuple[Dict[str, Any], List[int]]:
+    tiles = Tiles(folder)
+    numbers = [len(np.load(tiles.file("cells", k), mmap_mode="r")) for k in range(len(tiles))]
+    return tiles.report, numbers
+
+
+def _read_tile(folder: str, k: int) -> Tile:
+    return Tiles(folder)[k]
+
+
+def _read_cells(folder: str, k: int) -> np.ndarray:
+    return np.asarray(np.load(Tiles(folder).file("cells", k)))
