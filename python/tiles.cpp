@@ -7,6 +7,7 @@
 #include "functions.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 
@@ -109,20 +110,23 @@ py::tuple next_of_tiles(const std::vector<std::string>& files, const std::string
   return py::make_tuple(next.tasks, next.name, next.tiles);
 }
 
-// Does one of these. Returns with how many tiles to begin again; 0: it is done.
+// Does one of these. Returns with how many tiles to begin again, if the caller would; 0: it is done.
 std::uint32_t do_task_of_tiles(const std::vector<std::string>& files, const std::string& output,
                                std::uint32_t tiles, std::uint64_t memory, bool vtu,
-                               std::size_t task)
+                               std::size_t task, bool starts_again)
 {
   return without_lock([&]() -> std::uint32_t {
-    const Run run(files, tiles, memory, 1);
+    Run run(files, tiles, memory, 1);
+    run.options.starts_again = starts_again;
+    core::Tiles_to_files work(output, 1, vtu);
     try {
-      core::Tiles_to_files(output, 1, vtu).do_task(run.points, run.options, task);
+      work.do_task(run.points, run.options, task);
       return 0;
     } catch (const core::Tile_too_large& error) {
-      if (tiles != 0 || error.number_of_tiles() == 0)
+      const std::uint64_t n = run.points.size();
+      if (!core::ask_for_more_tiles(run.options, error, n, work.number_of_tiles()))
         throw;
-      return error.number_of_tiles();
+      return core::number_of_tiles(run.options, n, 1);
     }
   });
 }

@@ -38,8 +38,8 @@ def counts(program, mesh):
 
 def loss(history):
     """What is lost by the last revision against the best before, as text; empty if it is less than 2 %."""
-    before = [record["package"]["instructions"] for record in history[:-1]]
     now = history[-1]["package"]["instructions"]
+    before = [r["package"]["instructions"] for r in history[:-1] if r["mesh"] == history[-1]["mesh"]]
     if not before or now <= LOSS * min(before):
         return ""
     return f"{now} instructions per point, {100 * (now / min(before) - 1):.1f} % more than the least before"
@@ -67,16 +67,18 @@ def main():
     parser.add_argument("--plot", type=Path, metavar="FILE")
     options = parser.parse_args()
     history = json.loads(options.output.read_text())["history"] if options.output.exists() else []
-    history = [record for record in history if record["revision"] != options.revision]
-    history.append({"revision": options.revision, "date": options.date, "mesh": Path(options.mesh).name,
-                    **counts(options.program, options.mesh)})
+    mesh = Path(options.mesh).name
+    record = {"revision": options.revision, "date": options.date, "mesh": mesh, **counts(options.program, options.mesh)}
+    same = [i for i, r in enumerate(history) if (r["revision"], r["mesh"]) == (options.revision, mesh)]
+    at = same[0] if same else len(history)
+    history[at:at + 1] = [record]
     report = {"command": "history_of_counts.py refined_elephant.off --program ./insert_once --revision REVISION",
               "history": history}
     options.output.write_text(text_of(report))
     if options.plot:
         plot(history, options.plot)
-    lost = loss(history)
-    print(lost or f"{history[-1]['package']['instructions']} instructions per point")
+    lost = loss(history[:at + 1])
+    print(lost or f"{record['package']['instructions']} instructions per point")
     return 1 if lost else 0
 
 

@@ -47,7 +47,7 @@ builds the Delaunay triangulation of more points than fit into memory, in tiles,
 one tile after the other. The union of the cells that tiles own is that which `delaunay_3_arrays()`
 has, with the same perturbation. This is checked: nothing is given before a certificate holds.
 
-<b>Complexity</b>: on surfaces a tile keeps 1.3 to 2.4 times its own points and is told up to five
+<b>Complexity</b>: on surfaces a tile keeps 1.1 to 2.5 times its own points and is told up to five
 points for each, in about six rounds; the worst tile measured kept four times its own, and
 twenty times where two planes met. One vertex with n neighbors is kept with all of these by one
 tile.

@@ -251,6 +251,32 @@ BOOST_AUTO_TEST_CASE(inputs_that_change)
                 "cannot be read");
 }
 
+// Task by task, too, nothing is left of a refused input.
+BOOST_AUTO_TEST_CASE(flat_input_task_by_task)
+{
+  const Folder folder;
+  const fs::path file = folder.path / "points.raw", output = folder.path / "tiles";
+  const auto run = [&](const Points& input) {
+    write_bytes(file, bytes_of(input));
+    for (;;) {
+      const CGAL::Point_files_3 source({file});
+      core::Tiles_to_files work(output, 1, false);
+      const std::size_t n = work.next(source, options_of(3));
+      for (std::size_t k = 0; k < n; ++k)
+        work.do_task(source, options_of(3), k);
+      if (n == 0)
+        return;
+    }
+  };
+  const Points points = some_points(1000);
+  Points flat = points;
+  for (auto& p : flat)
+    p[2] = 0;
+  BOOST_CHECK_THROW(run(flat), CGAL::Surface_input_error);
+  run(points);
+  BOOST_TEST(core::join_tiles(output, folder.path / "all.npy") == finite_cells(points).size());
+}
+
 BOOST_AUTO_TEST_CASE(neighbors_by_global_numbers)
 {
   const Points points = some_points(1000);

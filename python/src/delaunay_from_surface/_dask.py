@@ -11,6 +11,7 @@ stage, and that it is done. A task may be done again, by any worker; a dead one 
 from __future__ import annotations
 
 import os
+import shutil
 import uuid
 from pathlib import Path
 from typing import Any, Dict, Iterable, List, Optional, Tuple, Union
@@ -42,13 +43,13 @@ class DaskTiles:
         from dask import delayed
         if not 0 <= k < len(self):
             raise IndexError(f"there are tiles 0 to {len(self) - 1}")
-        return delayed(_read_tile, pure=True)(self.folder, k)
+        return delayed(_read_tile, pure=True)(self.folder, k, self.report["hash"])
 
     def cells(self) -> Any:
         """The finite cells of all tiles: a `dask.array` of shape (m, 4) with places in the input, a chunk for each tile."""
         from dask import array, delayed
         read = delayed(_read_cells, pure=True)
-        return array.concatenate([array.from_delayed(read(self.folder, k), (n, 4), np.int64)
+        return array.concatenate([array.from_delayed(read(self.folder, k, self.report["hash"]), (n, 4), np.int64)
                                   for k, n in enumerate(self.numbers_of_cells)])
 
 
@@ -123,24 +124,25 @@ class _Run:
         return self.client.submit(function, *arguments, key=f"{name}-{uuid.uuid4()}", pure=False).result()
 
     def to_the_end(self, tiles: int) -> None:
+        starts_again = tiles == 0
         while True:
-            number, stage, tiles_now = self.call("next", _next, *self.places, tiles, *self.how)
-            if number == 0:
-                return
             try:
-                more = self.stage(number, stage, tiles)
+                number, stage, tiles_now = self.call("next", _next, *self.places, tiles, *self.how)
+                if number == 0:
+                    return
+                more = self.stage(number, stage, tiles, starts_again)
             except ValueError:  # of a refused input nothing is left
-                self.call("forget", _forget, self.places[1])
+                self.call("forget", _forget_input, self.places[1])
                 raise
             if more > tiles_now:
                 self.call("begin again", _forget, self.places[1])
                 tiles = more
 
-    def stage(self, number: int, name: str, tiles: int) -> int:
+    def stage(self, number: int, name: str, tiles: int, starts_again: bool) -> int:
         """Its tasks. Returns with how many tiles to begin again, if one was too large."""
         from distributed import as_completed, wait
-        futures = self.client.map(_do_task, range(number), places=self.places, tiles=tiles, how=self.how, pure=False,
-                                  key=f"{name}-{uuid.uuid4()}")
+        futures = self.client.map(_do_task, range(number), places=self.places, tiles=tiles, how=self.how,
+                                  starts_again=starts_again, pure=False, key=f"{name}-{uuid.uuid4()}")
         try:
             return max(future.result() for future in as_completed(futures))
         except Exception:
@@ -158,8 +160,14 @@ def _forget(folder: str) -> None:
     _core.forget_tiles(folder)
 
 
-def _do_task(k: int, places: Tuple[List[str], str], tiles: int, how: Tuple[int, bool]) -> int:
-    return int(_core.do_task_of_tiles(*places, tiles, *how, k))
+def _forget_input(folder: str) -> None:
+    """And what was written of an array."""
+    _core.forget_tiles(folder)
+    shutil.rmtree(Path(folder) / "points", ignore_errors=True)
+
+
+def _do_task(k: int, places: Tuple[List[str], str], tiles: int, how: Tuple[int, bool], starts_again: bool) -> int:
+    return int(_core.do_task_of_tiles(*places, tiles, *how, k, starts_again))
 
 
 def _files_of(points: Any, client: Any, folder: str) -> List[str]:
@@ -180,25 +188,34 @@ def _write_array(points: Any, client: Any, folder: Path) -> List[str]:
         raise ValueError(f"points: an array of shape (n, 3) is needed, and this one has {points.shape}")
     chunks = points.rechunk({1: 3}).to_delayed().ravel()
     files = [str(folder / f"{k:05}.npy") for k in range(len(chunks))]
+    client.submit(_claim, str(folder), points.name, key=f"claim-{uuid.uuid4()}", pure=False).result()
     write = delayed(_write_chunk, pure=False)
-    writes = [write(chunk, file, points.name) for chunk, file in zip(chunks, files)]
+    writes = [write(chunk, file) for chunk, file in zip(chunks, files)]
     written = client.compute(writes)
     wait(written)  # so that nobody writes any more if one has failed
     client.gather(written)
     return files
 
 
-def _write_chunk(chunk: np.ndarray, file: str, name: str) -> None:
-    """Written aside and renamed, beside a note of the array's name; not again if it is there."""
-    place, note = Path(file), Path(file).with_suffix(".name")
+def _claim(folder: str, name: str) -> None:
+    """Notes the array's name, before any of it is written: the folder is not that of another one."""
+    note = Path(folder) / "name"
+    note.parent.mkdir(parents=True, exist_ok=True)
+    if not note.exists():
+        aside = note.with_name(f"name-{uuid.uuid4()}.unfinished")
+        aside.write_text(name, encoding="utf-8")
+        os.replace(aside, note)
+    elif note.read_text(encoding="utf-8") != name:
+        raise OSError(f"{folder}: is of another array: remove the folder, or name another one")
+
+
+def _write_chunk(chunk: np.ndarray, file: str) -> None:
+    """Written aside and renamed; not again if it is there."""
+    place = Path(file)
     if place.exists():
-        if note.read_text(encoding="utf-8") != name:
-            raise OSError(f"{file}: is of another array: remove the folder, or name another one")
         return
-    place.parent.mkdir(parents=True, exist_ok=True)
     aside = place.with_name(f"{place.name}-{uuid.uuid4()}.unfinished")
     try:
-        note.write_text(name, encoding="utf-8")
         with open(aside, "wb") as stream:
             np.save(stream, np.ascontiguousarray(chunk, dtype=np.float64))
         if not place.exists():  # else another worker was asked, too
@@ -213,9 +230,10 @@ def _report(folder: str) -> Tuple[Dict[str, Any], List[int]]:
     return tiles.report, numbers
 
 
-def _read_tile(folder: str, k: int) -> Tile:
+# The hash of the triangulation is a part of their names: those of another run in this folder are not the same.
+def _read_tile(folder: str, k: int, _hash: Any) -> Tile:
     return Tiles(folder)[k]
 
 
-def _read_cells(folder: str, k: int) -> np.ndarray:
+def _read_cells(folder: str, k: int, _hash: Any) -> np.ndarray:
     return np.asarray(np.load(Tiles(folder).file("cells", k)))

@@ -8,6 +8,7 @@
 // All of it: from files of points to files of tiles, in one call or task by task. In the folder:
 // state/, and what write_tiles.h writes.
 
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
@@ -66,20 +67,12 @@ public:
   // neighbors.
   std::size_t next(const Tile_source_3& source, const Tiles_options& options)
   {
-    Tiles_stages& stages = begin(source, options);
-    if (stages.stage() != Tiles_stages::DONE && is_all_done(stages)) {
-      const bool was_pieces = stages.stage() == Tiles_stages::PIECES;
-      stages.close();
-      if (was_pieces && stages.stage() == Tiles_stages::PIECES)
-        repair(stages);
+    try {
+      return close_and_count(source, options);
+    } catch (const Surface_input_error&) {
+      forget(); // the next one is another
+      throw;
     }
-    if (stages.stage() != Tiles_stages::DONE)
-      return stages.number_of_tasks();
-    for (std::uint32_t t = 0; t < m_engine.number_of_tiles(); ++t)
-      if (!is_written(t))
-        return m_engine.number_of_tiles();
-    finish();
-    return 0;
   }
 
   // After next(): what the tasks are for, and how many tiles there are.
@@ -108,6 +101,24 @@ public:
   }
 
 private:
+  std::size_t close_and_count(const Tile_source_3& source, const Tiles_options& options)
+  {
+    Tiles_stages& stages = begin(source, options);
+    if (stages.stage() != Tiles_stages::DONE && is_all_done(stages)) {
+      const bool was_pieces = stages.stage() == Tiles_stages::PIECES;
+      stages.close();
+      if (was_pieces && stages.stage() == Tiles_stages::PIECES)
+        repair(stages);
+    }
+    if (stages.stage() != Tiles_stages::DONE)
+      return stages.number_of_tasks();
+    for (std::uint32_t t = 0; t < m_engine.number_of_tiles(); ++t)
+      if (!is_written(t))
+        return m_engine.number_of_tiles();
+    finish();
+    return 0;
+  }
+
   Tiles_stages& begin(const Tile_source_3& source, const Tiles_options& options)
   {
     refuse_other_tiles();
