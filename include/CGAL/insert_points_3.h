@@ -158,7 +158,8 @@ faces. For traits that trace a `Bounded_degree_subgraph`, it is found as for a m
 triangles that form a surface; else a spanning forest takes its place. The result, and what holds
 after a stop or an exception, are those of `insert_surface_vertices_3()`.
 
-<b>Complexity</b>: that of the traits' parts, plus \f$O(n + m)\f$ for n points and m sides of faces.
+<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for the order of n points along m sides of faces,
+plus the insertions.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
 that of the triangulation. Any of them serves any triangulation: many threads can fill one that is
@@ -169,17 +170,13 @@ exact predicates.
 `point_map` turns into points
 \tparam FaceRange a range of ranges of integers; with `Parallel_tag` several threads read it at once
 if its iterators have random access
-\tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the points are inserted
 \param points the points, those in no face included
 \param faces the faces: for each the indices of its points in order
-\param traits order, subgraph and starting cells; `Surface_insertion_traits_3` if left
-out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the form
-without faces. The seed always counts, and `preserve_order` also needs traits that go through the
-core (`through_core`).
+without faces. The seed always counts.
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
@@ -190,6 +187,39 @@ then unchanged
 Example: \ref Delaunay_from_surface_3/insert_polygon_soup.cpp
 
 \sa `insert_surface_vertices_3()`
+*/
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class PointRange, class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
+                               const PointRange& points, const FaceRange& faces,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
+  static_assert(are_faces<FaceRange>, "behind the points come faces, ranges of indices, or "
+                                      "named parameters");
+  if constexpr (are_faces<FaceRange>) {
+    const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
+        points, faces, np, Executor(), least_points_for_core<Surface_insertion_traits_3>(tr, np));
+    return insert_surface<Executor, internal_np::point_t>(tr, read.input(),
+                                                          Surface_insertion_traits_3(), np);
+  } else {
+    return 0;
+  }
+}
+
+/*!
+\ingroup PkgDelaunayFromSurface3Soup
+
+does the same in another way, with traits, a model of `SurfaceInsertionTraits_3`: they say in which
+order points are inserted, from which cells, and along which subgraph the surface is traced.
+
+The other parameters, what is returned and what is thrown are as above; `preserve_order` needs traits
+that go through the core (`through_core`). <b>Complexity</b>: that of the parts of the traits, plus
+\f$O(n + m)\f$.
+
+Example: \ref Delaunay_from_surface_3/own_plan.cpp
 */
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
           class PointRange, class FaceRange, class SurfaceInsertionTraits,
@@ -208,29 +238,6 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
     const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
         points, faces, np, Executor(), least_points_for_core<SurfaceInsertionTraits>(tr, np));
     return insert_surface<Executor, internal_np::point_t>(tr, read.input(), traits, np);
-  } else {
-    return 0;
-  }
-}
-
-/// \ingroup PkgDelaunayFromSurface3Soup
-/// does the same with the default traits, an object of `Surface_insertion_traits_3`.
-template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
-          class PointRange, class FaceRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
-                               const PointRange& points, const FaceRange& faces,
-                               const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  using namespace Delaunay_from_surface_3::internal;
-  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
-  using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
-  static_assert(are_faces<FaceRange>, "behind the points come faces, ranges of indices, or "
-                                      "named parameters");
-  if constexpr (are_faces<FaceRange>) {
-    const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
-        points, faces, np, Executor(), least_points_for_core<Surface_insertion_traits_3>(tr, np));
-    return insert_surface<Executor, internal_np::point_t>(tr, read.input(),
-                                                          Surface_insertion_traits_3(), np);
   } else {
     return 0;
   }

@@ -64,7 +64,8 @@ is the mesh-free core of `insert_surface_vertices_3()`. The result, and what hol
 an exception, are the same; the visitor is not told that the surface is irregular, since there is
 none.
 
-<b>Complexity</b>: that of the parts of the traits, plus \f$O(n)\f$ for n points.
+<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for the order of n points along m edges, plus the
+insertions.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
 of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
@@ -75,15 +76,12 @@ exact predicates.
 `point_map` turns into points
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`; the direction of its
 edges does not matter, nor do loops and multiple edges
-\tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the points are inserted
 \param points the points
 \param graph its vertex with index i stands for the i-th point. A wrong graph costs time, never the
 result.
-\param traits order, subgraph and starting cells; `Surface_insertion_traits_3` if left
-out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
 `insert_points_3()` with faces, and the one below
 
@@ -107,6 +105,32 @@ Example: \ref Delaunay_from_surface_3/insert_along_graph.cpp
 \sa `insert_surface_vertices_3()`
 */
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class PointRange, class Graph, typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
+                                           const PointRange& points, const Graph& graph,
+                                           const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(points, np);
+  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t,
+                        internal_np::vertex_index_t>(tr, input_along_graph(read, graph, np),
+                                                     Surface_insertion_traits_3(), np);
+}
+
+/*!
+\ingroup PkgDelaunayFromSurface3Graph
+
+does the same in another way, with traits, a model of `SurfaceInsertionTraits_3`: they say in which
+order points are inserted, from which cells, and along which subgraph the surface is traced.
+
+The other parameters, what is returned and what is thrown are as above; `preserve_order` needs traits
+that go through the core (`through_core`). <b>Complexity</b>: that of the parts of the traits, plus
+\f$O(n)\f$.
+
+Example: \ref Delaunay_from_surface_3/own_plan.cpp
+*/
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
           class PointRange, class Graph, class SurfaceInsertionTraits,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
@@ -120,22 +144,6 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
   return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t,
                         internal_np::vertex_index_t>(tr, input_along_graph(read, graph, np), traits,
                                                      np);
-}
-
-/// \ingroup PkgDelaunayFromSurface3Graph
-/// does the same with the default traits, an object of `Surface_insertion_traits_3`.
-template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
-          class PointRange, class Graph, typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
-                                           const PointRange& points, const Graph& graph,
-                                           const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  using namespace Delaunay_from_surface_3::internal;
-  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
-  const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(points, np);
-  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t,
-                        internal_np::vertex_index_t>(tr, input_along_graph(read, graph, np),
-                                                     Surface_insertion_traits_3(), np);
 }
 
 /// \cond SKIP_IN_MANUAL

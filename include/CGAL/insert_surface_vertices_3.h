@@ -39,8 +39,8 @@ invalid. If it is not empty, after a stop, or an exception thrown by the visitor
 iterator, it is the triangulation of its old points and those inserted so far; after an exception
 thrown by its own insertion it may only be cleared or destroyed.
 
-<b>Complexity</b>: that of the parts of the traits, plus \f$O(n + m + k)\f$ for n vertices, m edges
-and faces, and a largest index k.
+<b>Complexity</b>: expected \f$O((n + m) \log n + k)\f$ for the order of n vertices along m edges,
+with a largest index k, plus the insertions.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
 of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
@@ -48,13 +48,10 @@ for a single thread. `Parallel_tag` needs TBB.
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
 exact predicates.
 \tparam FaceGraph a model of `VertexListGraph`, `EdgeListGraph` and `FaceListGraph`
-\tparam SurfaceInsertionTraits a model of `SurfaceInsertionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the vertices are inserted
 \param mesh the surface
-\param traits order, subgraph and starting cells; `Surface_insertion_traits_3` if left
-out
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below; any other does not compile
 
@@ -83,7 +80,7 @@ below; any other does not compile
   \cgalParamNBegin{preserve_order}
     \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
       of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
-      that can go through the core, and traits that do (`through_core`).}
+      that can go through the core.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -121,22 +118,6 @@ Example: \ref Delaunay_from_surface_3/insert_surface_mesh.cpp
 \sa `insert_points_along_graph_3()`
 */
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
-          class FaceGraph, class SurfaceInsertionTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
-                                         const FaceGraph& mesh,
-                                         const SurfaceInsertionTraits& traits,
-                                         const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  using namespace Delaunay_from_surface_3::internal;
-  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
-  const Read_mesh<Triangulation, FaceGraph, CGAL_NP_CLASS> read(mesh, np);
-  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::vertex_point_t,
-                        internal_np::vertex_index_t>(tr, read.input(), traits, np);
-}
-
-/// \ingroup PkgDelaunayFromSurface3Mesh
-/// does the same with the default traits, an object of `Surface_insertion_traits_3`.
-template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
           class FaceGraph, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                          const FaceGraph& mesh,
@@ -148,6 +129,32 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
   return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::vertex_point_t,
                         internal_np::vertex_index_t>(tr, read.input(), Surface_insertion_traits_3(),
                                                      np);
+}
+
+/*!
+\ingroup PkgDelaunayFromSurface3Mesh
+
+does the same in another way, with traits, a model of `SurfaceInsertionTraits_3`: they say in which
+order points are inserted, from which cells, and along which subgraph the surface is traced.
+
+The other parameters, what is returned and what is thrown are as above; `preserve_order` needs traits
+that go through the core (`through_core`). <b>Complexity</b>: that of the parts of the traits, plus
+\f$O(n + m + k)\f$.
+
+Example: \ref Delaunay_from_surface_3/own_traits.cpp
+*/
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
+          class FaceGraph, class SurfaceInsertionTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
+                                         const FaceGraph& mesh,
+                                         const SurfaceInsertionTraits& traits,
+                                         const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
+  const Read_mesh<Triangulation, FaceGraph, CGAL_NP_CLASS> read(mesh, np);
+  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::vertex_point_t,
+                        internal_np::vertex_index_t>(tr, read.input(), traits, np);
 }
 
 /// \cond SKIP_IN_MANUAL
