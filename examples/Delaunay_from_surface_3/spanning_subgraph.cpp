@@ -7,6 +7,7 @@
 
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/near_minimum_degree_spanning_tree.h>
 #include <CGAL/surface_of.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
@@ -24,6 +25,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -67,6 +69,12 @@ bool certified_subgraph(Mesh& mesh)
   std::cout << certificate.number_of_edges << " of " << num_edges(mesh) << " edges, degree "
             << certificate.maximum_degree << ", "
             << (certificate.is_valid_subgraph() ? "certified" : "not certified") << "\n";
+
+  // A tree whose largest degree is nearly the least that any spanning tree has.
+  std::vector<Mesh::Edge_index> tree;
+  CGAL::near_minimum_degree_spanning_tree(surface, std::back_inserter(tree));
+  std::cout << "a spanning tree of degree "
+            << CGAL::certify_spanning_subgraph(surface, tree).maximum_degree << "\n";
 
   // Any algorithm of Boost.Graph runs on the subgraph.
   const boost::filtered_graph<Mesh, Is_in_subgraph> subgraph(mesh, {is_in_subgraph});

@@ -51,6 +51,8 @@ Complexity: that of `bounded_degree_spanning_tree()` if its tree has no vertex o
 nearly linear time for the exchanges near heavy vertices and for each phase of the general search.
 Exchanges and phases that succeed are at most \f$n \ln K\f$, with K the largest degree of that tree;
 how many there are in practice is in \ref bds_near_minimum.
+
+Example: \ref Delaunay_from_surface_3/spanning_subgraph.cpp
 */
 template <class Reader, class EdgeOutputIterator, class WitnessOutputIterator = Emptyset_iterator>
 EdgeOutputIterator near_minimum_degree_spanning_tree(

@@ -48,6 +48,8 @@ valid halfedge graph can have such), and no vertex is pinched. Isolated vertices
 
 \throws Surface_input_error that names a vertex or an edge, if a precondition is violated or the
 indices are not 0, …, n-1. Nothing has been written then.
+
+Example: \ref Delaunay_from_surface_3/spanning_subgraph.cpp
 */
 template <class HalfedgeGraph, typename CGAL_NP_TEMPLATE_PARAMETERS>
 auto surface_of(const HalfedgeGraph& g, const CGAL_NP_CLASS& np = parameters::default_values())
@@ -83,6 +85,8 @@ isolated vertex, with an empty list, is allowed.
 \throws Surface_input_error as for a mesh. To read the lists takes linear time, and to check that
 they agree the sum over the edges of the smaller degree of the two ends, which is linear for bounded
 genus. Edges need no index: in a simple graph two ends name the edge.
+
+Example: \ref Delaunay_from_surface_3/spanning_subgraph_of_moebius_band.cpp
 */
 template <class Graph, class Embedding, class VertexIndexMap, class EdgeIsBoundaryMap>
 auto surface_of(const Graph& graph, Embedding embedding, VertexIndexMap vertex_index_map,

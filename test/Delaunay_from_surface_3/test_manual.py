@@ -132,6 +132,17 @@ class Standalone(unittest.TestCase):
                 self.assertNotIn("athjax", finished.replace("MathJax", "mathjax").split("<body>")[0])
                 self.assertEqual(finished.count("\\("), text.count("\\("))
 
+    def test_words(self):
+        """Says which page has grown longer than its reader would like; examples that a page shows are counted."""
+        for page, most in (("Delaunay_from_surface_3", 4000), ("How_it_works", 4000), ("How_fast", 1500), ("The_paper", 6000)):
+            text = (MANUAL / f"{page}.txt").read_text(encoding="utf-8")
+            text += "".join((ROOT / "examples" / name).read_text(encoding="utf-8")
+                            for name in re.findall(r"\\cgalExample\{(.*?)\}", text))
+            words = sum(bool(re.search("[A-Za-z]{2}", word)) for word in text.split())
+            self.assertGreater(words, 100)
+            if words > most:
+                print(f"warning: {page}.txt has {words} words; {most} are wished for")
+
     def test_every_page_is_linked(self):
         """From the tree beside the pages, or from another page."""
         texts = {path.name: path.read_text(encoding="utf-8") for path in self.html.iterdir()
