@@ -17,13 +17,17 @@
 #include <boost/program_options.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <regex>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -93,8 +97,68 @@ Command parse_command_line(int argc, char* argv[])
   return command;
 }
 
-// The folder is there, and empty of other runs; what a run that failed has left is written again.
-void make_folder(const std::filesystem::path& folder)
+// What all ranks must have been given alike, with its names. Points are compared by what they are.
+std::vector<std::pair<const char*, std::string>> common_options(const Command& command)
+{
+  return {{"output", command.output},
+          {"join", command.join},
+          {"tiles", std::to_string(command.options.number_of_tiles)},
+          {"vtu", std::to_string(command.vtu)},
+          {"compare-cells", std::to_string(command.options.compares_cells)},
+          {"json", std::to_string(command.json)}};
+}
+
+void agree_on_command(core::Ranks_of_mpi& ranks, const Command& command)
+{
+  core::Packed_bytes mine;
+  ranks.together([&] {
+    for (const auto& [name, value] : common_options(command))
+      core::pack(mine, std::vector<char>(value.begin(), value.end()));
+  });
+  const auto all = ranks.all_gather(mine);
+  ranks.together([&] {
+    core::Unpack theirs(all.front());
+    for (const auto& [name, value] : common_options(command)) {
+      std::vector<char> other;
+      theirs.get(other);
+      if (std::string(other.begin(), other.end()) != value)
+        throw std::runtime_error("was given other options than rank 0: --" + std::string(name));
+    }
+  });
+}
+
+// Each rank reads a part of the points: of different files nobody would see it. What they are is told by 64 of
+// them; the times of the files may differ.
+void agree_on_points(const core::Ranks_of_mpi& ranks, const Command& command,
+                     const CGAL::Point_files_3& points)
+{
+  std::uint64_t print = 0;
+  ranks.together([&] { print = core::fingerprint_of(points, 0); });
+  const std::uint64_t n = ranks.of_first(points.size()), theirs = ranks.of_first(print);
+  ranks.together([&] {
+    if (points.size() != n)
+      throw std::runtime_error("sees " + std::to_string(points.size()) + " points, and rank 0 " +
+                               std::to_string(n));
+    if (print != theirs)
+      throw std::runtime_error(command.inputs.front() +
+                               ": there are other points in the files than rank 0 sees there");
+  });
+}
+
+// What a run that did not end has left: it may have had more tiles.
+std::vector<std::filesystem::path> left_files(const std::filesystem::path& folder)
+{
+  static const std::regex name(
+      R"((cells|ids|points)-[0-9]{5,}\.npy|tile-[0-9]{5,}\.vtu|tiles\.pvtu|.*-[0-9]+\.unfinished)");
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (std::regex_match(entry.path().filename().string(), name))
+      files.push_back(entry.path());
+  return files;
+}
+
+// The folder is there, and empty of other runs.
+void make_folder(const std::filesystem::path& folder, const std::vector<std::string>& inputs)
 {
   for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
     if (std::filesystem::exists(file))
@@ -104,6 +168,15 @@ void make_folder(const std::filesystem::path& folder)
   std::filesystem::create_directories(folder, error);
   if (error)
     core::fail_to_write(folder, error.value());
+  const auto files = left_files(folder);
+  for (const auto& file : files)
+    for (const std::string& input : inputs)
+      if (std::filesystem::equivalent(file, input))
+        throw CGAL::Tile_files_error(file.string() +
+                                     ": would be overwritten: name another folder for the tiles");
+  for (const auto& file : files)
+    if (!std::filesystem::remove(file, error) && error)
+      core::fail_to_write(file, error.value());
 }
 
 void show_progress(Command& command, Messages& messages)
@@ -118,11 +191,13 @@ void show_progress(Command& command, Messages& messages)
 
 // What concerns all tiles: by one rank, when all are written.
 void finish(const Command& command, const CGAL::Tiles_report& result,
-            const CGAL::Tiles_by_mpi_3& engine)
+            const CGAL::Tiles_by_mpi_3& engine, core::Bytes_writer* joined)
 {
   if (command.vtu)
     core::write_pvtu(command.output, result.tiles);
-  core::write_report(command.output, result);
+  const std::uint64_t cells =
+      joined == nullptr ? 0 : core::join_tiles(command.output, result.tiles, *joined);
+  core::write_report(command.output, result); // that it is there says that all is done
   Report report(std::cout, command.json    ? Report::Style::JSON
                            : command.quiet ? Report::Style::NONE
                                            : Report::Style::TEXT);
@@ -130,26 +205,35 @@ void finish(const Command& command, const CGAL::Tiles_report& result,
   report("ranks", engine.number_of_ranks());
   report("bytes sent by rank 0", engine.bytes_sent());
   report("seconds of exchange", engine.seconds_of_exchange(), 3);
-  if (!command.join.empty())
-    report("finite cells joined", core::join_tiles(command.output, command.join));
+  if (joined != nullptr)
+    report("finite cells joined", cells);
   report.finish();
   if (!std::cout.flush())
     throw std::runtime_error("the results cannot be written to the standard output");
 }
 
-void run(Command& command, CGAL::Tiles_by_mpi_3& engine, Messages& messages)
+void run(Command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engine,
+         Messages& messages)
 {
   const bool is_first = engine.rank() == 0;
+  agree_on_command(ranks, command);
   if (is_first)
     show_progress(command, messages);
   if (command.options.number_of_tiles == 0)
-    command.options.number_of_tiles = unsigned(engine.number_of_ranks()) * command.threads;
+    command.options.number_of_tiles =
+        unsigned(engine.number_of_ranks()) * unsigned(ranks.of_first(command.threads));
   std::optional<CGAL::Point_files_3> points;
-  engine.together([&] {
+  std::optional<core::Bytes_writer> joined; // opened before there is any work to lose
+  ranks.together([&] {
     points.emplace(
         std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
+  });
+  agree_on_points(ranks, command, *points);
+  ranks.together([&] {
     if (is_first)
-      make_folder(command.output);
+      make_folder(command.output, command.inputs);
+    if (is_first && !command.join.empty())
+      joined.emplace(command.join);
   });
   const auto write = [&](const CGAL::Delaunay_3_tile& tile) {
     if (command.vtu)
@@ -158,9 +242,9 @@ void run(Command& command, CGAL::Tiles_by_mpi_3& engine, Messages& messages)
   };
   const CGAL::Tiles_report result = CGAL::delaunay_3_tiles(engine, *points, write, command.options);
   messages.clear();
-  engine.together([&] {
+  ranks.together([&] {
     if (is_first)
-      finish(command, result, engine);
+      finish(command, result, engine, joined ? &*joined : nullptr);
   });
 }
 
@@ -173,21 +257,24 @@ int main(int argc, char* argv[])
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   try {
     Command command;
-    CGAL::Tiles_by_mpi_3(MPI_COMM_WORLD).together([&] {
+    core::Ranks_of_mpi ranks(MPI_COMM_WORLD);
+    ranks.together([&] {
       try {
         command = parse_command_line(argc, argv);
       } catch (const std::exception& e) {
         throw std::runtime_error(std::string(e.what()) + " (--help explains all options)");
       }
+      if (command.threads > 1 && threads < MPI_THREAD_FUNNELED)
+        throw std::runtime_error("this MPI bears no threads: '--threads' needs 1");
     });
-    if (command.help) {
+    if (ranks.sum(command.help ? 1 : 0) > 0) {
       std::cout << (rank == 0 ? help : "");
     } else {
       Messages messages(command.quiet || rank > 0 ? Messages::Volume::QUIET
                         : command.verbose         ? Messages::Volume::VERBOSE
                                                   : Messages::Volume::NORMAL);
       CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD, command.threads);
-      run(command, engine, messages);
+      run(command, ranks, engine, messages);
     }
   } catch (const std::exception& e) { // thrown by all
     if (rank == 0)

@@ -61,16 +61,14 @@ inline std::uint32_t number_of_tiles_in(const std::filesystem::path& folder)
   return std::uint32_t(std::strtoul(text.c_str() + at + key.size(), nullptr, 10));
 }
 
-// Writes the cells of all tiles, or their neighbors, in the order of the tiles, into one .npy.
+// Writes the cells of so many tiles, or their neighbors, in the order of the tiles, as one .npy.
 // Returns how many cells there are.
-inline std::uint64_t join_tiles(const std::filesystem::path& folder,
-                                const std::filesystem::path& output, const char* kind = "cells")
+inline std::uint64_t join_tiles(const std::filesystem::path& folder, std::uint32_t tiles,
+                                Bytes_writer& to, const char* kind = "cells")
 {
-  const std::uint32_t tiles = number_of_tiles_in(folder);
   std::uint64_t rows = 0;
   for (std::uint32_t t = 0; t < tiles; ++t)
     rows += Rows_of_npy(file_of_tile(folder, kind, t, "npy")).number;
-  Bytes_writer to(output);
   const std::string head = head_of_npy("i8", rows, 4);
   to.write(head.data(), head.size());
   std::vector<Global_cell> some(65536);
@@ -88,6 +86,15 @@ inline std::uint64_t join_tiles(const std::filesystem::path& folder,
   }
   to.finish();
   return rows;
+}
+
+// Of a run that has ended.
+inline std::uint64_t join_tiles(const std::filesystem::path& folder,
+                                const std::filesystem::path& output, const char* kind = "cells")
+{
+  const std::uint32_t tiles = number_of_tiles_in(folder);
+  Bytes_writer to(output);
+  return join_tiles(folder, tiles, to, kind);
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
