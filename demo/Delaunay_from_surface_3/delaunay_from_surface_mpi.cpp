@@ -9,6 +9,7 @@
 #include "Report.h"
 #include "checked_number.h"
 #include "report_tiles.h"
+#include "tiles_folder.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
@@ -23,10 +24,8 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <regex>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -41,13 +40,15 @@ Builds the 3D Delaunay triangulation of more points than one machine holds, in
 tiles that the ranks have in memory. POINTS and FOLDER are what they are for
 `delaunay_from_surface tiles`, which explains them: all ranks see them by these
 names. FOLDER gets cells-T.npy, ids-T.npy and points-T.npy for each tile T, and
-tiles.json when all is done and checked.
+tiles.json when all is done and checked; what a run that did not end has left
+there is removed.
 
   -o, --output FOLDER   the folder of the tiles
   --tiles NUMBER        how many tiles (one for each rank and thread)
   --threads NUMBER      how many threads a rank has, up to 64 (1)
   --vtu                 write tile-T.vtu, too, and tiles.pvtu for ParaView
-  --join FILE.npy       the first rank writes the cells of all tiles into a file
+  --join FILE.npy       the first rank writes the cells of all tiles into a file;
+                        nothing else is done if they are there already
   --compare-cells       compare cells where tiles meet, not sums of hashes
   --json                print the results as JSON
   --quiet, --verbose    print nothing but errors; say what is done
@@ -145,40 +146,6 @@ void agree_on_points(const core::Ranks_of_mpi& ranks, const Command& command,
   });
 }
 
-// What a run that did not end has left: it may have had more tiles.
-std::vector<std::filesystem::path> left_files(const std::filesystem::path& folder)
-{
-  static const std::regex name(
-      R"((cells|ids|points)-[0-9]{5,}\.npy|tile-[0-9]{5,}\.vtu|tiles\.pvtu|.*-[0-9]+\.unfinished)");
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (std::regex_match(entry.path().filename().string(), name))
-      files.push_back(entry.path());
-  return files;
-}
-
-// The folder is there, and empty of other runs.
-void make_folder(const std::filesystem::path& folder, const std::vector<std::string>& inputs)
-{
-  for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
-    if (std::filesystem::exists(file))
-      throw CGAL::Tile_files_error(file.string() +
-                                   ": is of another run: remove it, or name another folder");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    core::fail_to_write(folder, error.value());
-  const auto files = left_files(folder);
-  for (const auto& file : files)
-    for (const std::string& input : inputs)
-      if (std::filesystem::equivalent(file, input))
-        throw CGAL::Tile_files_error(file.string() +
-                                     ": would be overwritten: name another folder for the tiles");
-  for (const auto& file : files)
-    if (!std::filesystem::remove(file, error) && error)
-      core::fail_to_write(file, error.value());
-}
-
 void show_progress(Command& command, Messages& messages)
 {
   command.options.progress = [&messages](const char* what, std::size_t done, std::size_t all) {
@@ -189,27 +156,46 @@ void show_progress(Command& command, Messages& messages)
   };
 }
 
+Report::Style style_of(const Command& command)
+{
+  return command.json    ? Report::Style::JSON
+         : command.quiet ? Report::Style::NONE
+                         : Report::Style::TEXT;
+}
+
+void finish(Report& report)
+{
+  report.finish();
+  if (!std::cout.flush())
+    throw std::runtime_error("the results cannot be written to the standard output");
+}
+
 // What concerns all tiles: by one rank, when all are written.
 void finish(const Command& command, const CGAL::Tiles_report& result,
             const CGAL::Tiles_by_mpi_3& engine, core::Bytes_writer* joined)
 {
   if (command.vtu)
     core::write_pvtu(command.output, result.tiles);
-  const std::uint64_t cells =
-      joined == nullptr ? 0 : core::join_tiles(command.output, result.tiles, *joined);
-  core::write_report(command.output, result); // that it is there says that all is done
-  Report report(std::cout, command.json    ? Report::Style::JSON
-                           : command.quiet ? Report::Style::NONE
-                                           : Report::Style::TEXT);
+  core::write_report(command.output, result);
+  Report report(std::cout, style_of(command));
   report_tiles(command.output, result, command.options.compares_cells, report);
   report("ranks", engine.number_of_ranks());
   report("bytes sent by rank 0", engine.bytes_sent());
   report("seconds of exchange", engine.seconds_of_exchange(), 3);
   if (joined != nullptr)
-    report("finite cells joined", cells);
-  report.finish();
-  if (!std::cout.flush())
-    throw std::runtime_error("the results cannot be written to the standard output");
+    report("finite cells joined", core::join_tiles(command.output, result.tiles, *joined));
+  finish(report);
+}
+
+// All was done before, but that.
+void join_alone(const Command& command, core::Bytes_writer& joined)
+{
+  const std::uint32_t tiles = core::number_of_tiles_in(command.output);
+  Report report(std::cout, style_of(command));
+  report("output", command.output);
+  report("tiles", tiles);
+  report("finite cells joined", core::join_tiles(command.output, tiles, joined));
+  finish(report);
 }
 
 void run(Command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engine,
@@ -229,12 +215,20 @@ void run(Command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engi
         std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
   });
   agree_on_points(ranks, command, *points);
+  bool has_ended = false;
   ranks.together([&] {
-    if (is_first)
+    if (!is_first)
+      return;
+    has_ended = !command.join.empty() && !command.vtu && has_ended_with(command.output, *points);
+    if (!has_ended)
       make_folder(command.output, command.inputs);
-    if (is_first && !command.join.empty())
+    if (!command.join.empty())
       joined.emplace(command.join);
+    if (has_ended)
+      join_alone(command, *joined);
   });
+  if (ranks.sum(has_ended ? 1 : 0) > 0)
+    return;
   const auto write = [&](const CGAL::Delaunay_3_tile& tile) {
     if (command.vtu)
       core::write_tile_as_vtu(command.output, tile);

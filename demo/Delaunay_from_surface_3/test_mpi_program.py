@@ -125,6 +125,22 @@ class ByMpi(unittest.TestCase):
         cells = sum(read_npy(file)[0][0] for file in self.output.glob("cells-*"))
         self.assertEqual(read_npy(self.output / "all.npy")[0], (cells, 4))
 
+    def test_join_afterwards(self):
+        command = (BY_MPI, self.points, "--output", self.output, "--tiles", 8, "--quiet", "--join", self.folder / "all.npy")
+        full = ("sh", "-c", 'trap "" XFSZ; ulimit -f 1000; exec "$@"', "sh", *command)
+        self.fails(full, command, says="rank 0: .*all.npy: cannot be written: File too large")
+        self.assertEqual([], [*self.folder.glob("all.npy*")])
+        before = {file: file.stat().st_mtime_ns for file in self.output.iterdir()}
+        self.assertIn(self.output / "tiles.json", before)
+        self.works(2, *command[1:])
+        self.assertEqual(before, {file: file.stat().st_mtime_ns for file in self.output.iterdir()})  # nothing was done again
+        cells = sum(read_npy(file)[0][0] for file in self.output.glob("cells-*"))
+        self.assertEqual(read_npy(self.folder / "all.npy")[0], (cells, 4))
+        other = self.folder / "other.raw"
+        write_points(other, 6000, seed=2)
+        command = (BY_MPI, other, *command[2:])
+        self.fails(command, command, says="rank 0: .*tiles.json: is of another run")
+
     def test_command_line(self):
         self.assertIn("mpirun -n RANKS", self.works(2, "--help"))
         good = (BY_MPI, self.points, "--output", self.output)
