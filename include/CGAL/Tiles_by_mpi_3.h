@@ -31,13 +31,12 @@ All ranks call `delaunay_3_tiles()` with the same points and the same options, b
 each point is read by one rank; of the points only the number can be compared. The sink of a rank is
 given the rank's tiles. All ranks get the same report, or throw the same: whatever a rank throws,
 also its sink, is thrown by all when the step has ended, with the number of the rank before the
-message, unless all throw the same. An
-exception that no engine knows becomes a `std::runtime_error`. A rank that ends otherwise ends all,
-as `mpirun` does it.
+message, unless all throw the same. An exception that no engine knows becomes a
+`std::runtime_error`. A rank that ends otherwise ends all, as `mpirun` does it.
 
 `together(f)` calls `f()` on each rank, with the same care: for what may throw on one of them, as
 opening a file. `rank()` and `number_of_ranks()` return what they say, `bytes_sent()` the number of
-bytes of data that this rank sent to others, `seconds_of_exchange()` how long it sent, and waited for
+bytes that this rank sent to others, `seconds_of_exchange()` how long it sent, and waited for
 others.
 
 The header is empty where the compiler does not find `mpi.h`. CMake's target

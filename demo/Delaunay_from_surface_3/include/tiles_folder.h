@@ -56,7 +56,7 @@ inline void make_folder(const std::filesystem::path& folder, const std::vector<s
       CGAL::Delaunay_from_surface_3::internal::fail_to_write(file, error.value());
 }
 
-// Whether a run has ended there whose vertices are points of the source, as eight of each tile tell.
+// Whether a run of these points has ended there, as eight vertices of each tile tell.
 inline bool has_ended_with(const std::filesystem::path& folder, const CGAL::Tile_source_3& source)
 {
   namespace core = CGAL::Delaunay_from_surface_3::internal;

@@ -24,9 +24,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What one process has thrown, so that all others can throw the same: of the same type, if it is one
-// that the driver or its callers tell apart, and with the rank before the message, unless all have
-// thrown the same.
+// What one process has thrown, so that all others can throw the same: of the same type, if it is
+// one that the driver or its callers tell apart, and with the rank before the message, unless all
+// have thrown the same.
 struct Rank_failure
 {
   enum Kind : std::uint32_t { NONE, INPUT, FILES, TOO_LARGE, STOPPED, OTHER };

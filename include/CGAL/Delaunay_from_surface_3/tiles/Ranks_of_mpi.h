@@ -67,8 +67,8 @@ public:
     return std::vector<Packed_bytes>(static_cast<std::size_t>(m_size));
   }
 
-  // Calls f(), in which they work by themselves. If it throws on any, all throw what it threw on the
-  // first of these. Whatever needs memory is done in there.
+  // Calls f(), in which they work by themselves. If it throws on any, all throw what it threw on
+  // the first of these. What needs memory is done in there.
   template <class F>
   void together(const F& f) const
   {

@@ -120,7 +120,8 @@ public:
     return engine.m_ranks.of_first(seed);
   }
 
-  // Of all tiles, on each rank, with the same seed on all. Cells, if they are compared, are so by the ranks that have them.
+  // Of all tiles, on each rank; the seed is the same on all. Cells, if they are compared, are so by
+  // the ranks that have them.
   std::vector<Tile_certificate> gather(std::uint64_t seed)
   {
     std::vector<Tile_certificate> mine, all;
