@@ -198,11 +198,25 @@ void join_alone(const Command& command, core::Bytes_writer& joined)
   finish(report);
 }
 
+// By one rank. True: all that was asked for is done now.
+bool begin_output(const Command& command, const CGAL::Point_files_3& points,
+                  std::optional<core::Bytes_writer>& joined)
+{
+  const bool has_ended =
+      !command.join.empty() && !command.vtu && has_ended_with(command.output, points);
+  if (!has_ended)
+    make_folder(command.output, command.inputs);
+  if (!command.join.empty())
+    joined.emplace(command.join);
+  if (has_ended)
+    join_alone(command, *joined);
+  return has_ended;
+}
+
 void run(Command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engine,
          Messages& messages)
 {
   const bool is_first = engine.rank() == 0;
-  agree_on_command(ranks, command);
   if (is_first)
     show_progress(command, messages);
   if (command.options.number_of_tiles == 0)
@@ -216,17 +230,7 @@ void run(Command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engi
   });
   agree_on_points(ranks, command, *points);
   bool has_ended = false;
-  ranks.together([&] {
-    if (!is_first)
-      return;
-    has_ended = !command.join.empty() && !command.vtu && has_ended_with(command.output, *points);
-    if (!has_ended)
-      make_folder(command.output, command.inputs);
-    if (!command.join.empty())
-      joined.emplace(command.join);
-    if (has_ended)
-      join_alone(command, *joined);
-  });
+  ranks.together([&] { has_ended = is_first && begin_output(command, *points, joined); });
   if (ranks.sum(has_ended ? 1 : 0) > 0)
     return;
   const auto write = [&](const CGAL::Delaunay_3_tile& tile) {
@@ -264,6 +268,7 @@ int main(int argc, char* argv[])
     if (ranks.sum(command.help ? 1 : 0) > 0) {
       std::cout << (rank == 0 ? help : "");
     } else {
+      agree_on_command(ranks, command);
       Messages messages(command.quiet || rank > 0 ? Messages::Volume::QUIET
                         : command.verbose         ? Messages::Volume::VERBOSE
                                                   : Messages::Volume::NORMAL);
