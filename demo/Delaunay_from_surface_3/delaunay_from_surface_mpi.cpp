@@ -9,6 +9,7 @@
 #include "Report.h"
 #include "checked_number.h"
 #include "report_tiles.h"
+#include "tiles_folder.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
@@ -17,6 +18,7 @@
 #include <boost/program_options.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -24,6 +26,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -37,13 +40,15 @@ Builds the 3D Delaunay triangulation of more points than one machine holds, in
 tiles that the ranks have in memory. POINTS and FOLDER are what they are for
 `delaunay_from_surface tiles`, which explains them: all ranks see them by these
 names. FOLDER gets cells-T.npy, ids-T.npy and points-T.npy for each tile T, and
-tiles.json when all is done and checked.
+tiles.json when all is done and checked; what a run that did not end has left
+there is removed.
 
   -o, --output FOLDER   the folder of the tiles
   --tiles NUMBER        how many tiles (one for each rank and thread)
   --threads NUMBER      how many threads a rank has, up to 64 (1)
   --vtu                 write tile-T.vtu, too, and tiles.pvtu for ParaView
-  --join FILE.npy       the first rank writes the cells of all tiles into a file
+  --join FILE.npy       the first rank writes the cells of all tiles into a file;
+                        nothing else is done if they are there already
   --compare-cells       compare cells where tiles meet, not sums of hashes
   --json                print the results as JSON
   --quiet, --verbose    print nothing but errors; say what is done
@@ -93,17 +98,52 @@ Command parse_command_line(int argc, char* argv[])
   return command;
 }
 
-// The folder is there, and empty of other runs; what a run that failed has left is written again.
-void make_folder(const std::filesystem::path& folder)
+// What all ranks must have been given alike, with its names. Points are compared by what they are.
+std::vector<std::pair<const char*, std::string>> common_options(const Command& command)
 {
-  for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
-    if (std::filesystem::exists(file))
-      throw CGAL::Tile_files_error(file.string() +
-                                   ": is of another run: remove it, or name another folder");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    core::fail_to_write(folder, error.value());
+  return {{"output", command.output},
+          {"join", command.join},
+          {"tiles", std::to_string(command.options.number_of_tiles)},
+          {"vtu", std::to_string(command.vtu)},
+          {"compare-cells", std::to_string(command.options.compares_cells)},
+          {"json", std::to_string(command.json)}};
+}
+
+void agree_on_command(core::Ranks_of_mpi& ranks, const Command& command)
+{
+  core::Packed_bytes mine;
+  ranks.together([&] {
+    for (const auto& [name, value] : common_options(command))
+      core::pack(mine, std::vector<char>(value.begin(), value.end()));
+  });
+  const auto all = ranks.all_gather(mine);
+  ranks.together([&] {
+    core::Unpack theirs(all.front());
+    for (const auto& [name, value] : common_options(command)) {
+      std::vector<char> other;
+      theirs.get(other);
+      if (std::string(other.begin(), other.end()) != value)
+        throw std::runtime_error("was given other options than rank 0: --" + std::string(name));
+    }
+  });
+}
+
+// Each rank reads a part of the points: of different files nobody would see it. What they are is told by 64 of
+// them; the times of the files may differ.
+void agree_on_points(const core::Ranks_of_mpi& ranks, const Command& command,
+                     const CGAL::Point_files_3& points)
+{
+  std::uint64_t print = 0;
+  ranks.together([&] { print = core::fingerprint_of(points, 0); });
+  const std::uint64_t n = ranks.of_first(points.size()), theirs = ranks.of_first(print);
+  ranks.together([&] {
+    if (points.size() != n)
+      throw std::runtime_error("sees " + std::to_string(points.size()) + " points, and rank 0 " +
+                               std::to_string(n));
+    if (print != theirs)
+      throw std::runtime_error(command.inputs.front() +
+                               ": there are other points in the files than rank 0 sees there");
+  });
 }
 
 void show_progress(Command& command, Messages& messages)
@@ -116,41 +156,83 @@ void show_progress(Command& command, Messages& messages)
   };
 }
 
-// What concerns all tiles: by one rank, when all are written.
-void finish(const Command& command, const CGAL::Tiles_report& result,
-            const CGAL::Tiles_by_mpi_3& engine)
+Report::Style style_of(const Command& command)
 {
-  if (command.vtu)
-    core::write_pvtu(command.output, result.tiles);
-  core::write_report(command.output, result);
-  Report report(std::cout, command.json    ? Report::Style::JSON
-                           : command.quiet ? Report::Style::NONE
-                                           : Report::Style::TEXT);
-  report_tiles(command.output, result, command.options.compares_cells, report);
-  report("ranks", engine.number_of_ranks());
-  report("bytes sent by rank 0", engine.bytes_sent());
-  report("seconds of exchange", engine.seconds_of_exchange(), 3);
-  if (!command.join.empty())
-    report("finite cells joined", core::join_tiles(command.output, command.join));
+  return command.json    ? Report::Style::JSON
+         : command.quiet ? Report::Style::NONE
+                         : Report::Style::TEXT;
+}
+
+void finish(Report& report)
+{
   report.finish();
   if (!std::cout.flush())
     throw std::runtime_error("the results cannot be written to the standard output");
 }
 
-void run(Command& command, CGAL::Tiles_by_mpi_3& engine, Messages& messages)
+// What concerns all tiles: by one rank, when all are written.
+void finish(const Command& command, const CGAL::Tiles_report& result,
+            const CGAL::Tiles_by_mpi_3& engine, core::Bytes_writer* joined)
+{
+  if (command.vtu)
+    core::write_pvtu(command.output, result.tiles);
+  core::write_report(command.output, result);
+  Report report(std::cout, style_of(command));
+  report_tiles(command.output, result, command.options.compares_cells, report);
+  report("ranks", engine.number_of_ranks());
+  report("bytes sent by rank 0", engine.bytes_sent());
+  report("seconds of exchange", engine.seconds_of_exchange(), 3);
+  if (joined != nullptr)
+    report("finite cells joined", core::join_tiles(command.output, result.tiles, *joined));
+  finish(report);
+}
+
+// All was done before, but that.
+void join_alone(const Command& command, core::Bytes_writer& joined)
+{
+  const std::uint32_t tiles = core::number_of_tiles_in(command.output);
+  Report report(std::cout, style_of(command));
+  report("output", command.output);
+  report("tiles", tiles);
+  report("finite cells joined", core::join_tiles(command.output, tiles, joined));
+  finish(report);
+}
+
+// By one rank. True: all that was asked for is done now.
+bool begin_output(const Command& command, const CGAL::Point_files_3& points,
+                  std::optional<core::Bytes_writer>& joined)
+{
+  const bool has_ended =
+      !command.join.empty() && !command.vtu && has_ended_with(command.output, points);
+  if (!has_ended)
+    make_folder(command.output, command.inputs);
+  if (!command.join.empty())
+    joined.emplace(command.join);
+  if (has_ended)
+    join_alone(command, *joined);
+  return has_ended;
+}
+
+void run(Command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engine,
+         Messages& messages)
 {
   const bool is_first = engine.rank() == 0;
   if (is_first)
     show_progress(command, messages);
   if (command.options.number_of_tiles == 0)
-    command.options.number_of_tiles = unsigned(engine.number_of_ranks()) * command.threads;
+    command.options.number_of_tiles =
+        unsigned(engine.number_of_ranks()) * unsigned(ranks.of_first(command.threads));
   std::optional<CGAL::Point_files_3> points;
-  engine.together([&] {
+  std::optional<core::Bytes_writer> joined; // opened before there is any work to lose
+  ranks.together([&] {
     points.emplace(
         std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
-    if (is_first)
-      make_folder(command.output);
   });
+  agree_on_points(ranks, command, *points);
+  bool has_ended = false;
+  ranks.together([&] { has_ended = is_first && begin_output(command, *points, joined); });
+  if (ranks.sum(has_ended ? 1 : 0) > 0)
+    return;
   const auto write = [&](const CGAL::Delaunay_3_tile& tile) {
     if (command.vtu)
       core::write_tile_as_vtu(command.output, tile);
@@ -158,9 +240,9 @@ void run(Command& command, CGAL::Tiles_by_mpi_3& engine, Messages& messages)
   };
   const CGAL::Tiles_report result = CGAL::delaunay_3_tiles(engine, *points, write, command.options);
   messages.clear();
-  engine.together([&] {
+  ranks.together([&] {
     if (is_first)
-      finish(command, result, engine);
+      finish(command, result, engine, joined ? &*joined : nullptr);
   });
 }
 
@@ -173,21 +255,25 @@ int main(int argc, char* argv[])
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   try {
     Command command;
-    CGAL::Tiles_by_mpi_3(MPI_COMM_WORLD).together([&] {
+    core::Ranks_of_mpi ranks(MPI_COMM_WORLD);
+    ranks.together([&] {
       try {
         command = parse_command_line(argc, argv);
       } catch (const std::exception& e) {
         throw std::runtime_error(std::string(e.what()) + " (--help explains all options)");
       }
+      if (command.threads > 1 && threads < MPI_THREAD_FUNNELED)
+        throw std::runtime_error("this MPI bears no threads: '--threads' needs 1");
     });
-    if (command.help) {
+    if (ranks.sum(command.help ? 1 : 0) > 0) {
       std::cout << (rank == 0 ? help : "");
     } else {
+      agree_on_command(ranks, command);
       Messages messages(command.quiet || rank > 0 ? Messages::Volume::QUIET
                         : command.verbose         ? Messages::Volume::VERBOSE
                                                   : Messages::Volume::NORMAL);
       CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD, command.threads);
-      run(command, engine, messages);
+      run(command, ranks, engine, messages);
     }
   } catch (const std::exception& e) { // thrown by all
     if (rank == 0)

@@ -35,7 +35,8 @@ class ByMpi(unittest.TestCase):
 
     def works(self, ranks, *arguments):
         run = self.run_ranks(*[(BY_MPI, *arguments)] * ranks)
-        self.assertEqual((run.stderr, run.returncode), ("", 0))
+        errors = [line for line in run.stderr.splitlines() if line.startswith("error:")]  # MPI may have notes
+        self.assertEqual((errors, run.returncode), ([], 0))
         return run.stdout
 
     def fails(self, *commands, says):
@@ -70,12 +71,18 @@ class ByMpi(unittest.TestCase):
     def test_what_goes_wrong_on_one_rank(self):
         good = (BY_MPI, self.points, "--output", self.output)
         missing = self.folder / "missing.raw"
-        self.fails(good, (BY_MPI, missing, "--output", self.output), says="rank 1: .*missing.raw: cannot be read: No such")
+        self.fails(good, (BY_MPI, missing, "--output", self.output), says="rank 1: .*missing.raw: cannot be read: No")
         shorter = self.folder / "shorter.raw"
         shorter.write_bytes(self.points.read_bytes()[:24 * 5000])
         self.fails(good, (BY_MPI, shorter, "--output", self.output), says="rank 1: sees 5000 points, and rank 0 6000")
-        self.fails(good, (*good, "--tiles", 7), says="rank 1: .* other options")
+        other = self.folder / "other.raw"
+        write_points(other, 6000, seed=2)
+        self.fails(good, (BY_MPI, other, "--output", self.output), says="rank 1: .*other.raw: there are other points")
+        for options in (("--tiles", 7), ("--vtu",), ("--join", self.folder / "joined.npy"), ("--compare-cells",)):
+            self.fails(good, (*good, *options), says=f"rank 1: .* other options than rank 0: {options[0]}")
+        self.fails(good, (BY_MPI, self.points, "--output", self.folder / "there"), says="rank 1: .*: --output")
         self.assertEqual([], [*self.output.glob("*")])
+        self.assertFalse((self.folder / "there").exists())
         bad = self.folder / "bad.raw"
         bad.write_bytes(struct.pack("<3d", 1, float("nan"), 1))
         both = (BY_MPI, self.points, bad, "--output", self.output)
@@ -84,11 +91,68 @@ class ByMpi(unittest.TestCase):
         self.fails(good, full, says="rank 1: .*tiles/.*00001.npy: cannot be written: File too large")
         self.assertEqual([], [*self.output.glob("**/*.unfinished"), *self.output.glob("tiles.json")])
         self.fails(good, (*good, "--join", self.folder), (*good, "--threads", 99), says="threads")
-        self.works(2, self.points, "--output", self.output, "--quiet")  # over what is left
+        same = self.folder / "same.raw"  # at another time
+        same.write_bytes(self.points.read_bytes())
+        os.utime(same, (1, 1))
+        done = self.run_ranks((*good, "--quiet"), (BY_MPI, same, "--output", self.output))  # over what is left
+        self.assertEqual(done.returncode, 0, done.stderr)
         self.fails(good, good, says="rank 0: .*tiles.json: is of another run")
+
+    def test_what_a_run_that_failed_left(self):
+        self.output.mkdir()
+        left = [self.output / name for name in ("cells-00007.npy", "ids-00007.npy", "points-100000.npy",
+                                                "tile-00000.vtu", "tiles.pvtu", "cells-00001.npy-123.unfinished")]
+        kept = [self.output / name for name in ("notes.txt", "points-a.npy", "points-1.npy")]
+        for file in left + kept:
+            file.write_text("text")
+        self.works(2, self.points, "--output", self.output, "--quiet")
+        self.assertEqual([], [file for file in left if file.exists()])
+        self.assertEqual(kept, [file for file in kept if file.exists()])
+        self.assertEqual(len([*self.output.glob("cells-*")]), 2)
+        # Where points are is nothing to be overwritten.
+        points = self.folder / "points-00005.npy"
+        points.write_bytes((self.output / "points-00000.npy").read_bytes())
+        command = (BY_MPI, points, "--output", self.folder)
+        self.fails(command, command, says="rank 0: .*points-00005.npy: would be overwritten")
+        self.assertTrue(points.exists())
+
+    def test_join_that_cannot_be(self):
+        command = (BY_MPI, self.points, "--output", self.output)
+        for name, says in ((self.folder, "Is a directory"), (self.folder / "missing" / "a.npy", "No such file")):
+            self.fails(*[(*command, "--join", name)] * 2, says=f"rank 0: .*: cannot be written: {says}")
+            self.assertEqual([], [*self.output.glob("*")])  # nothing was begun
+        self.works(2, self.points, "--output", self.output, "--join", self.output / "all.npy", "--quiet")
+        self.assertEqual([], [*self.output.glob("*.unfinished")])
+        cells = sum(read_npy(file)[0][0] for file in self.output.glob("cells-*"))
+        self.assertEqual(read_npy(self.output / "all.npy")[0], (cells, 4))
+
+    def test_join_afterwards(self):
+        command = (BY_MPI, self.points, "--output", self.output, "--tiles", 8, "--quiet",
+                   "--join", self.folder / "all.npy")
+        full = ("sh", "-c", 'trap "" XFSZ; ulimit -f 1000; exec "$@"', "sh", *command)
+        self.fails(full, command, says="rank 0: .*all.npy: cannot be written: File too large")
+        self.assertEqual([], [*self.folder.glob("all.npy*")])
+
+        def times():
+            return {file: file.stat().st_mtime_ns for file in self.output.iterdir()}
+
+        before = times()
+        self.assertIn(self.output / "tiles.json", before)
+        self.works(2, *command[1:])
+        self.assertEqual(times(), before)  # nothing was done again
+        cells = sum(read_npy(file)[0][0] for file in self.output.glob("cells-*"))
+        self.assertEqual(read_npy(self.folder / "all.npy")[0], (cells, 4))
+        other = self.folder / "other.raw"
+        write_points(other, 6000, seed=2)
+        command = (BY_MPI, other, *command[2:])
+        self.fails(command, command, says="rank 0: .*tiles.json: is of another run")
 
     def test_command_line(self):
         self.assertIn("mpirun -n RANKS", self.works(2, "--help"))
+        good = (BY_MPI, self.points, "--output", self.output)
+        done = self.run_ranks(good, (BY_MPI, "--help"))
+        self.assertIn("mpirun -n RANKS", done.stdout)
+        self.assertFalse(self.output.exists())
         for arguments, says in (((), "no points given"), ((self.points,), "'--output' needs a folder"),
                                 ((self.points, "--tiles", "0"), "tiles"), (("--what",), "what.*--help explains")):
             self.fails((BY_MPI, *arguments), (BY_MPI, *arguments), says=says)

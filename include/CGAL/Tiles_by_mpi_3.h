@@ -27,11 +27,12 @@ and the number of threads of a rank. With more than one, MPI is initialized with
 `MPI_THREAD_FUNNELED` at least: MPI is called by the thread that calls `delaunay_3_tiles()`.
 
 All ranks call `delaunay_3_tiles()` with the same points and the same options, but for
-`Tiles_options::progress`, which is told of the rank's own part. The sink of a rank is given the
-rank's tiles. All ranks get the same report, or throw the same: whatever a rank throws, also its
-sink, is thrown by all when the step has ended, with the number of the rank before the message. An
-exception that no engine knows becomes a `std::runtime_error`. A rank that ends otherwise ends all,
-as `mpirun` does it.
+`Tiles_options::progress`, which is told of the rank's own part. That they do is checked, and that
+each point is read by one rank; of the points only the number can be compared. The sink of a rank is
+given the rank's tiles. All ranks get the same report, or throw the same: whatever a rank throws,
+also its sink, is thrown by all when the step has ended, with the number of the rank before the
+message, unless all throw the same. An exception that no engine knows becomes a
+`std::runtime_error`. A rank that ends otherwise ends all, as `mpirun` does it.
 
 `together(f)` calls `f()` on each rank, with the same care: for what may throw on one of them, as
 opening a file. `rank()` and `number_of_ranks()` return what they say, `bytes_sent()` the number of

@@ -31,7 +31,12 @@ using Cells = std::vector<std::array<std::uint64_t, 4>>;
 
 struct Mpi
 {
-  Mpi() { MPI_Init(nullptr, nullptr); }
+  Mpi()
+  {
+    int threads = MPI_THREAD_SINGLE; // some engines have two
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &threads);
+    BOOST_REQUIRE(threads >= MPI_THREAD_FUNNELED);
+  }
   ~Mpi() { MPI_Finalize(); }
 };
 BOOST_TEST_GLOBAL_FIXTURE(Mpi);
@@ -145,9 +150,10 @@ void check_tiles(const Points& points, const CGAL::Tiles_options& options)
   BOOST_TEST((owned.of_all_ranks() == cells_of(arrays)));
 }
 
-// f() throws the same on all ranks, what one rank is to blame for; then they go on together.
+// f() throws the same on all ranks, what one rank is to blame for, or some are; then they go on together. Returns
+// the message.
 template <class Error, class F>
-void check_thrown(const F& f, int rank, const std::string& text)
+std::string check_thrown(const F& f, int rank, const std::string& text)
 {
   std::string what;
   try {
@@ -155,19 +161,31 @@ void check_thrown(const F& f, int rank, const std::string& text)
   } catch (const Error& error) {
     what = error.what();
   }
-  const std::string begin = rank < 0 ? "" : "rank " + std::to_string(rank) + ": ";
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const std::string begin = rank < 0 || ranks == 1 ? "" : "rank " + std::to_string(rank) + ": ";
   BOOST_TEST(what.substr(0, begin.size()) == begin);
   BOOST_TEST(what.find(text) != std::string::npos, what);
   MPI_Barrier(MPI_COMM_WORLD);
+  return what;
 }
 
 struct Broken_source : CGAL::Tile_array_source_3
 {
   using Tile_array_source_3::Tile_array_source_3;
-  bool is_broken = false;
-  std::uint64_t missing = 0;
+  bool is_broken = false, has_no_size = false;
+  std::uint64_t missing = 0, gap = 0;
 
-  std::uint64_t size() const override { return Tile_array_source_3::size() - missing; }
+  std::uint64_t size() const override
+  {
+    if (has_no_size)
+      throw CGAL::Tile_files_error("some.npy: is gone");
+    return Tile_array_source_3::size() - missing;
+  }
+  std::uint64_t first_of_part(std::uint64_t part, std::uint64_t parts) const override
+  {
+    return Tile_array_source_3::first_of_part(part, parts) + gap;
+  }
   void read(std::uint64_t first, std::size_t n, double* coordinates) const override
   {
     if (is_broken)
@@ -197,8 +215,9 @@ BOOST_AUTO_TEST_CASE(bytes_by_chunks)
     BOOST_TEST((from[std::size_t(r)] == text(r, ranks.rank())));
     BOOST_TEST((all[std::size_t(r)] == text(r, 99)));
   }
+  BOOST_TEST((ranks.bytes_sent() > 0) == (ranks.size() > 1));
   BOOST_TEST(ranks.sum(1) == std::uint64_t(ranks.size()));
-  BOOST_TEST(ranks.of_first({std::uint64_t(ranks.rank() + 3)}).front() == 3u);
+  BOOST_TEST(ranks.of_first(std::uint64_t(ranks.rank() + 3)) == 3u);
 }
 
 BOOST_AUTO_TEST_CASE(the_same_as_in_memory)
@@ -327,6 +346,10 @@ BOOST_AUTO_TEST_CASE(what_one_rank_throws)
   check_thrown<CGAL::Tile_files_error>(
       [&] { run(keep, same, [](Broken_source& s) { s.is_broken = true; }); }, bad,
       "some.npy: ends early");
+  check_thrown<CGAL::Tile_files_error>(
+      [&] { run(keep, same, [](Broken_source& s) { s.has_no_size = true; }); }, bad, "is gone");
+  check_thrown<CGAL::Surface_input_error>(
+      [&] { run(keep, same, [](Broken_source& s) { s.gap = 1; }); }, bad, "the parts do not join");
   const auto stop = [](CGAL::Tiles_options& o) {
     o.progress = [](const char* what, std::size_t, std::size_t) {
       return what != std::string("round 1");
@@ -337,17 +360,59 @@ BOOST_AUTO_TEST_CASE(what_one_rank_throws)
     check_thrown<std::runtime_error>(
         [&] { run(keep, same, [](Broken_source& s) { s.missing = 5; }); }, bad,
         "sees 1995 points, and rank 0 2000");
-    check_thrown<std::runtime_error>(
-        [&] {
-          run(
-              keep, [](CGAL::Tiles_options& o) { o.compares_cells = true; }, same);
-        },
-        bad, "other options");
+    for (const auto& change : std::vector<std::function<void(CGAL::Tiles_options&)>>{
+             [](auto& o) { o.compares_cells = true; }, [](auto& o) { o.least_points = 2; },
+             [](auto& o) { o.number_of_tiles = 8; }})
+      check_thrown<std::runtime_error>([&] { run(keep, change, same); }, bad, "other options");
   }
   Points worse = points;
   worse.back()[1] = INFINITY;
-  check_thrown<CGAL::Surface_input_error>([&] { check_tiles(worse, options_of(3)); }, -1, "finite");
+  check_thrown<CGAL::Surface_input_error>(
+      [&] {
+        CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD);
+        CGAL::delaunay_3_tiles(engine, source_of(worse), keep, options_of(3));
+      },
+      bad, "finite");
   run(keep, same, same); // nothing is left of all that
+}
+
+BOOST_AUTO_TEST_CASE(what_all_ranks_throw)
+{
+  Points flat = random_points(100, 1, 50);
+  for (auto& p : flat)
+    p[2] = 3;
+  CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD);
+  const std::string what = check_thrown<CGAL::Surface_input_error>(
+      [&] {
+        CGAL::delaunay_3_tiles(
+            engine, source_of(flat), [](const CGAL::Delaunay_3_tile&) {}, options_of(3));
+      },
+      -1, "the points lie in one plane");
+  BOOST_TEST(what.find("rank ") == std::string::npos); // nobody is to blame
+}
+
+// One rank draws the seed; what it throws all throw.
+BOOST_AUTO_TEST_CASE(seed_of_the_first_rank)
+{
+  const Points points = random_points(500, 1, 1000);
+  CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD);
+  int drawn = 0;
+  bool is_broken = false;
+  const auto run = [&] {
+    return core::run_until_certified(
+        engine, source_of(points), options_of(3),
+        [&] {
+          ++drawn;
+          if (is_broken && engine.rank() == 0)
+            throw std::runtime_error("no random numbers");
+          return std::uint64_t(7);
+        },
+        [](const CGAL::Tiles_report& report) { return report; });
+  };
+  BOOST_TEST(run().is_certified);
+  BOOST_TEST(drawn == (engine.rank() == 0 ? 1 : 0));
+  is_broken = true;
+  check_thrown<std::runtime_error>(run, 0, "no random numbers");
 }
 
 BOOST_AUTO_TEST_CASE(begins_again_with_more_tiles)

@@ -108,10 +108,10 @@ inline Range_summary summary_of(const std::vector<double>& coordinates, std::uin
   return summary;
 }
 
-// Of the number of points, 64 of them from all over, and what the source says of changes.
-inline std::uint64_t fingerprint_of(const Tile_source_3& source)
+// Of the number of points, 64 of them from all over, and a stamp.
+inline std::uint64_t fingerprint_of(const Tile_source_3& source, std::uint64_t stamp)
 {
-  std::uint64_t print = Split_mix(source.size() ^ source.stamp())();
+  std::uint64_t print = Split_mix(source.size() ^ stamp)();
   for (std::uint64_t k = 0; k < 64 && source.size() > 0; ++k) {
     double p[3];
     source.read((source.size() - 1) * k / 63, 1, p);
@@ -122,6 +122,12 @@ inline std::uint64_t fingerprint_of(const Tile_source_3& source)
     }
   }
   return print;
+}
+
+// The same with what the source says of changes.
+inline std::uint64_t fingerprint_of(const Tile_source_3& source)
+{
+  return fingerprint_of(source, source.stamp());
 }
 
 // Of ranges in their order. What the bases span all points span.

@@ -24,8 +24,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What one process has thrown, so that all others can throw the same: of the same type, if it is one
-// that the driver or its callers tell apart, and with the rank before the message.
+// What one process has thrown, so that all others can throw the same: of the same type, if it is
+// one that the driver or its callers tell apart, and with the rank before the message, unless all
+// have thrown the same.
 struct Rank_failure
 {
   enum Kind : std::uint32_t { NONE, INPUT, FILES, TOO_LARGE, STOPPED, OTHER };
@@ -60,10 +61,16 @@ struct Rank_failure
     }
   }
 
+  bool is_same_as(const Rank_failure& other) const
+  {
+    return kind == other.kind && tiles == other.tiles && text == other.text;
+  }
+
+  // rank < 0: it is that of all.
   [[noreturn]] void rethrow(int rank) const
   {
-    const std::string what =
-        "rank " + std::to_string(rank) + ": " + std::string(text.begin(), text.end());
+    const std::string what = (rank < 0 ? "" : "rank " + std::to_string(rank) + ": ") +
+                             std::string(text.begin(), text.end());
     switch (kind) {
     case INPUT:
       throw Surface_input_error(what);

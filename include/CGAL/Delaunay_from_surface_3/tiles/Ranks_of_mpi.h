@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -65,26 +67,19 @@ public:
     return std::vector<Packed_bytes>(static_cast<std::size_t>(m_size));
   }
 
-  // Calls f(), in which they work by themselves. If it throws on any, all throw what it threw on the
-  // first of these.
+  // Calls f(), in which they work by themselves. If it throws on any, all throw what it threw on
+  // the first of these. What needs memory is done in there.
   template <class F>
   void together(const F& f) const
   {
     const Rank_failure mine = Rank_failure::of(f);
     const Stopwatch watch(m_seconds);
-    int first = mine.kind == Rank_failure::NONE ? m_size : m_rank;
-    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, m_communicator);
+    const int first = least(mine.kind == Rank_failure::NONE ? m_size : m_rank);
     if (first == m_size)
       return;
-    Packed_bytes bytes;
-    if (first == m_rank)
-      pack(bytes, mine);
-    auto size = std::uint64_t(bytes.size());
-    MPI_Bcast(&size, 1, MPI_UINT64_T, first, m_communicator);
-    bytes.resize(std::size_t(size));
-    MPI_Bcast(bytes.data(), int(size), MPI_BYTE, first, m_communicator);
-    Unpack from(bytes);
-    unpack_failure(from).rethrow(first);
+    const Rank_failure theirs = of_rank(first, mine);
+    const bool is_of_all = least(theirs.is_same_as(mine) ? 1 : 0) == 1;
+    theirs.rethrow(is_of_all ? -1 : first);
   }
 
   std::uint64_t sum(std::uint64_t number) const
@@ -94,26 +89,28 @@ public:
     return number;
   }
 
-  // The numbers that the first rank has.
-  std::vector<std::uint64_t> of_first(std::vector<std::uint64_t> numbers) const
+  // The number that the first rank has.
+  std::uint64_t of_first(std::uint64_t number) const
   {
     const Stopwatch watch(m_seconds);
-    MPI_Bcast(numbers.data(), int(numbers.size()), MPI_UINT64_T, 0, m_communicator);
-    return numbers;
+    MPI_Bcast(&number, 1, MPI_UINT64_T, 0, m_communicator);
+    return number;
   }
 
   // What each has, by rank.
   std::vector<Packed_bytes> all_gather(const Packed_bytes& bytes)
   {
     const auto mine = std::uint64_t(bytes.size());
-    std::vector<std::uint64_t> sizes(static_cast<std::size_t>(m_size));
+    std::vector<std::uint64_t> sizes;
+    together([&] { sizes.resize(std::size_t(m_size)); });
     wait_for([&] {
       MPI_Allgather(&mine, 1, MPI_UINT64_T, sizes.data(), 1, MPI_UINT64_T, m_communicator);
     });
     std::vector<int> counts, places; // of units, of which an int can count enough
     Packed_bytes all, padded;
-    std::vector<Packed_bytes> result(sizes.size());
+    std::vector<Packed_bytes> result;
     together([&] {
+      result.resize(sizes.size());
       std::uint64_t end = 0;
       for (const std::uint64_t size : sizes) {
         counts.push_back(int((size + unit - 1) / unit));
@@ -134,7 +131,7 @@ public:
                      places.data(), type, m_communicator);
     });
     MPI_Type_free(&type);
-    m_bytes_sent += mine;
+    m_bytes_sent += m_size > 1 ? mine : 0;
     together([&] {
       for (std::size_t r = 0; r < sizes.size(); ++r) {
         const char* const begin = all.data() + std::size_t(places[r]) * unit;
@@ -148,14 +145,18 @@ public:
   // anything is sent.
   std::vector<Packed_bytes> exchange(std::vector<Packed_bytes> to)
   {
-    std::vector<std::uint64_t> sizes, sizes_there(to.size());
-    for (const Packed_bytes& bytes : to)
-      sizes.push_back(bytes.size());
+    std::vector<std::uint64_t> sizes, sizes_there;
+    std::vector<Packed_bytes> from;
+    together([&] {
+      for (const Packed_bytes& bytes : to)
+        sizes.push_back(bytes.size());
+      sizes_there.resize(to.size());
+      from.resize(to.size());
+    });
     wait_for([&] {
       MPI_Alltoall(sizes.data(), 1, MPI_UINT64_T, sizes_there.data(), 1, MPI_UINT64_T,
                    m_communicator);
     });
-    std::vector<Packed_bytes> from(to.size());
     std::vector<MPI_Request> requests;
     together([&] {
       std::size_t messages = 0;
@@ -200,6 +201,31 @@ private:
     }
     ~Stopwatch() { seconds += MPI_Wtime() - begin; }
   };
+
+  int least(int number) const
+  {
+    MPI_Allreduce(MPI_IN_PLACE, &number, 1, MPI_INT, MPI_MIN, m_communicator);
+    return number;
+  }
+
+  // The failure that a rank has. Who has no memory even for this ends all, as the others wait.
+  Rank_failure of_rank(int rank, const Rank_failure& mine) const
+  {
+    try {
+      Packed_bytes bytes;
+      if (rank == m_rank)
+        pack(bytes, mine);
+      auto size = std::uint64_t(bytes.size());
+      MPI_Bcast(&size, 1, MPI_UINT64_T, rank, m_communicator);
+      bytes.resize(std::size_t(size));
+      MPI_Bcast(bytes.data(), int(size), MPI_BYTE, rank, m_communicator);
+      Unpack from(bytes);
+      return unpack_failure(from);
+    } catch (const std::bad_alloc&) {
+      MPI_Abort(m_communicator, EXIT_FAILURE);
+      throw;
+    }
+  }
 
   template <class F>
   void wait_for(const F& f) const

@@ -50,6 +50,9 @@ public:
   explicit Bytes_writer(std::filesystem::path place)
     : m_place(std::move(place))
   {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(m_place, ignored)) // or renaming fails, when all is written
+      fail_to_write(m_place, EISDIR);
     std::random_device random;
     m_unfinished = m_place.string() + "-" + std::to_string(random()) + unfinished;
     errno = 0;

@@ -26,6 +26,7 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/agree_on_input.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/compare_cells_by_mpi.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
 
@@ -33,7 +34,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,22 +69,22 @@ public:
     m_tiles.clear();
     m_rounds = 0;
     m_told = 0;
-    m_progress = options.progress;
-    const auto tiles = agree_on_input(source, options);
-    const auto part = std::uint64_t(rank()), parts = std::uint64_t(number_of_ranks());
-    const std::uint64_t n = source.size(), first = source.first_of_part(part, parts);
-    const Sampling sampling(n, tiles, options.sample_share);
+    m_with_cells = options.compares_cells;
+    together([&] { m_progress = options.progress; });
+    const Input_of_rank input = agree_on_input(m_ranks, source, options);
+    assign_tiles(input);
+    const Sampling sampling(input.points, input.tiles, options.sample_share);
     std::vector<double> coordinates;
     Packed_bytes summary;
     together([&] {
       const Rounding_to_nearest rounding;
       const Stage_progress progress(m_progress, "reading", 1);
-      coordinates = read_range(source, first, source.first_of_part(part + 1, parts));
-      pack(summary, summary_of(coordinates, first, sampling));
+      coordinates = read_range(source, input.first, input.last);
+      pack(summary, summary_of(coordinates, input.first, sampling));
       progress.tell_next();
     });
-    make_tiling(m_ranks.all_gather(summary), n, tiles, sampling);
-    bring_home(std::move(coordinates), first, most_points_kept(options, 1));
+    make_tiling(m_ranks.all_gather(summary), sampling);
+    bring_home(std::move(coordinates), input.first, most_points_kept(options, 1));
   }
 
   std::uint64_t number_of_points() const { return m_number_of_points; }
@@ -95,10 +95,11 @@ public:
   std::uint64_t exchange()
   {
     std::uint64_t told = 0;
-    auto to = m_ranks.empty_by_rank();
+    std::vector<Packed_bytes> to;
     together([&] {
+      to = m_ranks.empty_by_rank();
       const Stage_progress progress(m_progress, "round " + std::to_string(m_rounds),
-                                    end() - begin());
+                                    last_tile() - first_tile());
       const auto messages = m_tiles.exchange([&](std::size_t) { progress.tell_next(); });
       for (const auto& of_tile : messages)
         told += pack_by_rank(of_tile, to);
@@ -110,14 +111,23 @@ public:
     return told;
   }
 
-  // Of all tiles, on each rank. Cells, if they are compared, are so by the ranks that have them.
+  // The first rank draws one for all.
+  template <class Draw>
+  friend std::uint64_t draw_seed(const Tiles_by_mpi& engine, const Draw& draw)
+  {
+    std::uint64_t seed = 0;
+    engine.together([&] { seed = engine.rank() == 0 ? draw() : 0; });
+    return engine.m_ranks.of_first(seed);
+  }
+
+  // Of all tiles, on each rank; the seed is the same on all. Cells, if they are compared, are so by
+  // the ranks that have them.
   std::vector<Tile_certificate> gather(std::uint64_t seed)
   {
-    seed = m_ranks.of_first({seed}).front();
     std::vector<Tile_certificate> mine, all;
     Packed_bytes bytes;
     together([&] {
-      const Stage_progress progress(m_progress, "certificate", end() - begin());
+      const Stage_progress progress(m_progress, "certificate", last_tile() - first_tile());
       mine = m_tiles.certificates(seed, m_with_cells, [&](std::size_t) { progress.tell_next(); });
     });
     if (m_with_cells)
@@ -137,8 +147,11 @@ public:
 
   void show(const Tile_pairs& pairs)
   {
-    auto to = m_ranks.empty_by_rank();
-    together([&] { pack_by_rank(m_tiles.witnesses(pairs), to); });
+    std::vector<Packed_bytes> to;
+    together([&] {
+      to = m_ranks.empty_by_rank();
+      pack_by_rank(m_tiles.witnesses(pairs), to);
+    });
     deliver(std::move(to));
   }
 
@@ -147,8 +160,8 @@ public:
   void give(Sink& sink) const
   {
     together([&] {
-      const Stage_progress progress(m_progress, "writing", end() - begin());
-      for (std::uint32_t t = begin(); t < end(); ++t) {
+      const Stage_progress progress(m_progress, "writing", last_tile() - first_tile());
+      for (std::uint32_t t = first_tile(); t < last_tile(); ++t) {
         sink(m_tiles.tile(t));
         progress.tell_next();
       }
@@ -158,51 +171,29 @@ public:
   void forget() { m_tiles.clear(); }
 
 private:
-  // The first tile of a rank.
-  std::uint32_t first_tile(int rank) const
+  std::uint32_t first_tile_of(int rank) const
   {
     return std::uint32_t(std::uint64_t(m_number_of_tiles) * std::uint64_t(rank) /
                          std::uint64_t(number_of_ranks()));
   }
-  std::uint32_t begin() const { return first_tile(rank()); }
-  std::uint32_t end() const { return first_tile(rank() + 1); }
+  // This rank's tiles; the last is none of them.
+  std::uint32_t first_tile() const { return first_tile_of(rank()); }
+  std::uint32_t last_tile() const { return first_tile_of(rank() + 1); }
   std::size_t rank_of(std::uint32_t tile) const { return m_rank_of_tile[tile]; }
 
-  // All ranks see the same input and have the same options, or none begins.
-  std::uint32_t agree_on_input(const Tile_source_3& source, const Tiles_options& options)
+  void assign_tiles(const Input_of_rank& input)
   {
-    std::vector<std::uint64_t> mine;
-    together([&] {
-      const std::uint64_t n = source.size();
-      mine = {n,
-              internal::number_of_tiles(options, n, 1),
-              options.sample_share,
-              std::uint64_t(options.compares_cells),
-              std::uint64_t(options.starts_again),
-              options.memory};
-    });
-    const auto theirs = m_ranks.of_first(mine);
-    together([&] {
-      if (mine[0] != theirs[0])
-        throw std::runtime_error("sees " + std::to_string(mine[0]) + " points, and rank 0 " +
-                                 std::to_string(theirs[0]));
-      if (mine != theirs)
-        throw std::runtime_error("was given other options than rank 0");
-    });
-    m_number_of_points = mine[0];
-    m_number_of_tiles = std::uint32_t(mine[1]);
-    m_with_cells = options.compares_cells;
+    m_number_of_points = input.points;
+    m_number_of_tiles = input.tiles;
     together([&] {
       m_rank_of_tile.assign(m_number_of_tiles, 0);
       for (int r = 0; r < number_of_ranks(); ++r)
-        std::fill(m_rank_of_tile.begin() + first_tile(r),
-                  m_rank_of_tile.begin() + first_tile(r + 1), std::uint32_t(r));
+        std::fill(m_rank_of_tile.begin() + first_tile_of(r),
+                  m_rank_of_tile.begin() + first_tile_of(r + 1), std::uint32_t(r));
     });
-    return m_number_of_tiles;
   }
 
-  void make_tiling(const std::vector<Packed_bytes>& summaries, std::uint64_t n, std::uint32_t tiles,
-                   const Sampling& sampling)
+  void make_tiling(const std::vector<Packed_bytes>& summaries, const Sampling& sampling)
   {
     together([&] {
       const Rounding_to_nearest rounding;
@@ -211,15 +202,17 @@ private:
         Unpack from(bytes);
         ranges.push_back(unpack_summary(from));
       }
-      m_tiling.emplace(tiling_of(ranges, n, tiles, sampling)); // the same on all
+      m_tiling.emplace(
+          tiling_of(ranges, m_number_of_points, m_number_of_tiles, sampling)); // the same on all
     });
   }
 
   // Each point goes to the rank that has its tile. Those of a tile are in the order of their ids.
   void bring_home(std::vector<double> coordinates, std::uint64_t first, std::size_t limit)
   {
-    auto to = m_ranks.empty_by_rank();
+    std::vector<Packed_bytes> to;
     together([&] {
+      to = m_ranks.empty_by_rank();
       for (std::size_t i = 0; i < coordinates.size() / 3; ++i) {
         const Tile_point point = tile_point(first + i, &coordinates[3 * i]);
         pack(to[rank_of(m_tiling->tree.owner(point.coordinates))], point);
@@ -228,16 +221,16 @@ private:
     });
     auto from = m_ranks.exchange(std::move(to));
     together([&] {
-      std::vector<std::vector<Tile_point>> own(end() - begin());
+      std::vector<std::vector<Tile_point>> own(last_tile() - first_tile());
       for (Packed_bytes& bytes : from) {
         for (Unpack points(bytes); !points.is_at_end();) {
           const auto point = points.get<Tile_point>();
-          own[m_tiling->tree.owner(point.coordinates) - begin()].push_back(point);
+          own[m_tiling->tree.owner(point.coordinates) - first_tile()].push_back(point);
         }
         bytes = {};
       }
       const Stage_progress progress(m_progress, "own points", own.size());
-      m_tiles.begin(*m_tiling, begin(), std::move(own), limit,
+      m_tiles.begin(*m_tiling, first_tile(), std::move(own), limit,
                     [&](std::size_t) { progress.tell_next(); });
     });
   }

@@ -58,7 +58,11 @@ public:
     });
   }
 
-  void clear() { m_tiles.clear(); }
+  void clear()
+  {
+    m_tiles.clear();
+    m_inboxes.clear();
+  }
 
   const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles; }
   bool has(std::uint32_t t) const { return t >= m_first && t - m_first < m_tiles.size(); }

@@ -30,8 +30,9 @@ template <class Rank_of>
 void compare_cells_by_mpi(Ranks_of_mpi& ranks, std::vector<Tile_certificate>& mine,
                           const Rank_of& rank_of)
 {
-  auto to = ranks.empty_by_rank();
+  std::vector<Packed_bytes> to;
   ranks.together([&] {
+    to = ranks.empty_by_rank();
     for (Tile_certificate& certificate : mine)
       for (auto pair = certificate.cells.begin(); pair != certificate.cells.end();)
         if (pair->first < certificate.tile) {

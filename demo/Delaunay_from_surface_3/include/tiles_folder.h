@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_FOLDER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_FOLDER_H
+
+// The folder of a run that keeps no state in it.
+
+#include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <system_error>
+#include <vector>
+
+// What a run that did not end has left: it may have had more tiles.
+inline std::vector<std::filesystem::path> left_files(const std::filesystem::path& folder)
+{
+  static const std::regex name(
+      R"((cells|ids|points)-[0-9]{5,}\.npy|tile-[0-9]{5,}\.vtu|tiles\.pvtu|.*-[0-9]+\.unfinished)");
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (std::regex_match(entry.path().filename().string(), name))
+      files.push_back(entry.path());
+  return files;
+}
+
+// The folder is there, and empty of other runs.
+inline void make_folder(const std::filesystem::path& folder, const std::vector<std::string>& inputs)
+{
+  for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
+    if (std::filesystem::exists(file))
+      throw CGAL::Tile_files_error(file.string() +
+                                   ": is of another run: remove it, or name another folder");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    CGAL::Delaunay_from_surface_3::internal::fail_to_write(folder, error.value());
+  const auto files = left_files(folder);
+  for (const auto& file : files)
+    for (const std::string& input : inputs)
+      if (std::filesystem::equivalent(file, input))
+        throw CGAL::Tile_files_error(file.string() +
+                                     ": would be overwritten: name another folder for the tiles");
+  for (const auto& file : files)
+    if (!std::filesystem::remove(file, error) && error)
+      CGAL::Delaunay_from_surface_3::internal::fail_to_write(file, error.value());
+}
+
+// Whether a run of these points has ended there, as eight vertices of each tile tell.
+inline bool has_ended_with(const std::filesystem::path& folder, const CGAL::Tile_source_3& source)
+{
+  namespace core = CGAL::Delaunay_from_surface_3::internal;
+  if (!std::filesystem::exists(folder / "tiles.json"))
+    return false;
+  const std::uint32_t tiles = core::number_of_tiles_in(folder);
+  for (std::uint32_t t = 0; t < tiles; ++t) {
+    const auto file_of_ids = core::file_of_tile(folder, "ids", t, "npy");
+    const auto file_of_points = core::file_of_tile(folder, "points", t, "npy");
+    const core::Rows_of_npy ids(file_of_ids, 8), points(file_of_points, 24);
+    core::Bytes_reader from_ids(file_of_ids), from_points(file_of_points);
+    for (std::uint64_t k = 0; k < 8 && ids.number > 0; ++k) {
+      const std::uint64_t row = (ids.number - 1) * k / 7;
+      std::int64_t id = 0;
+      std::array<double, 3> point, expected;
+      from_ids.seek(ids.first + 8 * row);
+      from_ids.read(&id, 8);
+      from_points.seek(points.first + 24 * row);
+      from_points.read(point.data(), 24);
+      if (std::uint64_t(id) >= source.size())
+        return false;
+      source.read(std::uint64_t(id), 1, expected.data());
+      if (point != expected)
+        return false;
+    }
+  }
+  return core::value_in_report(folder, "points") == source.size();
+}
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_FOLDER_H
