@@ -6,6 +6,7 @@
 
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/inside_of_surface_3.h>
+#include <CGAL/is_valid_delaunay_3_arrays.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
@@ -32,6 +33,8 @@ int main(int argc, char* argv[])
 
   try {
     const auto arrays = CGAL::delaunay_3_arrays(points, faces); // or of points alone
+    if (!CGAL::is_valid_delaunay_3_arrays(arrays, points)) // they might come from anywhere
+      return EXIT_FAILURE;
     const CGAL::Inside_3 inside = CGAL::inside_of_surface_3(points, faces, arrays);
 
     double volume = 0;

@@ -37,6 +37,8 @@ Exact. \f$O(m \log m)\f$ for m cells, and some 150 bytes for each.
 \throws std::invalid_argument if neighbours or infinite cells have been dropped
 \throws Surface_input_error if a coordinate is not a finite number
 
+Example: \ref Delaunay_from_surface_3/arrays_and_inside.cpp
+
 \sa `delaunay_3_arrays()`
 */
 template <class Index, class PointRange>

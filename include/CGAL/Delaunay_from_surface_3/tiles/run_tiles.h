@@ -54,7 +54,7 @@ std::uint64_t draw_seed(const Engine&, const Draw& draw)
   return draw();
 }
 
-constexpr int most_repairs = 256; // none was needed with a thousand points in a tile, 68 with 300
+constexpr int most_repairs = 64; // none was needed where tiles had a thousand points and more
 
 // `draw` draws a seed, when no cell changes any more.
 template <class Engine, class Draw>
