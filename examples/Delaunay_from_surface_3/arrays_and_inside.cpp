@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
 
   try {
     const auto arrays = CGAL::delaunay_3_arrays(points, faces); // or of points alone
-    if (!CGAL::is_valid_delaunay_3_arrays(arrays, points)) // they might come from anywhere
+    if (!CGAL::is_valid_delaunay_3_arrays(arrays, points))      // they might come from anywhere
       return EXIT_FAILURE;
     const CGAL::Inside_3 inside = CGAL::inside_of_surface_3(points, faces, arrays);
 
