@@ -29,6 +29,7 @@ README = "README.md"
 MAIN_PAGE = "doc/Delaunay_from_surface_3/Delaunay_from_surface_3.txt"
 BENCHMARK = "benchmark/Delaunay_from_surface_3/README.md"
 PAPER = "doc/Delaunay_from_surface_3/The_paper.txt"
+PYTHON = "python/README.md"
 HOW_FAST = "doc/Delaunay_from_surface_3/How_fast.txt"
 
 TABLES = [  # page, marker, names of results, and the function that makes the text of them
@@ -36,6 +37,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (README, "collections", ["orders_200k", "demo_meshes"], speed_tables.collections),
     (README, "peers", ["compare_peers"], hard_tables.peers_of_readme),
     (README, "python", ["python"], use_tables.python_of_readme),
+    (PYTHON, "gaussians", ["python_gaussians", "gaussians_2M", "gaussians_5M", "gaussians_10M"], use_tables.gaussians),
     (BENCHMARK, "results", list(list_of_results.SHOWS), list_of_results.list_of_results),
     (MAIN_PAGE, "parts_counts", ["parts"], use_tables.counts_of_parts),
     (HOW_FAST, "one_thread", ["calls_256k"], speed_tables.one_thread),
@@ -52,6 +54,8 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "memory", ["calls_256k", "calls_1M", "single_calls", "threads_memory"], speed_tables.memory),
     (HOW_FAST, "compile_time", ["compile_time"], use_tables.compile_time),
     (HOW_FAST, "python", ["python"], use_tables.python),
+    (HOW_FAST, "moved", ["moved", "python_peers"], use_tables.moved),
+    (HOW_FAST, "python_peers", ["python_peers"], use_tables.python_peers),
     (HOW_FAST, "tiles", ["tiles"], hard_tables.tiles),
     (HOW_FAST, "peers", ["compare_peers"], hard_tables.peers),
     (MAIN_PAGE, "cluster", ["tiles_load_2M", "tiles_load"], use_tables.cluster),

@@ -29,6 +29,7 @@
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/version.h>
 
 #include <array>
 #include <cstddef>
@@ -199,6 +200,42 @@ std::size_t voronoi_vertices(const With_circumcenters& tr)
   return inside;
 }
 
+#if CGAL_VERSION_NR >= 1060000000 // from 6.0 on its class compiles with numbers of type float
+// What COLMAP (src/colmap/mvs/advancing_front_meshing.cc) makes of a block of points that no ray filters.
+void measure_front_of_colmap(Table& table, const std::vector<Point>& points)
+{
+  using Kernel = CGAL::Filtered_kernel<CGAL::Simple_cartesian<float>>;
+  using Tds = CGAL::Triangulation_data_structure_3<
+      CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Kernel>,
+      CGAL::Advancing_front_surface_reconstruction_cell_base_3<Kernel>>;
+  using Tr = CGAL::Delaunay_triangulation_3<Kernel, Tds, CGAL::Fast_location>;
+  std::vector<std::pair<Kernel::Point_3, std::size_t>> numbered;
+  for (const Point& p : points)
+    numbered.emplace_back(Kernel::Point_3(float(p.x()), float(p.y()), float(p.z())),
+                          numbered.size());
+  const auto facets_of = [](Tr& tr) {
+    CGAL::Advancing_front_surface_reconstruction<Tr> front(tr);
+    front.run();
+    std::vector<std::array<std::size_t, 3>> facets;
+    CGAL::write_triple_indices(std::back_inserter(facets), front);
+    return facets.size();
+  };
+  table.line(
+      "advancing front of COLMAP", points.size(),
+      [&] {
+        Tr tr(numbered.begin(), numbered.end());
+        return facets_of(tr);
+      },
+      [&] {
+        Tr tr;
+        CGAL::insert_points_3(tr, numbered);
+        return facets_of(tr);
+      });
+}
+#else
+void measure_front_of_colmap(Table&, const std::vector<Point>&) {}
+#endif
+
 void measure_on_top(Table& table, const std::vector<Point>& points, double alpha)
 {
   const std::size_t n = points.size();
@@ -265,6 +302,7 @@ void measure(std::size_t n, comparison::Gains& gains)
       table, "surface: points alone, numbers of type float", surface.points);
   const double alpha = 40. / double(n); // the square of a few edges' length
   measure_on_top(table, surface.points, alpha);
+  measure_front_of_colmap(table, surface.points);
 }
 
 } // namespace

@@ -2,12 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Twenty rebuilds of points that move a little in between, as in a simulation or the training of a
-// scene: by plain CGAL, and by this package into arrays, with an order made anew each time and with
-// that of the call before. Writes JSON; the times are of all rebuilds together.
+// Rebuilds of points that move a little in between, as in a simulation or the training of a
+// scene: by plain CGAL, by other programs, and by this package into arrays, with an order made anew each
+// time and with that of the call before, in turn. Writes JSON; the times are medians of one rebuild.
 
 #include <Delaunay_from_surface_3_comparison/gains.h>
+#include <Delaunay_from_surface_3_comparison/launcher.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/peers.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
@@ -18,102 +20,94 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangulation = CGAL::Delaunay_triangulation_3<K>;
-using Points = std::vector<std::array<double, 3>>;
-constexpr int rebuilds = 20;
+using Points = std::vector<K::Point_3>;
+using Peers = std::vector<std::string>; // NAME=COMMAND
 
 Points points_in_cube(std::size_t n)
 {
   std::mt19937_64 random(2024);
   std::uniform_real_distribution<double> uniform;
-  Points points(n);
-  for (auto& p : points)
-    p = {uniform(random), uniform(random), uniform(random)};
-  return points;
-}
-
-Points points_of_surface(std::size_t n)
-{
   Points points;
-  for (const auto& p : surfaces::genus_surface(3, n, 0.05, 2024).points)
-    points.push_back({p.x(), p.y(), p.z()});
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    points.emplace_back(x, y, z);
+  }
   return points;
 }
 
-// Calls build(points) for each place of the points; each step is `length` on average. Returns the
-// sum of what the builds return.
-template <class Build>
-std::size_t rebuild(Points points, double length, const Build& build)
+// Each step is `length` on average. The first build, of points that have not moved, is not counted.
+void compare(const std::string& name, Points points, double length, comparison::Gains& gains,
+             comparison::Launcher& launcher, const Peers& names)
 {
+  using comparison::Json;
+  CGAL::Delaunay_from_surface_3::Insertion_order order;
+  const std::array<std::pair<const char*, std::function<std::size_t()>>, 3> ways = {
+      {{"plain",
+        [&] { return Triangulation(points.begin(), points.end()).number_of_finite_cells(); }},
+       {"new_order", [&] { return CGAL::delaunay_3_arrays(points).number_of_simplices(); }},
+       {"kept_order",
+        [&] { return CGAL::delaunay_3_arrays(points, order).number_of_simplices(); }}}};
+  std::array<std::vector<double>, 3> times;
+  std::vector<comparison::Peer_record> peers;
+  for (const std::string& text : names)
+    peers.emplace_back(comparison::parse_peer(text));
   std::mt19937_64 random(7);
   std::normal_distribution<double> step(0, length / std::sqrt(3.));
-  std::size_t cells = 0;
-  for (int k = 0; k < rebuilds; ++k) {
-    cells += build(points);
+  std::size_t tetrahedra = 0;
+  for (std::size_t k = 0; k <= gains.repetitions(); ++k) {
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+      std::size_t found = 0;
+      const double cpu = comparison::time_of([&] { found = ways[w].second(); }).cpu;
+      if (w > 0 && found != tetrahedra)
+        throw std::runtime_error("the numbers of tetrahedra differ");
+      tetrahedra = found;
+      if (k > 0)
+        times[w].push_back(cpu);
+    }
+    const comparison::Points_file file(points);
+    for (auto& peer : peers)
+      peer.run(launcher, file.name());
     for (auto& p : points)
-      for (double& x : p)
-        x += step(random);
+      p = p + K::Vector_3(step(random), step(random), step(random));
   }
-  return cells;
-}
 
-std::size_t by_plain_cgal(const Points& points)
-{
-  std::vector<K::Point_3> converted;
-  converted.reserve(points.size());
-  for (const auto& [x, y, z] : points)
-    converted.emplace_back(x, y, z);
-  return Triangulation(converted.begin(), converted.end()).number_of_finite_cells();
-}
-
-void compare(const std::string& name, const Points& points, double length, comparison::Gains& gains)
-{
-  const auto see = [](comparison::Json& line, std::size_t by_cgal, std::size_t ours) {
-    if (by_cgal != ours)
-      throw std::runtime_error("the numbers of tetrahedra differ");
-    line["rebuilds"] = rebuilds;
-    line["tetrahedra"] = ours / rebuilds;
-  };
-  const auto plain = [&] { return rebuild(points, length, by_plain_cgal); };
-  gains.line(
-      name + ", a new order each time", points.size(), plain,
-      [&] {
-        return rebuild(points, length, [](const Points& moved) {
-          return CGAL::delaunay_3_arrays(moved).number_of_simplices();
-        });
-      },
-      see);
-  gains.line(
-      name + ", the order of the call before", points.size(), plain,
-      [&] {
-        CGAL::Delaunay_from_surface_3::Insertion_order order;
-        return rebuild(points, length, [&](const Points& moved) {
-          return CGAL::delaunay_3_arrays(moved, order).number_of_simplices();
-        });
-      },
-      see);
-}
-
-void measure(std::size_t n, comparison::Gains& gains)
-{
-  // Steps of a hundredth of the distance between neighbours.
-  compare("points in a cube", points_in_cube(n), .01 / std::cbrt(double(n)), gains);
-  compare("points of a surface", points_of_surface(n), .01 / std::sqrt(double(n)), gains);
+  Json line = {{"consumer", name}, {"points", points.size()}};
+  for (std::size_t w = 0; w < ways.size(); ++w)
+    line[std::string("median_") + ways[w].first + "_cpu"] =
+        comparison::rounded(comparison::median(times[w]));
+  for (const auto& peer : peers)
+    line["peers"].push_back(peer.as_json(comparison::median(times[0]), tetrahedra));
+  gains.add(line);
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
+  comparison::Launcher launcher; // before anything large is in memory
+  Peers peers;
+  boost::program_options::options_description options;
+  options.add_options()("peer", boost::program_options::value(&peers)->composing(),
+                        "NAME=COMMAND: another program, as README.md says");
+  const auto measure = [&](std::size_t n, comparison::Gains& gains) {
+    // Steps of a hundredth of the distance between neighbours.
+    compare("points in a cube", points_in_cube(n), .01 / std::cbrt(double(n)), gains, launcher,
+            peers);
+    compare("points of a surface", surfaces::genus_surface(3, n, 0.05, 2024).points,
+            .01 / std::sqrt(double(n)), gains, launcher, peers);
+  };
   return comparison::write_gains("measure_moved",
-                                 "Measures twenty rebuilds of points that move in between.", argc,
-                                 argv, measure);
+                                 "Measures rebuilds of points that move in between.", argc, argv,
+                                 measure, options);
 }

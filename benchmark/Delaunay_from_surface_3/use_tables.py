@@ -2,8 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What uses gain, from what measure_consumers, measure_thinning, measure_sources, measure_python.py and
-measure_compile_time.py wrote; and which parts have an inside, by inside_of_parts.py."""
+"""What uses gain, from what measure_consumers, measure_thinning, measure_sources, measure_gaussians, measure_moved,
+measure_python.py and measure_compile_time.py wrote; and which parts have an inside, by inside_of_parts.py."""
 
 from manual_tables import cell, measured, range_of, table, thousands
 
@@ -84,6 +84,62 @@ def python(report):
     return "\n\n".join([f'Python {report["python"]}, NumPy {report["numpy"]}, SciPy {report["scipy"]}: `{report["name"]}`.',
                         table(["what", "beside", "its CPU s", "ours", "gain", "one thread / two"], rows, 2),
                         f"VTK loses {lost} tetrahedra to rounding."])
+
+
+def gaussians(in_python, *reports):
+    """The loop of Tetra-NeRF beside this package in C++, and triangulate() in Python on points made in the same way."""
+    of_python = {round(r["points"], -6): r["ways"] for r in in_python["results"]}
+    rows = []
+    for report in reports:
+        plain, *checked = report["results"]
+        ways = of_python.get(round(plain["points"], -6))
+        rows.append([thousands(plain["points"]), thousands(plain["tetrahedra"]), f'{plain["median_plain_cpu"]:.1f}',
+                     cell(checked[0]["median_plain_cpu"] if checked else None, "{:.1f}"), f'{plain["median_ours_cpu"]:.1f}',
+                     f'{plain["median_ratio"]:.1f}',
+                     *(cell(ways and ways[f"triangulate, {threads}"]["median_wall"], "{:.1f}") for threads in (1, 2))])
+    return "\n\n".join([measured(in_python, *reports),
+                        table(["points", "tetrahedra", "loop with plain CGAL, s", "and `is_valid()`", "this package", "gain",
+                               "`cpp.triangulate()`, one thread", "two"], rows)])
+
+
+def moved(report, in_python):
+    rows = [[f'{r["consumer"]}, C++', seconds(r["median_plain_cpu"]), seconds(r["peers"][0]["median_cpu"]),
+             seconds(r["median_new_order_cpu"]), seconds(r["median_kept_order_cpu"])] for r in report["results"]]
+    rows += [[f'{r["what"]}, Python', "–", *(seconds(r["median_wall"][name]) for name in ("geogram_binding", "new_order", "kept_order"))]
+             for r in in_python["rebuilds"]]
+    return "\n\n".join([measured(report, in_python), table(["one rebuild, s", "plain %CGAL", "Geogram", "new order", "order kept"], rows)])
+
+
+NAMES = {"ours": "this module", "geogram_binding": "Geogram", "tetgen_binding": "TetGen"}
+
+
+def named(way):
+    name, threads = way.rsplit(", ", 1)
+    return [NAMES.get(name, name), threads]
+
+
+def python_peers(report):
+    """The same rows for all inputs."""
+    cube, surface = (r["ways"] for r in report["results"])
+    rows = [named(way) + [text for ways in (cube, surface) for text in
+                          (seconds(ways[way]["median_wall"]), f'{ways[way]["peak_megabytes"]:,}')] for way in cube]
+    points = thousands(max(r["points"] for r in report["results"]))
+    return "\n\n".join([f"{points} points, wall-clock seconds and megabytes at the peak. {measured(report)}",
+                        table(["", "threads", "in a cube, s", "MB", "of a surface, s", "MB"], rows)])
+
+
+def faults(report):
+    """On one thread."""
+    def texts(result):
+        found = result.get("tetrahedra")
+        return [result["left_out"], ""] if found is None else [
+            seconds(result["median_wall"]),
+            " / ".join(f'{found[key]:,}' for key in ("flat", "facets_of_overlapping", "facets_without_neighbor"))]
+
+    rows = [[named(way)[0]] + [text for r in report["faults"] for text in texts(r["ways"][way])]
+            for way in report["faults"][0]["ways"] if way.endswith(", 1")]
+    titles = [title for r in report["faults"] for title in (f'{r["what"]}, {thousands(r["points"])}: s', "faults")]
+    return "\n\n".join([f"One thread, wall-clock. {measured(report)}", table(["", *titles], rows)])
 
 
 def python_of_readme(report):

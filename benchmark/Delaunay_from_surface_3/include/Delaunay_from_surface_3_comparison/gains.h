@@ -49,6 +49,11 @@ public:
     line["median_plain_cpu"] = rounded(median(plain_cpu));
     line["median_ours_cpu"] = rounded(median(ours_cpu));
     line["median_ratio"] = rounded(median(ratios), 1e3);
+    add(line);
+  }
+
+  void add(const Json& line)
+  {
     std::cerr << line.dump() << "\n";
     m_lines.push_back(line);
   }
@@ -61,6 +66,7 @@ public:
   }
 
   const Json& lines() const { return m_lines; }
+  std::size_t repetitions() const { return m_repetitions; }
 
 private:
   std::size_t m_repetitions;
