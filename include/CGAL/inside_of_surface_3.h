@@ -34,11 +34,11 @@ faces that are turned round or given twice, and parts that overlap, where it goe
 
 A surface has an inside if one of two holds. The volume of the tetrahedra that are surely inside,
 with numbers near a whole one other than 0, is larger than that of the tetrahedra in doubt, whose
-numbers differ by more than 0.1 from all whole ones. Or not more is in doubt than inside, and
-triangles that close its openings, from the middle of each, have at most 3/10 of its area: a hull
-without a deck, a tube that is not too short. (The second was found by trying: of the files in \ref
-dfs_inside it tells apart what is a solid but for a deck or ends, and what is a patch.) A patch, a
-sheet, a Möbius strip and points alone have none.
+numbers differ by more than 0.1 from all whole ones: a long tube is one. Or not more is in doubt
+than inside, triangles that close its openings, from the middle of each, have at most 3/10 of its
+area, and one opening has 9/10 of theirs: a hull without a deck. (The second was found by trying: of
+the files in \ref dfs_inside it tells apart what is a solid but for a deck, and what is a patch or a
+short tube.) A patch, a sheet, a Möbius strip and points alone have none.
 
 \tparam ConcurrencyTag as for `delaunay_3_arrays()`
 

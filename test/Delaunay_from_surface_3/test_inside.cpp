@@ -376,6 +376,15 @@ BOOST_AUTO_TEST_CASE(test_no_inside)
   }
   check_that_there_is_none(strip, message);
 
+  // Without its lid a box has an inside; a tube, of the same share of openings, has none.
+  Soup open = box(6), tube = box(6);
+  open.faces.erase(open.faces.begin(), open.faces.begin() + 72);
+  BOOST_CHECK_CLOSE(find(open).volume, 1, 1e-9);
+  tube.faces.erase(tube.faces.begin(), tube.faces.begin() + 144);
+  for (Coordinates& p : tube.points)
+    p[0] *= 2.5;
+  check_that_there_is_none(tube, message);
+
   surfaces::Indexed_surface half = surfaces::sphere(3000);
   half.faces.erase(std::remove_if(half.faces.begin(), half.faces.end(),
                                   [&](const auto& f) { return half.points[f[0]].z() > 0; }),

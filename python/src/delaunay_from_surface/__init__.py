@@ -88,7 +88,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index, the
         seed or the number of threads is out of range. If `inside` is asked of a surface that has none: less volume is
         surely inside, with a number near a whole one other than 0, than in doubt, and its openings have more than 3/10
-        of its area. So it is with patches and sheets.
+        of its area, or there are several wide ones. So it is with patches, sheets and short tubes.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError

@@ -64,12 +64,13 @@ public:
   // Where more is in doubt than surely inside, and the openings are wide, the surface is no border
   // of a solid. Where an opening lies in a plane, as that of a hull without a deck, the numbers are
   // more than 1/2 up to there, however wide it is: then it is enough if not more is in doubt than
-  // inside.
-  bool has_inside(double share_of_openings) const
+  // inside, and the other openings are small; those of a tube are not.
+  bool has_inside(double share_of_openings, double share_of_largest) const
   {
     constexpr double widest = 0.3;
-    return m_inside > 0 &&
-           (m_sure > m_doubtful || (share_of_openings <= widest && m_doubtful <= m_inside));
+    return m_inside > 0 && (m_sure > m_doubtful || (share_of_openings <= widest &&
+                                                    share_of_largest >= 0.9 * share_of_openings &&
+                                                    m_doubtful <= m_inside));
   }
 };
 
@@ -201,8 +202,8 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
   for (std::size_t i = 0; i < points.size(); ++i)
     in_frame.push_back(field.frame(vector_of(points[i])));
   const Tetrahedra<VerticesOf> cells = {in_frame, m, vertices_of};
-  const std::vector<Triangle_3d> closing = closing_triangles(
-      open_edges(faces, points.size(), vertex_of), [&](std::size_t v) { return in_frame[v]; });
+  const auto [closing, areas] = closing_triangles(open_edges(faces, points.size(), vertex_of),
+                                                  [&](std::size_t v) { return in_frame[v]; });
   Inside_3 inside;
   inside.winding_numbers.resize(m);
   const std::vector<Corners> triangles = corners_of(faces, vertex_of);
@@ -215,10 +216,12 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
     find_numbers(field.tree, cells, all, inside.winding_numbers.data(), executor);
   }
 
-  for (const Triangle_3d& t : closing)
-    inside.share_of_openings += std::sqrt(dot(area_vector(t), area_vector(t)));
-  if (field.tree.area() > 0)
-    inside.share_of_openings /= field.tree.area();
+  double share_of_largest = 0;
+  for (const double area : areas) {
+    const double share = field.tree.area() > 0 ? area / field.tree.area() : area;
+    inside.share_of_openings += share;
+    share_of_largest = (std::max)(share_of_largest, share);
+  }
   Judge_inside judge;
   for (std::size_t c = 0; c < m; ++c) {
     const std::array<Vector_3d, 4> p = cells(c);
@@ -226,7 +229,7 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
     judge.add(inside.winding_numbers[c], std::abs(volume), inside);
   }
   inside.doubtful_volume = judge.doubtful_volume();
-  if (!judge.has_inside(inside.share_of_openings))
+  if (!judge.has_inside(inside.share_of_openings, share_of_largest))
     throw Surface_input_error(
         "the surface has no inside: by its winding numbers more is in doubt than inside, and its "
         "openings have " +

@@ -17,6 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -107,10 +108,11 @@ connected_sets(const std::vector<Open_edge>& edges)
   return {std::move(sets), count};
 }
 
-// The triangles that would close them; point_of(v) are coordinates that need no care.
+// The triangles that would close them, and the area of those of each connected set; point_of(v) are
+// coordinates that need no care.
 template <class PointOf>
-std::vector<Triangle_3d> closing_triangles(const std::vector<Open_edge>& edges,
-                                           const PointOf& point_of)
+std::pair<std::vector<Triangle_3d>, std::vector<double>>
+closing_triangles(const std::vector<Open_edge>& edges, const PointOf& point_of)
 {
   const auto [sets, number] = connected_sets(edges);
   std::vector<Vector_3d> middles(number, Vector_3d{0, 0, 0});
@@ -123,14 +125,17 @@ std::vector<Triangle_3d> closing_triangles(const std::vector<Open_edge>& edges,
       ++ends[sets[k]];
     }
   std::vector<Triangle_3d> triangles;
+  std::vector<double> areas(number, 0);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     Vector_3d middle = middles[sets[k]];
     for (double& x : middle)
       x /= ends[sets[k]];
     triangles.insert(triangles.end(), edges[k].times,
                      {point_of(edges[k].ends[0]), point_of(edges[k].ends[1]), middle});
+    const Vector_3d n = area_vector(triangles.back());
+    areas[sets[k]] += double(edges[k].times) * std::sqrt(dot(n, n));
   }
-  return triangles;
+  return {std::move(triangles), std::move(areas)};
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
