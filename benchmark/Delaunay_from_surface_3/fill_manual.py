@@ -56,6 +56,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "python", ["python"], use_tables.python),
     (HOW_FAST, "moved", ["moved", "python_peers"], use_tables.moved),
     (HOW_FAST, "python_peers", ["python_peers"], use_tables.python_peers),
+    (HOW_FAST, "python_faults", ["python_faults"], use_tables.faults),
     (HOW_FAST, "tiles", ["tiles"], hard_tables.tiles),
     (HOW_FAST, "peers", ["compare_peers"], hard_tables.peers),
     (MAIN_PAGE, "cluster", ["tiles_load_2M", "tiles_load"], use_tables.cluster),
