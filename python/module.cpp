@@ -101,7 +101,7 @@ Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::W
   if (built->outcome == core::Insertion_outcome::FLAT && points.points().size() > 0 &&
       !watcher.go_further(0))
     return Arrays();
-  return core::arrays_of_built<std::int32_t>(*built, points);
+  return core::arrays_of_built<std::int32_t>(*built, points, executor);
 }
 
 // Of the faces of a surface, if there is any; read with the lock, and gone when it is given back.

@@ -33,6 +33,7 @@ def uses(report):
 
 
 THINNED = {"by distance": "points nearer than a distance", "by 2.5 pixels, loop of OpenMVS": "as OpenMVS does",
+           "by 20 pixels, loop of COLMAP": "as COLMAP does, by the corners of the cell",
            "by 20 pixels, loop of COLMAP, nearest vertex": "in COLMAP's order, by the nearest vertex"}
 
 

@@ -124,7 +124,7 @@ Arrays arrays_of(const std::vector<double>& coordinates, bool has_edges, const c
   core::Watcher nobody;
   const auto built = core::build<std::uint32_t, core::One_thread>(points, *orders, {true, true},
                                                                   nobody, core::Alone());
-  const Arrays arrays = core::arrays_of_built<std::int32_t>(*built, points);
+  const Arrays arrays = core::arrays_of_built<std::int32_t>(*built, points, core::Alone());
   check(core::is_valid(arrays, points.points(), CGAL::Delaunay_validity_level::DELAUNAY),
         "is no Delaunay triangulation", where);
   check_completion(arrays, points.points(), where);

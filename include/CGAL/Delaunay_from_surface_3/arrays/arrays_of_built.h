@@ -115,7 +115,7 @@ Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built, const Executor& execu
 // executor has.
 template <class Index>
 Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& built,
-                                         Point_source& source, const Executor& executor = Alone())
+                                         Point_source& source, const Executor& executor)
 {
   switch (built.outcome) {
   case Insertion_outcome::TOO_FEW_IDS:
