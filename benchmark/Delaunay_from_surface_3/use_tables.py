@@ -9,7 +9,6 @@ from manual_tables import cell, measured, range_of, table, thousands
 
 USES = {  # as measure_consumers calls them, and as the page does
     "points in a cube": "points in a cube",
-    "points on a height field": "points on a height field",
     "surface: pairs of points and infos": "points with infos",
     "surface: points alone, in the order of the input": "vertices in the order of the points",
     "surface: points alone, Fast_location": "`Fast_location`",
@@ -18,7 +17,8 @@ USES = {  # as measure_consumers calls them, and as the page does
     "advancing front": "advancing front",
     "alpha shape, one alpha": "alpha shape, one alpha",
     "alpha shapes, all alphas": "alpha shapes, all alphas",
-    "Voronoi vertices": "Voronoi vertices"}
+    "Voronoi vertices": "Voronoi vertices",
+    "advancing front of COLMAP": "advancing front of COLMAP, coordinates of type float"}
 
 
 def seconds(value):
