@@ -111,7 +111,7 @@ def moved(report, in_python):
     return "\n\n".join([measured(report, in_python), table(["one rebuild, s", "plain %CGAL", "Geogram", "new order", "order kept"], rows)])
 
 
-NAMES = {"ours": "this module", "geogram_binding": "Geogram", "tetgen_binding": "TetGen"}
+NAMES = {"ours": "this module", "geogram_binding": "Geogram", "tetgen_binding": "TetGen", "open3d_binding": "Open3D"}
 
 
 def named(way):
