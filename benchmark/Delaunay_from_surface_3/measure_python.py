@@ -318,8 +318,9 @@ def main():
     parser.add_argument("--repetitions", type=int, default=3)
     parser.add_argument("--output", default="python.json")
     options = parser.parse_args()
-    report = {"command": " ".join(["measure_python.py", *sys.argv[1:]]), "machine": machine(), "python": platform.python_version(),
-              "numpy": np.__version__, "scipy": scipy.__version__, "repetitions": options.repetitions}
+    report = {"command": " ".join(["measure_python.py", *sys.argv[1:]]), "machine": machine(),
+              "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__,
+              "repetitions": options.repetitions}
     (report_on_peers if options.peers else report_on_gaussians if options.gaussians else report_beside_scipy)(options, report)
     with open(options.output, "w", encoding="utf-8") as file:
         json.dump(report, file, indent=1)

@@ -106,9 +106,11 @@ def gaussians(in_python, *reports):
 def moved(report, in_python):
     rows = [[f'{r["consumer"]}, C++', seconds(r["median_plain_cpu"]), seconds(r["peers"][0]["median_cpu"]),
              seconds(r["median_new_order_cpu"]), seconds(r["median_kept_order_cpu"])] for r in report["results"]]
-    rows += [[f'{r["what"]}, Python', "–", *(seconds(r["median_wall"][name]) for name in ("geogram_binding", "new_order", "kept_order"))]
+    names = ("geogram_binding", "new_order", "kept_order")
+    rows += [[f'{r["what"]}, Python', "–", *(seconds(r["median_wall"][name]) for name in names)]
              for r in in_python["rebuilds"]]
-    return "\n\n".join([measured(report, in_python), table(["one rebuild, s", "plain %CGAL", "Geogram", "new order", "order kept"], rows)])
+    titles = ["one rebuild, s", "plain %CGAL", "Geogram", "new order", "order kept"]
+    return "\n\n".join([measured(report, in_python), table(titles, rows)])
 
 
 NAMES = {"ours": "this module", "geogram_binding": "Geogram", "tetgen_binding": "TetGen", "open3d_binding": "Open3D"}
