@@ -35,7 +35,7 @@ SHOWS = {
     "orders_walks": "tori, tubes, boxes: where walks can go astray",
     "nets_200k": "cells that other rules for nets destroy",
     "flat_and_far": "points on thin sheets, far away, in no space; which stage of the arithmetic decides",
-    "consumers": "uses, from the points to the end",
+    "consumers": "uses, from the points to the end; built with CGAL 6.0.1, as COLMAP's advancing front asks",
     "thinning": "points left out, beside what COLMAP and OpenMVS do",
     "sources": "surfaces of CGAL's packages: how much is Delaunay, EMST, cells, times",
     "python": "the Python module beside SciPy and VTK",

@@ -28,7 +28,7 @@ def seconds(value):
 def uses(report):
     found = {r["consumer"]: r for r in report["results"]}
     rows = [[title, seconds(found[name]["median_plain_cpu"]), f'{found[name]["median_ratio"]:.2f}']
-            for name, title in USES.items()]
+            for name, title in USES.items() if name in found]
     return "\n\n".join([measured(report), table(["use", "plain %CGAL, s", "gain"], rows)])
 
 
