@@ -19,7 +19,7 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Memory for large arrays that live for a short time and are filled at once: in large pages where
-// the system has them.
+// the system has them at hand.
 template <class T>
 struct Large_page_allocator
 {
@@ -38,7 +38,7 @@ struct Large_page_allocator
     return data;
   }
 
-  // For memory that is touched little by little.
+  // For who touches it little by little.
   T* allocate_untouched(std::size_t n)
   {
     if (n > (std::numeric_limits<std::size_t>::max)() / sizeof(T))

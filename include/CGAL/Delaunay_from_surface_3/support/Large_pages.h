@@ -23,13 +23,14 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 constexpr std::size_t large_page = std::size_t(1) << 21;
 
-// Whether an array of this size begins at a large page. Small ones do not.
+// Whether an array of so many bytes begins at a large page. Small ones do not take one for
+// themselves.
 constexpr bool begins_at_large_page(std::size_t bytes)
 {
   return bytes >= 2 * large_page;
 }
 
-// CPU time of this thread: on a busy machine it leaves out what other processes take.
+// What this thread has taken of a processor: on a busy machine the turns of others are not its own.
 struct Thread_clock
 {
   static std::chrono::nanoseconds now()
