@@ -64,17 +64,10 @@ Cells cells_of(const core::Tiles_here& engine)
   return cells;
 }
 
-CGAL::Tile_array_source_3 source_of(const Points& points)
-{
-  return {points.front().data(), points.size()};
-}
-
 CGAL::Tiles_options options_of(std::uint32_t tiles, std::size_t share = 8)
 {
-  CGAL::Tiles_options options;
-  options.number_of_tiles = tiles;
+  CGAL::Tiles_options options = tests::options_of(tiles);
   options.sample_share = share;
-  options.least_points = 1;
   return options;
 }
 
