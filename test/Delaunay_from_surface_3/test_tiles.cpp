@@ -9,6 +9,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include "named_surfaces.h"
+#include "tile_calls.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
@@ -28,6 +29,7 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
+using tests::source_of;
 using Points = std::vector<std::array<double, 3>>;
 using Cells = std::vector<std::array<std::uint64_t, 4>>;
 

@@ -39,7 +39,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Judges by the numbers, weighted by volumes.
+// What the numbers say, weighted by volumes.
 class Judge_inside
 {
   double m_sure = 0, m_doubtful = 0, m_inside = 0;
@@ -97,7 +97,7 @@ struct Tetrahedra
   }
 };
 
-// The numbers of these tetrahedra, in an order in which successive ones are near each other.
+// Of these tetrahedra, in an order in which successive ones are near each other.
 template <class Cells>
 void find_numbers(const Winding_tree& tree, const Cells& cells,
                   const std::vector<std::uint32_t>& asked, double* numbers,

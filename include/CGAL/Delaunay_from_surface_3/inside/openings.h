@@ -107,7 +107,7 @@ connected_sets(const std::vector<Open_edge>& edges)
   return {std::move(sets), count};
 }
 
-// The triangles that would close them; point_of(v) are coordinates whose products do not overflow.
+// The triangles that would close them; point_of(v) are coordinates that need no care.
 template <class PointOf>
 std::vector<Triangle_3d> closing_triangles(const std::vector<Open_edge>& edges,
                                            const PointOf& point_of)
