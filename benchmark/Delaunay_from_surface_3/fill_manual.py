@@ -3,8 +3,9 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Fills what README and manual show of the measured results: the text between <!-- MARKER --> and <!-- end -->. Needs
-nothing but Python; also brings new results into the form of one_record_per_line.py. TABLES says which page has which marker, of which results/*.json, and who writes it.
+"""Fills what README and manual show of the measured results: the text between <!-- MARKER --> and <!-- end -->, and brings
+new results into the form of one_record_per_line.py. Needs nothing but Python. TABLES says which page has which marker, of
+which results/*.json, and who writes it.
 
   fill_manual.py                       fills all pages
   fill_manual.py --check               only says whether they are filled with these results
