@@ -1,7 +1,7 @@
 # Defines the target Delaunay_from_surface_3::mpi, for CGAL/Tiles_by_mpi_3.h, where MPI is found; nothing else needs
 # it.
 #
-# add_mpi_test(name RANKS number LABELS label… COMMAND program [argument…]): by so many processes, on this machine.
+# add_mpi_test(name RANKS number [LABELS fast|long] COMMAND program [argument…]): by so many processes, on this machine.
 
 set(MPI_CXX_SKIP_MPICXX ON) # what is called is C
 find_package(MPI QUIET COMPONENTS CXX)
@@ -18,13 +18,13 @@ target_link_libraries(Delaunay_from_surface_3_mpi INTERFACE
   Delaunay_from_surface_3::Delaunay_from_surface_3 MPI::MPI_CXX)
 
 function(add_mpi_test name)
-  cmake_parse_arguments(arg "" "RANKS" "LABELS;COMMAND" ${ARGN})
+  cmake_parse_arguments(arg "" "RANKS;LABELS" "COMMAND" ${ARGN})
   list(POP_FRONT arg_COMMAND program)
   add_test(NAME ${name} COMMAND "${MPIEXEC_EXECUTABLE}" "${MPIEXEC_NUMPROC_FLAG}" ${arg_RANKS} ${MPIEXEC_PREFLAGS}
     $<TARGET_FILE:${program}> ${MPIEXEC_POSTFLAGS} ${arg_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300 PROCESSORS ${arg_RANKS}
     ENVIRONMENT "${DELAUNAY_FROM_SURFACE_3_MPI_ENVIRONMENT}")
-  foreach(label IN LISTS arg_LABELS)
-    add_dependencies(tests_${label} ${program})
-  endforeach()
+  if(arg_LABELS)
+    add_dependencies(tests_${arg_LABELS} ${program})
+  endif()
 endfunction()

@@ -27,6 +27,6 @@ function(add_package_example name)
   if(NOT DELAUNAY_FROM_SURFACE_3_IN_CGAL_TREE)
     add_test(NAME example_${name} COMMAND ${name} ${arg_ARGUMENTS}
       WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
-    set_tests_properties(example_${name} PROPERTIES LABELS example TIMEOUT 300)
+    set_tests_properties(example_${name} PROPERTIES TIMEOUT 300)
   endif()
 endfunction()

@@ -1,14 +1,11 @@
-# add_package_test(name LABELS label… [GROUP group] [SOURCES file…] [LIBRARIES target…] [COMPILED] [CHECKED]
-#                  [OPTIMIZED])
+# add_package_test(name [LABELS fast|long] [VERSIONS fast|long] [SANITIZE fast|long] [GROUP group] [SOURCES file…]
+#                  [LIBRARIES target…] [COMPILED] [CHECKED] [OPTIMIZED])
 #
 # Builds name.cpp, one Boost.Test program with its own main, and makes it a ctest test of that name.
-#   LABELS     fast:          part of the everyday run, a few seconds;
-#              slow:          only in the default run of scripts/test;
-#              long:          only in scripts/test --long, and not part of the build of everything;
-#              versions:      also built and run with another compiler and other CGAL versions;
-#              versions_long: the same, but with --long only;
-#              sanitize:      also built and run with the sanitizers, hence with Epick only;
-#              sanitize_long: the same, but with --long only.
+#   LABELS     fast: part of the everyday run, a few seconds; long: only in scripts/test --long, and not part of the
+#              build of everything; by default none: a part of scripts/test alone.
+#   VERSIONS   the label with another compiler and other CGAL versions, else it is no test there.
+#   SANITIZE   the label with the sanitizers, the same; hence with Epick only.
 #   GROUP      Where tests are built in groups, those of one group are one unit: they instantiate the same
 #              templates, which makes up most of the time that a unit takes.
 #   SOURCES    further units.
@@ -17,14 +14,15 @@
 #   CHECKED    CGAL's checks are compiled in, the expensive ones included, whatever the build type.
 #   OPTIMIZED  at -O3, whatever the build type; what is right with less optimization may be wrong with it.
 #
-# Each label has a target tests_<label> that builds its programs and nothing else. The programs find the
+# DELAUNAY_FROM_SURFACE_3_CONFIGURATION, which presets set, is VERSIONS or SANITIZE there. The targets tests_fast and
+# tests_long build the programs with that label and nothing else. The programs find the
 # meshes of Debian's package libcgal-demo in DELAUNAY_FROM_SURFACE_3_DATA_DIR, defined as a string; a
 # test that does not find one there says so and goes on.
 
 option(DELAUNAY_FROM_SURFACE_3_GROUP_TESTS "Build the tests of a group as one unit" OFF)
 
 find_package(Boost REQUIRED)
-foreach(label fast slow long versions versions_long sanitize sanitize_long)
+foreach(label fast long)
   if(NOT TARGET tests_${label})
     add_custom_target(tests_${label})
   endif()
@@ -67,24 +65,35 @@ function(add_test_program name sources)
   endif()
 endfunction()
 
-# register_test(name labels program [argument…])
-function(register_test name labels program)
+# register_test(name label program [argument…])
+function(register_test name label program)
   add_test(NAME ${name} COMMAND ${program} ${ARGN})
-  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 900)
-  if("long" IN_LIST labels) # FUZZ_MINUTES says how long; the fuzzer has a limit for each case
+  set_tests_properties(${name} PROPERTIES LABELS "${label}" TIMEOUT 900)
+  if(label STREQUAL "long") # FUZZ_MINUTES says how long; the fuzzer has a limit for each case
     set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL ON)
     set_tests_properties(${name} PROPERTIES TIMEOUT 86400)
   endif()
-  foreach(label IN LISTS labels)
+  if(label)
     add_dependencies(tests_${label} ${program})
-  endforeach()
+  endif()
 endfunction()
 
-function(add_package_test name)
-  cmake_parse_arguments(arg "COMPILED;CHECKED;OPTIMIZED" "GROUP" "LABELS;SOURCES;LIBRARIES" ${ARGN})
-  if(arg_UNPARSED_ARGUMENTS OR NOT arg_LABELS)
-    message(FATAL_ERROR "add_package_test(${name}): LABELS missing or unknown: ${arg_UNPARSED_ARGUMENTS}")
+# set_label_here(): arg_LABELS is that of this configuration. Where there is none the caller returns.
+macro(set_label_here)
+  if(DELAUNAY_FROM_SURFACE_3_CONFIGURATION)
+    set(arg_LABELS "${arg_${DELAUNAY_FROM_SURFACE_3_CONFIGURATION}}")
+    if(NOT arg_LABELS)
+      return()
+    endif()
   endif()
+endmacro()
+
+function(add_package_test name)
+  cmake_parse_arguments(arg "COMPILED;CHECKED;OPTIMIZED" "LABELS;VERSIONS;SANITIZE;GROUP" "SOURCES;LIBRARIES" ${ARGN})
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "add_package_test(${name}): unknown: ${arg_UNPARSED_ARGUMENTS}")
+  endif()
+  set_label_here()
 
   if(arg_GROUP AND DELAUNAY_FROM_SURFACE_3_GROUP_TESTS)
     set_property(GLOBAL APPEND PROPERTY test_groups "${arg_GROUP}")
@@ -146,12 +155,13 @@ function(finish_test_groups)
   endforeach()
 endfunction()
 
-# add_python_test(name LABELS label… [TIMEOUT seconds] [PROGRAMS VARIABLE=target…])
+# add_python_test(name [LABELS fast|long] [SANITIZE fast|long] [TIMEOUT seconds] [PROGRAMS VARIABLE=target…])
 #
 # Makes name.py, tests of Python's unittest, a test of ctest. It finds the programs of the targets by the
 # environment, and what tests of programs share in scripts/lib.
 function(add_python_test name)
-  cmake_parse_arguments(arg "" "TIMEOUT" "LABELS;PROGRAMS" ${ARGN})
+  cmake_parse_arguments(arg "" "LABELS;VERSIONS;SANITIZE;TIMEOUT" "PROGRAMS" ${ARGN})
+  set_label_here()
   find_package(Python3 COMPONENTS Interpreter QUIET)
   if(NOT Python3_FOUND)
     message(STATUS "skipped: ${name}, as Python was not found")
@@ -162,9 +172,9 @@ function(add_python_test name)
   foreach(program IN LISTS arg_PROGRAMS)
     string(REGEX MATCH "^([^=]*)=(.*)$" ignored "${program}")
     list(APPEND environment "${CMAKE_MATCH_1}=$<TARGET_FILE:${CMAKE_MATCH_2}>")
-    foreach(label IN LISTS arg_LABELS)
-      add_dependencies(tests_${label} ${CMAKE_MATCH_2})
-    endforeach()
+    if(arg_LABELS)
+      add_dependencies(tests_${arg_LABELS} ${CMAKE_MATCH_2})
+    endif()
   endforeach()
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
@@ -172,7 +182,7 @@ function(add_python_test name)
   add_test(NAME ${name} COMMAND Python3::Interpreter -B "${CMAKE_CURRENT_SOURCE_DIR}/${name}.py")
   set_tests_properties(${name} PROPERTIES
     LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${environment}")
-  if("long" IN_LIST arg_LABELS)
+  if(arg_LABELS STREQUAL "long")
     set_tests_properties(${name} PROPERTIES TIMEOUT 86400)
   endif()
 endfunction()

@@ -3,8 +3,9 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Fills what README and manual show of the measured results: the text between <!-- MARKER --> and <!-- end -->. Needs
-nothing but Python. TABLES says which page has which marker, of which results/*.json, and who writes it.
+"""Fills what README and manual show of the measured results: the text between <!-- MARKER --> and <!-- end -->, and brings
+new results into the form of one_record_per_line.py. Needs nothing but Python. TABLES says which page has which marker, of
+which results/*.json, and who writes it.
 
   fill_manual.py                       fills all pages
   fill_manual.py --check               only says whether they are filled with these results
@@ -22,6 +23,7 @@ import paper_tables
 import speed_tables
 import use_tables
 from manual_tables import read
+from one_record_per_line import rewrite
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -101,6 +103,9 @@ def main():
     parser.add_argument("--root", type=Path, default=ROOT, metavar="FOLDER", help="the project; default: that of this script")
     arguments = parser.parse_args()
     wrong = []
+    if not arguments.check and not arguments.print:
+        for path in (HERE / "results").glob("*.json"):
+            rewrite(path)
     for page in dict.fromkeys(page for page, *_ in TABLES):
         blocks = blocks_of(page)
         if arguments.print:

@@ -191,6 +191,7 @@ const struct
   const char* name;
   Call call;
 } calls[] = {
+    // [4] is short of memory
     {"all", insert_all},
     {"arrays", make_arrays},
     {"stopped", stop},
@@ -249,9 +250,10 @@ Holdings holdings()
   return h;
 }
 
-bool has_grown(const Holdings& before, const Holdings& after)
+// CGAL's Compact_container loses a block if there is no memory for the list of its blocks.
+bool has_grown(const Holdings& before, const Holdings& after, std::size_t calls_short_of_memory)
 {
-  constexpr std::size_t slack = 1 << 20; // TBB's and CGAL's, for each thread
+  const std::size_t slack = (1 << 20) + 200 * calls_short_of_memory; // TBB's, for each thread
   return after.bytes > before.bytes + slack || after.files > before.files;
 }
 
@@ -286,7 +288,7 @@ int main(int argc, char** argv)
     held.push_back(holdings());
   }
 
-  bool is_right = !has_grown(held[1], held[3]);
+  bool is_right = !has_grown(held[1], held[3], done[4]);
   for (std::size_t k = 0; k < std::size(calls); ++k) {
     std::printf("%s: %zu calls, %zu wrong\n", calls[k].name, done[k].load(), wrong[k].load());
     is_right = is_right && done[k] > 0 && wrong[k] == 0;

@@ -18,7 +18,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -72,16 +71,12 @@ class Signs : public Subject
     return c;
   }
 
-  static Quintuple quintuple(const Case& c, std::size_t i)
+  static Points nine_points(const Case& c, std::size_t i)
   {
-    const double unused = std::numeric_limits<double>::quiet_NaN(); // must not matter
-    const auto record = [&](std::size_t k) {
-      const Coordinates& p = c.points[c.quintuples[i][k]];
-      return Record{p[0], p[1], p[2], unused};
-    };
-    return {{record(0), record(1), record(2), record(3)},
-            record(4),
-            {record(5), record(6), record(7), record(8)}};
+    Points points;
+    for (const std::size_t k : c.quintuples[i])
+      points.push_back(c.points[k]);
+    return points;
   }
 
 public:
@@ -96,8 +91,9 @@ public:
     else {
       Checked_signs signs(tally);
       for (const std::size_t i : parts) {
-        check_cell(quintuple(c, i), signs);
-        check_infinite_cell(quintuple(c, i), signs);
+        const Quintuple quintuple = quintuple_of(nine_points(c, i));
+        check_cell(quintuple, signs);
+        check_infinite_cell(quintuple, signs);
       }
     }
     return "";
@@ -107,12 +103,8 @@ public:
   {
     const Case c = make_case(seed);
     std::string text = std::string("category: ") + c.category->name;
-    for (const std::size_t i : parts) {
-      Points points;
-      for (const std::size_t k : c.quintuples[i])
-        points.push_back(c.points[k]);
-      text += "\ncell, point, opposite vertices:" + to_string(points);
-    }
+    for (const std::size_t i : parts)
+      text += "\ncell, point, opposite vertices:" + to_string(nine_points(c, i));
     return text;
   }
 };

@@ -92,6 +92,13 @@ BOOST_AUTO_TEST_CASE(a_missing_edge_is_refused)
   check_says(refusal(g), {"is missing from the list of vertex 3"});
 }
 
+BOOST_AUTO_TEST_CASE(an_edge_twice_in_a_list_is_refused)
+{
+  Embedded_graph g = embedded(tetrahedron());
+  g.lists[3].back() = g.lists[3].front();
+  check_says(refusal(g), {"stands twice in the list of vertex 3"});
+}
+
 BOOST_AUTO_TEST_CASE(a_foreign_edge_is_refused)
 {
   Embedded_graph g = embedded(double_wheel(6));

@@ -11,6 +11,9 @@
 
 #include "core_traits.h"
 #include "check_insertion.h"
+#include "check_signs.h"
+#include "kept_inputs.h"
+#include "parallel_case.h"
 
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
@@ -50,6 +53,30 @@ void check(const Insertion_case& c)
 }
 
 } // namespace
+
+// What the fuzzers found once, and all of it together: signs, insertions, and threads that meet.
+BOOST_AUTO_TEST_CASE(kept_inputs)
+{
+  Insertion_case all;
+  for (const fuzz::Kept_input& kept : fuzz::kept_inputs) {
+    const fuzz::Quintuple quintuple = fuzz::quintuple_of(kept.points);
+    fuzz::Tally tally;
+    fuzz::Checked_signs signs(tally);
+    BOOST_TEST_CONTEXT(kept.constants)
+    {
+      BOOST_CHECK_NO_THROW(fuzz::check_cell(quintuple, signs));
+      BOOST_CHECK_NO_THROW(fuzz::check_infinite_cell(quintuple, signs));
+    }
+    Insertion_case c;
+    c.points = kept.points;
+    check(c);
+    all.points.insert(all.points.end(), kept.points.begin(), kept.points.end());
+  }
+  check(all);
+  const auto many = tests::insert_by_many(all.points, tests::Thread_executor(8), {4, 1, 1});
+  BOOST_TEST(many.is_valid);
+  BOOST_TEST((many.cells == tests::cells_by_one(all.points)));
+}
 
 // 2^1022 apart and more, a factor that brings the largest to 1 makes denormals of others, or zeros.
 BOOST_AUTO_TEST_CASE(coordinates_of_very_different_size)

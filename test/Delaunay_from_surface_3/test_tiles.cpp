@@ -9,6 +9,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include "named_surfaces.h"
+#include "tile_calls.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
@@ -28,6 +29,7 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
+using tests::source_of;
 using Points = std::vector<std::array<double, 3>>;
 using Cells = std::vector<std::array<std::uint64_t, 4>>;
 
@@ -64,17 +66,10 @@ Cells cells_of(const core::Tiles_here& engine)
   return cells;
 }
 
-CGAL::Tile_array_source_3 source_of(const Points& points)
-{
-  return {points.front().data(), points.size()};
-}
-
 CGAL::Tiles_options options_of(std::uint32_t tiles, std::size_t share = 8)
 {
-  CGAL::Tiles_options options;
-  options.number_of_tiles = tiles;
+  CGAL::Tiles_options options = tests::options_of(tiles);
   options.sample_share = share;
-  options.least_points = 1;
   return options;
 }
 

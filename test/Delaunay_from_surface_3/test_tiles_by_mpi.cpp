@@ -8,6 +8,8 @@
 #define BOOST_TEST_MODULE test_tiles_by_mpi
 #include <boost/test/included/unit_test.hpp>
 
+#include "tile_calls.h"
+
 #include <CGAL/Tiles_by_mpi_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 
@@ -26,6 +28,8 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
+using tests::options_of;
+using tests::source_of;
 using Points = std::vector<std::array<double, 3>>;
 using Cells = std::vector<std::array<std::uint64_t, 4>>;
 
@@ -69,19 +73,6 @@ Points points_in_planes(std::size_t n)
   for (auto& p : points)
     p[2] = p[2] < 20 ? 0 : p[0];
   return points;
-}
-
-CGAL::Tile_array_source_3 source_of(const Points& points)
-{
-  return {points.front().data(), points.size()};
-}
-
-CGAL::Tiles_options options_of(std::uint32_t tiles)
-{
-  CGAL::Tiles_options options;
-  options.number_of_tiles = tiles;
-  options.least_points = 1;
-  return options;
 }
 
 Cells cells_of(const CGAL::Delaunay_3_arrays<>& arrays)

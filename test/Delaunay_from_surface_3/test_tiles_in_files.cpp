@@ -8,6 +8,8 @@
 #define BOOST_TEST_MODULE test_tiles_in_files
 #include <boost/test/included/unit_test.hpp>
 
+#include "tile_calls.h"
+
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
@@ -33,6 +35,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using tests::source_of;
 using Points = std::vector<std::array<double, 3>>;
 using Cells = std::vector<std::array<std::int64_t, 4>>;
 
@@ -59,17 +62,10 @@ Points some_points(std::size_t n)
   return points;
 }
 
-CGAL::Tile_array_source_3 source_of(const Points& points)
-{
-  return {points.front().data(), points.size()};
-}
-
 CGAL::Tiles_options options_of(std::uint32_t tiles)
 {
-  CGAL::Tiles_options options;
-  options.number_of_tiles = tiles;
+  CGAL::Tiles_options options = tests::options_of(tiles);
   options.points_at_once = 300; // several ranges
-  options.least_points = 1;
   return options;
 }
 

@@ -10,6 +10,7 @@
 
 #include "exact_signs_of_points.h"
 #include "fuzz_tally.h"
+#include "hostile_numbers.h" // Points
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -46,6 +48,17 @@ struct Quintuple
     return {r[0].data(), r[1].data(), r[2].data(), r[3].data()};
   }
 };
+
+// Of nine points, in this order. The fourth number of a record must not matter.
+inline Quintuple quintuple_of(const Points& points)
+{
+  const auto record = [&](std::size_t k) {
+    return Record{points[k][0], points[k][1], points[k][2], std::nan("")};
+  };
+  return {{record(0), record(1), record(2), record(3)},
+          record(4),
+          {record(5), record(6), record(7), record(8)}};
+}
 
 // Throws at the first wrong sign.
 class Checked_signs

@@ -28,9 +28,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Tetrahedra as rows of arrays that are somebody else's: entry k of simplex c is at c * stride + k.
-// Beyond the hull is -1 or an infinite cell, which has a number from `number` on. What is out of range
-// is refused when it is met.
+// Tetrahedra as rows of arrays owned elsewhere: entry k of simplex c is at c * stride + k. Beyond
+// the hull is -1 or an infinite cell, which has a number from `number` on. What is out of range is
+// refused when it is met.
 template <class Index>
 struct Simplices_view
 {
@@ -137,7 +137,7 @@ private:
                        corners[facet[2]].data());
   }
 
-  // Of all that have q in a facet, as m_last has: they are met through such facets.
+  // The least of all that have q in a facet, as m_last has: they are met through such facets.
   Index least_around(const Point& q)
   {
     Index least = m_last;

@@ -57,8 +57,7 @@ public:
     return true;
   }
 
-  // Where vertex k of cell c is lonely: which vertex of the neighbour there is; m_corners if nothing
-  // fits.
+  // Which vertex of the neighbour lies opposite to vertex k of cell c; m_corners if none fits.
   std::size_t place_across(std::size_t c, std::size_t k) const
   {
     const Cell there = m_arrays.neighbors(std::size_t(m_arrays.neighbors(c)[k]));
@@ -67,7 +66,7 @@ public:
         there.begin());
   }
 
-  // Around each vertex, if links are valid; and whether all is connected.
+  // Whether there is a sphere around each vertex, if links are valid; and whether all is connected.
   bool are_spheres() const
   {
     const std::size_t cells = m_arrays.number_of_cells(), n = m_arrays.number_of_vertices() + 1;
@@ -116,8 +115,8 @@ private:
     return true;
   }
 
-  // The facet is the same, and seen from the other side: with the vertex across in place of the lonely
-  // one the cell is the neighbour, turned inside out. Segments need not be oriented alike.
+  // The facet is the same, and seen from the other side: with the vertex across in place of vertex
+  // k the cell is the neighbour, turned inside out. Segments need not be oriented alike.
   bool shares_facet(std::size_t c, std::size_t k) const
   {
     const Cell there = m_arrays.vertices(std::size_t(m_arrays.neighbors(c)[k]));

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_ADJACENT_VERTICES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_ADJACENT_VERTICES_H
 
-// Which vertices have a common edge.
+// Which vertices are joined by an edge.
 
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>

@@ -110,9 +110,9 @@ Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built, const Executor& execu
                 vertices_of_points(built, names, executor));
 }
 
-// What was built of the points, with an apex if they lie in a plane; empty after a stop. Throws a
-// std::length_error if the cells are more than an Index can number. Linear, by as many threads as the
-// executor has.
+// The arrays of what was built of the points, with an apex if they lie in a plane; empty after a
+// stop. Throws a std::length_error if the cells are more than an Index can number. Linear, by as
+// many threads as the executor has.
 template <class Index>
 Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& built,
                                          Point_source& source, const Executor& executor)

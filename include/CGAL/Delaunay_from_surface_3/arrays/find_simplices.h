@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FIND_SIMPLICES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FIND_SIMPLICES_H
 
-// The same for many points: each thread has a part of them, sorts it by space, and walks from one to
-// the next.
+// Finds the simplices of many points: each thread sorts a part of them by space, and walks from one
+// to the next.
 
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>

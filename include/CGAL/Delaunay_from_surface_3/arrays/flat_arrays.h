@@ -10,8 +10,8 @@
 // In a plane: one point more, the apex, off the plane. The sphere through a triangle and the apex
 // cuts the plane in the circle of the triangle, so the cells at the apex are the triangles of the
 // Delaunay triangulation in the plane, infinite ones included, each with the apex on top. CGAL's
-// perturbation of points on one circle is the same in both: raising the apex changes no sign, as the
-// other four points of a test lie in one plane. So nothing need be known of planes by the kernel.
+// perturbation of points on one circle is the same in both: raising the apex changes no sign, as
+// the other four points of a test lie in one plane. So the kernel need not know of planes.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>

@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_IS_VALID_ARRAYS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_IS_VALID_ARRAYS_H
 
-// What is checked of arrays by the points: the core's predicates, on cells that are put together here.
+// What of arrays is checked by the points: the core's predicates, on cells that are put together
+// here.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
@@ -143,7 +144,7 @@ bool is_line_of_segments(const Delaunay_3_arrays<Index>& arrays, const Point_arr
   return true;
 }
 
-// Of the points that they were made of. Neighbours and infinite cells are still there.
+// Whether they are those of these points. Neighbours and infinite cells are still there.
 template <class Index>
 bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
               Delaunay_validity_level level)

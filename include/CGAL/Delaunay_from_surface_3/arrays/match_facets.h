@@ -40,7 +40,7 @@ struct Corners_view
   Index shift;
 };
 
-// Of facet f % Corners of simplex f / Corners, which leaves out that corner.
+// The key of facet f: that of simplex f / Corners which leaves out corner f % Corners.
 template <std::size_t Corners, class Index>
 Facet_key key_of_facet(const Corners_view<Index>& simplices, std::size_t f)
 {
@@ -64,7 +64,7 @@ Facet_key key_of_facet(const Corners_view<Index>& simplices, std::size_t f)
   return key;
 }
 
-// Facets with the same least vertex, so many at most, by the two others.
+// Facets with the same least vertex, by the two others.
 class Facet_table
 {
 public:

@@ -56,7 +56,7 @@ public:
 
   double volume() const { return std::ldexp(double(m_determinant / 6), 3 * m_exponent); }
 
-  // Of the sphere through the corners, relative to a.
+  // The centre of the sphere through the corners, relative to a.
   std::array<double, 3> center() const
   {
     const Vector c = scaled_center();
@@ -109,7 +109,7 @@ private:
   Number m_determinant;
 };
 
-// Calls f with the tetrahedron in numbers that suit it.
+// Calls f with the tetrahedron, in numbers of sufficient precision.
 template <class F>
 auto with_scaled_tetrahedron(const std::array<double, 3>* corners, const F& f)
 {

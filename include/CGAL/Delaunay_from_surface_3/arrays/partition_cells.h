@@ -26,7 +26,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The cell at place c has come from elsewhere: its neighbours learn it.
+// The cell at place c has been moved there: sets the links of its neighbours.
 template <class Id>
 void link_back(Compact_cell<Id>* cells, Id c)
 {
@@ -92,7 +92,7 @@ struct Numbers_of_cells
   std::size_t finite, all;
 };
 
-// The vertices' cells are not kept up to date.
+// Vertices keep their old cells.
 template <class Id>
 Numbers_of_cells partition_cells(Compact_cell<Id>* cells, std::size_t end, const Executor& executor)
 {

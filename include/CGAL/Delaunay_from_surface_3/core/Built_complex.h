@@ -27,7 +27,7 @@ template <class Id>
 class Built_complex final : public Built<Id>
 {
 public:
-  // An order that nobody else keeps.
+  // Keeps an order that has no other owner.
   Order_view keep(Insertion_order&& order)
   {
     m_order = std::move(order);

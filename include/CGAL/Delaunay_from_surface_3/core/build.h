@@ -26,14 +26,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// What is asked of the core beyond points and order.
+// What a caller asks of the core besides points and order.
 struct Request
 {
   // Whether points in one plane get an apex off it. The cells at it are then their triangles, with
-  // the same perturbation. Else nothing is done with them.
+  // the same perturbation. Otherwise such points are not triangulated.
   bool adds_apex;
 
-  // Whether points start where the order says. Else each starts from the one before.
+  // Whether points start where the order says. Otherwise each starts from the one before.
   bool uses_starting_places;
 };
 

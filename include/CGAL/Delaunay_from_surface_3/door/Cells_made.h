@@ -17,10 +17,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Where the handles of the cells that are made lie: in the memory of the compact cells, from the
-// beginning of each block on, so that no other memory need be touched. A handle is no larger than a
-// compact cell, so that of the k-th cell of a block lies where the first k were, itself included, and
-// they have been read.
+// The handles of the cells made so far, kept in the memory of the compact cells, from the beginning
+// of each block on, so that no other memory is touched. A handle is no larger than a compact cell:
+// that of the k-th cell of a block overwrites only the first k, which have been read.
 template <class Tds, class Id>
 class Cells_made
 {
@@ -57,7 +56,7 @@ public:
     char* m_begin;
   };
 
-  // In blocks of so many cells.
+  // Blocks have `size_of_block` cells.
   Cells_made(Built<Id>& built, std::size_t size_of_block)
     : m_cells(built.cells)
     , m_size(size_of_block)
@@ -67,7 +66,7 @@ public:
   // The block that begins with cell `first`.
   Block block(std::size_t first) const { return Block(m_cells + first); }
 
-  // How many cells the handles of so many take the place of.
+  // How many compact cells the handles of `number` cells overwrite.
   static std::size_t cells_overwritten(std::size_t number)
   {
     return (number * sizeof(Cell*) + sizeof(Compact) - 1) / sizeof(Compact);
@@ -77,7 +76,7 @@ public:
   Handle operator[](std::size_t c) const { return block(first(c))[c - first(c)]; }
 
 private:
-  // Of the block of cell c.
+  // The first cell of the block of cell c.
   std::size_t first(std::size_t c) const { return c < m_size ? 0 : c - c % m_size; }
 
   Compact* m_cells;

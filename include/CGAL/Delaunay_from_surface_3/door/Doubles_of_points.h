@@ -23,8 +23,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The coordinates of a caller's points as doubles: the numbers themselves, or, if that is not so of
-// all of them, what is near enough to make an order of.
+// The coordinates of a caller's points as doubles: exact if all of them are doubles, else rounded,
+// which is enough to make an order.
 template <class Point>
 class Doubles_of_points final : public Point_source
 {
@@ -45,7 +45,7 @@ public:
   }
   void give_up() override { Large_vector<double>().swap(m_coordinates); }
 
-  // Why they are not the numbers themselves; empty if they are.
+  // Why they are not exact; empty if they are.
   std::string obstacle() const
   {
     return m_not_double < m_points.size()
@@ -72,7 +72,8 @@ private:
 
   const std::vector<Point>& m_points;
   Large_vector<double> m_coordinates;
-  std::size_t m_not_double; // the first point of which one is not, or the number of points
+  std::size_t
+      m_not_double; // the first point with a coordinate that is none, or the number of points
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

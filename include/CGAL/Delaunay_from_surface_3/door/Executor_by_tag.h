@@ -33,7 +33,7 @@ struct Executor_of_tag
   using type = std::conditional_t<is_parallel, Parallel_executor, Alone>;
 };
 
-// Who inserts for an executor.
+// The crew that inserts with an executor.
 template <class Executor>
 struct Crew
 {
@@ -45,7 +45,7 @@ struct Crew<Alone>
   using type = One_thread;
 };
 
-// That of the concurrency tag of a call, or of the triangulation.
+// The executor for the concurrency tag of a call, or else of the triangulation.
 template <class ConcurrencyTag, class Triangulation>
 using Executor_by_tag = typename Executor_of_tag<
     typename Default::Get<ConcurrencyTag, typename Triangulation::Concurrency_tag>::type>::type;

@@ -24,7 +24,7 @@ struct Insertion_input
   const std::vector<Point>& points;
   const Graph& graph;
   VertexIndexMap index_map;
-  std::optional<std::string> irregularity; // none of points that need not be a surface
+  std::optional<std::string> irregularity; // none where points need not be a surface
   NameOf name_of;
   Infos infos;
 };

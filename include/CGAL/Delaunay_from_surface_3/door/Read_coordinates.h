@@ -84,7 +84,7 @@ public:
 private:
   void read()
   {
-    const Rounding_to_nearest rounding; // whenever it is done the numbers are the same
+    const Rounding_to_nearest rounding; // reading twice gives the same numbers
     const auto point_map = parameters::choose_parameter(
         parameters::get_parameter(m_np, internal_np::point_map), Coordinates_map<Item>());
     m_copy.reserve(stays ? 0 : 3 * m_size);

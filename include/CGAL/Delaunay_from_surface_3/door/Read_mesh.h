@@ -38,7 +38,7 @@ std::optional<std::string> irregularity_of_mesh(const FaceGraph& mesh)
   return "faces that are not triangles: " + std::to_string(non_triangles);
 }
 
-// CGAL's helper is asked only where no map is given: its assertion wants one without gaps.
+// CGAL's helper is used only where no map is given: it asserts that a map has no gaps.
 template <class FaceGraph, class NamedParameters>
 auto vertex_index_map_of_mesh(const FaceGraph& mesh, const NamedParameters& np)
 {

@@ -32,14 +32,15 @@ using Accept_with_corners =
                                              std::declval<const Point&>(),
                                              std::declval<const std::array<std::size_t, 4>&>()));
 template <class Visitor>
-using Accept_of_any_arguments = decltype(&Visitor::accept); // if it is no template and the only one
+using Accept_of_any_arguments =
+    decltype(&Visitor::accept); // only if it is no template and not overloaded
 
-// Whether there is one that looks at the corners, too.
+// Whether accept() takes the corners, too.
 template <class Visitor, class Point>
 constexpr bool has_accept_with_corners = is_detected<Accept_with_corners, Visitor, Point>;
 
-// Whether a visitor leaves points out. One that has accept() is asked, in the order of insertion,
-// what it says of a point and the vertex nearest to it.
+// Whether a visitor leaves points out: its accept() is asked, in the order of insertion, about each
+// point and the vertex nearest to it.
 template <class Visitor, class Point>
 constexpr bool accepts_points()
 {
@@ -50,8 +51,7 @@ constexpr bool accepts_points()
   return has_accept;
 }
 
-// Whether phase_begins() is another than that of the default visitor: it is then told of every
-// point.
+// Whether the visitor has a phase_begins() of its own: it is then told of every point.
 template <class Visitor>
 using Phase_begins = decltype(&Visitor::phase_begins);
 
@@ -60,7 +60,7 @@ constexpr bool follows_all_points =
     !std::is_same<detected_or_t<void, Phase_begins, Visitor>,
                   Phase_begins<Default_surface_insertion_visitor_3>>::value;
 
-// Whether it wants to know how many points are inserted.
+// Whether go_further() takes the number of points inserted.
 template <class Visitor>
 using Go_further_with_number = decltype(std::declval<Visitor&>().go_further(std::size_t()));
 
@@ -132,7 +132,7 @@ public:
     return accepts(i, nearest, m_points[nearest], corners);
   }
 
-  // What only the paper's way, or CGAL's insertion in place of the core's, has to tell.
+  // What only the paper's way, or CGAL's insertion in place of the core's, reports.
 
   void surface_is_irregular(const std::string& reason)
   {

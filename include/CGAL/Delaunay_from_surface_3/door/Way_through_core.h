@@ -32,7 +32,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The numbers of the core's vertices and cells where a traits class is used; tests have others.
+// The type of the core's ids where a traits class is used; tests use others.
 template <class Traits>
 struct Id_of_core
 {

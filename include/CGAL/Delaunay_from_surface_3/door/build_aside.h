@@ -6,8 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_BUILD_ASIDE_H
 
 // What is built aside takes the place of an empty triangulation: with its traits, its lock
-// structure and what its infinite vertex holds. That is moved: what a vertex base holds need not be
-// copied, nor say that it cannot be (a std::vector of what cannot does not).
+// structure and what its infinite vertex holds. That is moved, not copied: what a vertex base holds
+// need not be copyable, even where its type claims to be (as std::vector does for any element).
 
 #include <CGAL/Delaunay_from_surface_3/door/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -20,7 +20,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A vertex with constant members can be copied, and not moved into another.
+// A vertex with constant members can be copied, but not assigned to another.
 template <class Vertex>
 constexpr bool is_only_copied =
     std::is_copy_constructible<Vertex>::value && !std::is_move_assignable<Vertex>::value;
@@ -32,7 +32,7 @@ Triangulation empty_like(const Triangulation& tr)
   if constexpr (is_only_copied<typename Triangulation::Vertex>) {
     return Triangulation(tr);
   } else {
-    Triangulation aside(tr.geom_traits()); // with Fast_location there is no constructor for both
+    Triangulation aside(tr.geom_traits()); // Fast_location has no constructor that takes both
     aside.set_lock_data_structure(tr.get_lock_data_structure());
     return aside;
   }

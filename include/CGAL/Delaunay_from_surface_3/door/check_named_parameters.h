@@ -16,7 +16,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Is given where a named parameter is: compilers print its argument beside the message.
+// Instantiated for each named parameter given: compilers print its arguments beside the message.
 template <class Tag, bool is_known>
 struct Named_parameter
 {
@@ -31,7 +31,7 @@ struct Named_parameters_are_known : std::true_type
 {
 };
 
-// One of the sequence, and those before it.
+// The last parameter of the sequence, and those before it.
 template <class T, class Tag, class Base, class... Known>
 struct Named_parameters_are_known<Named_function_parameters<T, Tag, Base>, Known...>
   : std::bool_constant<Named_parameter<Tag, (std::is_same<Tag, internal_np::all_default_t>::value ||
@@ -40,7 +40,8 @@ struct Named_parameters_are_known<Named_function_parameters<T, Tag, Base>, Known
 {
 };
 
-// Does not compile if there is a named parameter whose tag is none of `Known`: it would do nothing.
+// Does not compile if there is a named parameter whose tag is not among `Known`: it would have no
+// effect.
 template <class... Known, class NamedParameters>
 constexpr bool check_named_parameters(const NamedParameters&)
 {

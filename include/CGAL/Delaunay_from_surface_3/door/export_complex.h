@@ -103,7 +103,7 @@ public:
     });
   }
 
-  // When all blocks have made their cells: the part-th of so many parts.
+  // To be called when all blocks have made their cells: sets part `part` of `parts`.
   void set_links_out(const Made& cells, std::size_t part, std::size_t parts) const
   {
     const std::size_t n = m_links_out.size(), last = n * (part + 1) / parts;
@@ -132,8 +132,8 @@ private:
     return (std::min)(std::size_t(link >> 2) - first, own);
   }
 
-  // So many cells ahead handles, and then what they lead to, are fetched. The distances were chosen
-  // by trial; no measurement of them is kept.
+  // How many cells ahead handles, and then what they point to, are prefetched. The distances were
+  // chosen by trial; no measurement of them is kept.
   static void fetch_ahead(const Built<Id>& built, const Block& cells, std::size_t c,
                           std::size_t first, std::size_t last)
   {

@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_GIVE_TO_VERTICES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_GIVE_TO_VERTICES_H
 
-// What vertices get, and what the caller gets of them, once they are in the triangulation.
+// What is done with the vertices once they are in the triangulation: infos are set, and the
+// caller's output is written.
 //
 // Here `vertices` are handles by input index, none for a point that is not inserted. Of points that
 // are equal the one with the smallest index decides: what was given before is overwritten by
@@ -46,7 +47,7 @@ struct Infos_in_order
   }
 };
 
-// By value: what a map returns may be a reference to its key, as that of Identity_property_map is, and
+// Returned by value: a map may return a reference to its key, as Identity_property_map does, and
 // the key does not outlive the call.
 template <class InfoMap, class NameOf>
 struct Infos_of_map

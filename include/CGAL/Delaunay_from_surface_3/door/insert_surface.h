@@ -49,7 +49,7 @@ Order_options order_options(const NamedParameters& np)
       choose_parameter(get_parameter(np, internal_np::preserve_order), false)};
 }
 
-// Whether traits say who inserts.
+// Whether traits have the constant through_core.
 template <class Traits>
 using Through_core = decltype(Traits::through_core);
 
@@ -68,8 +68,9 @@ constexpr bool goes_through_core()
     return false;
 }
 
-// Fewer points than that are inserted by CGAL at once, where nobody can tell: a plan of the caller's
-// could, and a visitor; and CGAL chooses the order of the vertices itself.
+// With fewer points than this CGAL inserts them at once, where the caller cannot tell the
+// difference: not if there is a plan of the caller's or a visitor, nor if the order of the input is
+// preserved.
 template <class Traits, class Triangulation, class NamedParameters>
 std::size_t least_points_for_core(const Triangulation& tr, const NamedParameters& np)
 {

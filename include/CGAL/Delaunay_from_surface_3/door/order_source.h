@@ -29,7 +29,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What a plan is asked about.
+// What a plan is given: points, traits, graph and index map.
 template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
 struct Planned_points
 {
@@ -43,7 +43,7 @@ template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
 Planned_points(const std::vector<Point>&, const GeomTraits&, const Graph&, VertexIndexMap)
     -> Planned_points<Point, GeomTraits, Graph, VertexIndexMap>;
 
-// Whether a plan names a budget, and another plan for when it is exceeded.
+// Whether a plan names a budget, and a plan to fall back to when it is exceeded.
 template <class Plan>
 using Budget = std::void_t<decltype(Plan::cells_per_point),
                            decltype(std::declval<const Plan&>().fallback_plan())>;
@@ -63,8 +63,8 @@ template <class Plan, class Points>
 std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points,
                                            Edge_source& edges);
 
-// By a caller's plan, and then by the one that it names for when its budget is exceeded. An order
-// that no insertion could use is refused with a std::invalid_argument.
+// The order of a caller's plan, and then that of its fallback plan, if the budget is exceeded. An
+// order that no insertion could use is refused with a std::invalid_argument.
 template <class Plan, class Points>
 class Order_of_plan final : public Order_source
 {
@@ -98,7 +98,7 @@ public:
   {
     if (m_next)
       return m_next->go_on();
-    m_order = Insertion_order(); // before there is another
+    m_order = Insertion_order(); // frees the memory before another is made
     if constexpr (has_budget<Plan>)
       m_next = order_source(m_plan.fallback_plan(), m_points, m_edges);
     return m_next != nullptr;

@@ -63,7 +63,7 @@ using Category_of_iterator = typename std::iterator_traits<Iterator>::iterator_c
 template <class Iterator>
 constexpr bool is_iterator = is_detected<Category_of_iterator, Iterator>;
 
-// Makes room for all items, if it can be seen how many there are.
+// Reserves room for all items, if their number is known.
 template <class T, class Range>
 void reserve_for(const Range& items, std::vector<T>& into)
 {

@@ -33,11 +33,11 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Whether it is a number of C++ that counts or measures.
+// Whether it is an arithmetic type of more than one byte: no bool, no char.
 template <class Number>
 constexpr bool is_number = std::is_arithmetic<Number>::value && sizeof(Number) > 1;
 
-// So many coordinates has it, as far as its type says; else there are enough.
+// Its number of coordinates, if its type says so; else 3 are assumed.
 template <class Item>
 using Size_of_tuple = std::integral_constant<std::size_t, std::tuple_size<Item>::value>;
 
@@ -54,8 +54,8 @@ using Point_of_kernel_of = typename Item::R::Point_3;
 template <class Item>
 using First_coordinate = std::decay_t<decltype(std::declval<const Item&>()[0])>;
 
-// Whether it has coordinates [0], [1] and [2] that are numbers of C++, as arrays, pointers, and
-// vectors of other libraries have. What is of a kernel is a point of it, or refused.
+// Whether it has coordinates [0], [1] and [2] of arithmetic type, as arrays, pointers, and vectors
+// of other libraries have. A type of a kernel must be its point type; others are refused.
 template <class Item>
 constexpr bool has_coordinates =
     is_number<detected_or_t<char, First_coordinate, Item>>&& number_of_coordinates<Item> == 3 &&

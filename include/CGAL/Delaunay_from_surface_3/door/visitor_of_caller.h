@@ -5,8 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_VISITOR_OF_CALLER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DOOR_VISITOR_OF_CALLER_H
 
-// A visitor may be a model of SurfaceInsertionVisitor_3, or a callable that is told how far the
-// work is.
+// A visitor may be a model of SurfaceInsertionVisitor_3, or a callable that is told about progress.
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -81,7 +80,7 @@ constexpr bool is_progress()
 }
 
 // A visitor in std::ref() serves as it is. Any other is copied, since its functions may change it;
-// get_parameter_reference() gives a reference to what is gone by then.
+// get_parameter_reference() would give a dangling reference.
 template <class Visitor>
 decltype(auto) visitor_of_caller(const Visitor& visitor, std::size_t number_of_points)
 {

@@ -44,7 +44,7 @@ inline Vector_3d area_vector(const Triangle_3d& t)
 class Multipole
 {
 public:
-  // Of a triangle, whose area vector is n, by its corners relative to the centre.
+  // Adds a triangle with area vector n, given by its corners relative to the centre.
   void add(const Triangle_3d& corners, const Vector_3d& n)
   {
     Vector_3d sum = {0, 0, 0}, third;
@@ -63,7 +63,7 @@ public:
     add_third(n, squares);
   }
 
-  // That of another, whose centre is at d, relative to this one's.
+  // Adds another expansion, whose centre is at d relative to that of this one.
   void add(const Multipole& other, const Vector_3d& d)
   {
     for (std::size_t j = 0; j < 3; ++j)
@@ -78,7 +78,7 @@ public:
     add_third(other.m_dipole, square);
   }
 
-  // The solid angle of all, where r leads to the centre.
+  // The solid angle of all, seen from where r leads to the centre.
   double solid_angle(const Vector_3d& r) const
   {
     const double x = r[0], y = r[1], z = r[2], xx = x * x, yy = y * y, zz = z * z;

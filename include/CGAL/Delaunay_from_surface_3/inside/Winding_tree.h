@@ -35,13 +35,13 @@ class Winding_tree
   static constexpr double four_pi = 12.566370614359172954;
   static constexpr std::size_t leaf = 8; // triangles, at most
 
-  // Clusters are taken as a whole from so many of their radii on.
+  // The distance, in radii, from which on a cluster is taken as a whole.
   static constexpr double far = 2;
 
   struct Cluster
   {
     Vector_3d center = {0, 0, 0};
-    double reach = 0; // from here on it is far
+    double reach = 0; // the distance from which on it is far
     double area = 0;
     Multipole field;
     std::uint32_t first = 0, last = 0; // its triangles
@@ -64,7 +64,7 @@ public:
 
   static constexpr std::size_t most = 16; // queries at a time
 
-  // Of n ≤ most queries near each other, which see the same clusters as far.
+  // Answers n ≤ most queries near each other, which see the same clusters as far.
   void operator()(const Vector_3d* q, std::size_t n, double* numbers) const
   {
     double angles[most] = {0}, half_angles[most] = {0};
@@ -189,7 +189,7 @@ private:
     return cluster;
   }
 
-  // The same of two clusters together.
+  // The union of two clusters.
   static Cluster joined(const Cluster& a, const Cluster& b)
   {
     Cluster cluster;

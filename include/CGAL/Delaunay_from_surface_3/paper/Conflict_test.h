@@ -31,8 +31,8 @@ class Conflict_test
   using Point = typename Triangulation::Point;
   using Vertex = typename Triangulation::Vertex_handle;
 
-  // CGAL's perturbed predicates are protected members, which use nothing of the triangulation but
-  // its traits.
+  // Gives access to CGAL's perturbed predicates: protected members, which use nothing of the
+  // triangulation but its traits.
   struct Exposed : Delaunay_triangulation_3<Geom_traits>
   {
     using Base = Delaunay_triangulation_3<Geom_traits>;

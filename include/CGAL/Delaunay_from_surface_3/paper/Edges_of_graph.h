@@ -41,7 +41,7 @@ Lists<std::uint32_t> lower_neighbors(const Graph& graph, VertexIndexMap index_ma
   return lower_neighbors(numbered, n);
 }
 
-// The edges of the graph of a caller.
+// The edges of a caller's graph.
 template <class Graph, class VertexIndexMap>
 class Edges_of_graph final : public Edge_source
 {

@@ -24,8 +24,7 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A graph on 0, …, n-1 in the form that nets are made from: for each vertex the neighbours with
-// smaller numbers, every edge once. For anyone else it models boost::VertexListGraph and
-// boost::EdgeListGraph.
+// smaller numbers, every edge once. It also models boost::VertexListGraph and boost::EdgeListGraph.
 class Lower_neighbor_graph
 {
 public:
@@ -41,7 +40,7 @@ public:
   using degree_size_type = std::size_t;
   using vertex_iterator = boost::counting_iterator<std::size_t>;
 
-  // Of which the list of one vertex after the other is walked through.
+  // Walks through the lists, vertex by vertex.
   class edge_iterator : public boost::iterator_facade<edge_iterator, edge_descriptor,
                                                       std::forward_iterator_tag, edge_descriptor>
   {
@@ -100,8 +99,8 @@ private:
   std::size_t m_number_of_vertices = 0;
 };
 
-// The same with the faces that its edges come from, for whoever asks for more than edges. Keeps a
-// reference to the faces.
+// The same with the faces that its edges come from, for subgraphs that need more than edges. Keeps
+// a reference to the faces.
 template <class FaceRange>
 class Graph_of_faces : public Lower_neighbor_graph
 {
@@ -150,7 +149,7 @@ inline std::size_t target(const std::pair<std::size_t, std::size_t>& e, const Lo
   return e.second;
 }
 
-// Every vertex is its number.
+// The index of a vertex is the vertex itself.
 using Identity_index_map = boost::typed_identity_property_map<std::size_t>;
 
 inline Identity_index_map get(boost::vertex_index_t, const Lower_neighbor_graph&)

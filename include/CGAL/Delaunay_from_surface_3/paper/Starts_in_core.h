@@ -14,8 +14,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Whether a hint policy needs no trace and is one that the core has of its own. Such a policy says
-// so in its header.
+// Whether a hint policy needs no trace and is built into the core. The header of such a policy says
+// so.
 template <template <class Target, class Subgraph> class InsertionHints>
 struct Starts_in_core : std::false_type
 {

@@ -18,8 +18,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The facets of the boundary of a conflict zone, each with its two cells: by the one across, which
-// survives, the one behind it, which does not, can be asked for.
+// The facets of the boundary of a conflict zone, each with its two cells: finds, by the cell
+// across, which survives, the cell behind, which does not.
 template <class Node>
 class Zone_boundary
 {

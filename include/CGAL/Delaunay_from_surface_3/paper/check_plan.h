@@ -18,7 +18,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A plan of a user's may be wrong, and an insertion by it would lose points or read past an end.
+// A user's plan may be wrong; an insertion by it would lose points or read out of bounds.
 
 inline void refuse_plan(const std::string& what)
 {

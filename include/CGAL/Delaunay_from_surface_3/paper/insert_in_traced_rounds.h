@@ -19,8 +19,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Points are numbered by their places in the order; the watcher knows them by what the caller calls
-// them. A vertex may be that of none of them: then it has no place.
+// Points are numbered by their places in the order; the watcher gets the caller's numbers. A vertex
+// that belongs to none of them has no place.
 template <class Watcher, class Point>
 bool may_insert(Watcher& watcher, const Insertion_order& plan, std::size_t i, std::size_t nearest,
                 const Point& point, std::array<std::size_t, 4> corners)

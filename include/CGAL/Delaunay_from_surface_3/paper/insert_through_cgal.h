@@ -28,9 +28,9 @@ struct Inserted_points
   bool is_complete = false;
 };
 
-// Inserts the points in the order of the plan. T, `subgraph`, is a graph on the places in the order.
-// What is inserted one after the other lies side by side; in the order of the mesh nearly every point
-// would miss the cache.
+// Inserts the points in the order of the plan. T, `subgraph`, is a graph on the places in the
+// order. The points are copied in this order: in that of the mesh nearly every point would miss the
+// cache.
 template <template <class, class> class Hints, class Triangulation, class Watcher>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_through_cgal(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
@@ -46,11 +46,11 @@ insert_through_cgal(Triangulation& tr, const std::vector<typename Triangulation:
   return inserted;
 }
 
-// So many points take the core as long as CGAL.
+// The number of points at which the core is as fast as CGAL.
 constexpr std::size_t few_points = 30;
 
-// A few points, in their own order, into an empty triangulation: to order and to export them takes
-// longer than to insert them. Of equal points the first one gives the vertex.
+// Inserts a few points, in their own order, into an empty triangulation: to order and export them
+// would take longer than to insert them. Of equal points the first one gives the vertex.
 template <class Triangulation>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_few_points(Triangulation& tr, const std::vector<typename Triangulation::Point>& points)

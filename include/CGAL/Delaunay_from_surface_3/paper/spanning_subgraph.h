@@ -21,9 +21,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// T, made by the functor of the traits. A functor may need more than the graph has, as faces,
-// or refuse the surface by a Surface_input_error; a spanning forest serves then, and the visitor is
-// told why.
+// T, made by the functor of the traits. If the functor needs more than the graph has, such as
+// faces, or refuses the surface by a Surface_input_error, a spanning forest is used, and the
+// visitor is told why.
 template <class SurfaceSubgraph, class Graph, class VertexIndexMap, class Visitor>
 Index_graph spanning_subgraph(const SurfaceSubgraph& subgraph, const Graph& graph,
                               VertexIndexMap index_map, const std::vector<std::size_t>& numbers,

@@ -14,7 +14,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// What an executor runs: does not throw.
+// What an executor runs; it must not throw.
 class Task
 {
 public:
@@ -24,8 +24,7 @@ protected:
   ~Task() = default;
 };
 
-// Runs tasks by one thread or by many. Which threads these are is the caller's affair: TBB's, or
-// any others.
+// Runs tasks by one thread or by many: those of TBB, or any others that the caller has.
 class Executor
 {
 public:
@@ -43,7 +42,7 @@ public:
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The caller's thread, and no other.
+// Runs all in the caller's thread.
 class Alone final : public Executor
 {
 public:

@@ -33,17 +33,17 @@ struct Lists
   const Index* begin(std::size_t i) const { return items.data() + first[i]; }
   const Index* end(std::size_t i) const { return items.data() + first[i + 1]; }
 
-  // Also of no list at all.
+  // Also where there is no list.
   operator Lists_view<Index>() const
   {
     return {first.data(), items.data(), first.empty() ? 0 : size(), items.size()};
   }
 };
 
-// So many items are worth a thread.
+// The least number of items that is worth a thread.
 constexpr std::size_t many_items = std::size_t(1) << 14;
 
-// Items item(k) that go into lists list(k), k = 0, …, size() - 1, as functions.
+// Items given by functions: item(k) goes into list(k), k = 0, …, size() - 1.
 template <class ListOf, class ItemOf>
 class Listed_items
 {
@@ -65,7 +65,7 @@ private:
   ItemOf m_item_of;
 };
 
-// A part of other items: first, …, last - 1. Keeps a reference.
+// The items first, …, last - 1 of others. Keeps a reference.
 template <class Items>
 class Part_of_items
 {
@@ -124,7 +124,7 @@ public:
     , m_places(blocks)
   {
     m_lists.first.assign(n + 1, 0);
-    m_places.back() = m_lists.first.data() + 1; // where its lists end in the end
+    m_places.back() = m_lists.first.data() + 1; // becomes the array of where lists end
   }
 
   // Before anything is placed: count(b, numbers) adds 1 to numbers[list] for each item of block b.

@@ -15,7 +15,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// Lists of numbers, one after the other, which are somebody else's: that of i is items[first[i]], …,
+// Lists of numbers, one after the other, owned elsewhere: that of i is items[first[i]], …,
 // items[first[i+1] - 1].
 template <class Index>
 struct Lists_view

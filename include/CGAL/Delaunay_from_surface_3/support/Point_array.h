@@ -15,7 +15,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// n points as n × 3 doubles, which are somebody else's.
+// n points as n × 3 doubles, owned elsewhere.
 class Point_array
 {
 public:
@@ -45,7 +45,7 @@ public:
 
   virtual Point_array points() = 0;
 
-  // For a long time nobody will ask: what can be had again need not be kept.
+  // Points will not be needed for a long time: what can be read again need not be kept.
   virtual void give_up() {}
 };
 

@@ -18,13 +18,12 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// How a thread computes with doubles, as far as that can be changed: where it rounds to, and whether
-// it takes denormal numbers for zero, as libraries for sound, pictures or learning set it for all
-// that comes after.
+// The floating-point mode of a thread: how it rounds, and whether it takes denormal numbers for
+// zero, a mode that some libraries for sound, images or learning leave behind.
 class Floating_point_mode
 {
 public:
-  // That of the thread.
+  // The mode of this thread.
   Floating_point_mode()
     : m_rounding(std::fegetround())
     , m_word(word() & mask)
@@ -73,7 +72,7 @@ private:
   static void set_word(Word) {}
 #endif
 
-  // What else there is, as flags of what has happened, stays.
+  // Other bits, such as the exception flags, are kept.
   static void set(int rounding, Word bits)
   {
     std::fesetround(rounding);

@@ -20,8 +20,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Threads of its own, for who has no TBB. They live as long as it does: the first is started when there
-// is a second task. Where the system gives fewer, these do all.
+// Has threads of its own, for programs without TBB. They live as long as it does: the first is
+// started when there is a second task. If the system gives fewer, these do all.
 class Thread_executor final : public Executor
 {
 public:
@@ -100,7 +100,7 @@ private:
   }
 
   const std::size_t m_number;
-  mutable std::mutex m_mutex; // of all that follows
+  mutable std::mutex m_mutex; // guards all that follows
   mutable std::condition_variable m_work, m_done;
   mutable std::vector<std::thread> m_threads;
   mutable const Task* m_task = nullptr;

@@ -52,7 +52,7 @@ private:
   mutable std::atomic<std::size_t> m_calls{0};
 };
 
-// Has body(0), …, body(n-1) called, which do not throw; throws if one was left out.
+// Calls body(0), …, body(n-1), which must not throw; throws if a call was left out.
 template <class Body>
 void call_each(const Executor& executor, std::size_t n, const Body& body)
 {

@@ -14,7 +14,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What cannot happen has happened: an invariant is broken. Throws, also where assertions are off.
+// Reports a broken invariant: throws, also where assertions are off.
 [[noreturn]] inline void fail(const char* invariant)
 {
   throw std::logic_error(invariant);

@@ -5,11 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FORM_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FORM_H
 
-// In which form the package is used, as the names of two inline namespaces, so that one program may
-// mix them: header-only (the default) or with the core compiled (CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED,
-// which the target Delaunay_from_surface_3::compiled defines), this version or another, units with
-// more instructions or more checks than others. Of two functions of one name a linker keeps any, also
-// that of the unit whose instructions the machine lacks.
+// The form in which the package is used, as the names of two inline namespaces, so that one program
+// may mix forms: header-only (the default) or with the core compiled
+// (CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED, which the target Delaunay_from_surface_3::compiled
+// defines), this version or another, units with more instructions or more checks than others. Of
+// two functions of one name a linker keeps any, even one with instructions that the machine lacks.
 //
 //   …_FORM       what each unit compiles for itself: bodies, and types that only they see;
 //   …_INTERFACE  what the compiled core and those who call it share: declarations, abstract classes,

@@ -5,14 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_INLINING_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_INLINING_H
 
-// Code that functions for several machines share must become part of each.
+// Code shared by functions for several instruction sets must be inlined into each.
 #if defined(__GNUC__)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE __attribute__((always_inline)) inline
 #else
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE inline
 #endif
 
-// Code that is seldom reached shall not take registers from what is often.
+// Code that is rarely reached must not take registers from code that often is.
 #if defined(__GNUC__)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_APART __attribute__((noinline)) inline
 #else

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_IS_DETECTED_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_IS_DETECTED_H
 
-// What a user's type offers, asked in one way: by an alias template of the expression or member, as
-// in the detection idiom of W. E. Brown (std::experimental::is_detected).
+// Detects what a user's type offers, by an alias template of the expression or member, as
+// std::experimental::is_detected does (the detection idiom of W. E. Brown).
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 

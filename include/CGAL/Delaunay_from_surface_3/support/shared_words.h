@@ -118,8 +118,8 @@ void store_release(Word& w, Word value)
 
 #endif
 
-// Where they would be no instruction there is none. ThreadSanitizer sees no fences, and its
-// compilers warn of them.
+// Nothing where no instruction is needed. ThreadSanitizer sees no fences, and its compilers warn of
+// them.
 inline void acquire_fence()
 {
 #if !defined(__x86_64__) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)

@@ -21,8 +21,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What reads the surface of a mesh, and what reads the graph that insert_points_3() makes of a
-// soup.
+// The reader for a mesh, and that for the graph that insert_points_3() makes of a soup.
 template <class Graph, class VertexIndexMap,
           class = typename boost::graph_traits<Graph>::halfedge_descriptor>
 Halfedge_graph_reader<Graph, VertexIndexMap> reader_of(const Graph& graph, VertexIndexMap index_map)

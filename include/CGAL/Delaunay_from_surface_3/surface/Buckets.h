@@ -5,10 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BUCKETS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BUCKETS_H
 
-// Groups values by a key below n in linear time: linked lists in flat arrays.
-// It turns "what v says of u" around into "what u hears from all v", which is how the two darts of
-// an edge meet where the cut needs it; elsewhere they never have to.
-// Cost: the array of heads is the caller's; two words per value.
+// Groups values by a key below n in linear time: linked lists in flat arrays. It turns what each v
+// says of u into what u hears from all v: so the two darts of an edge meet where the cut needs it;
+// elsewhere they need not. Cost: the array of heads is the caller's; two words per value.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 

@@ -20,13 +20,11 @@
 // Invariant: a vertex of degree k - 1 that has become good can be brought to k - 2 by exchanges
 // within its component, so that u and v can take one edge more when it comes to that: first u is
 // made lighter, by its own reason, and v by its, each inside its own component; these two share no
-// vertex, and w is in neither.
-// That holds for the first w. Of T as it is for the next ones less is known: so each exchange is
-// left out if its path does not run there any more, or an end has become heavy. No vertex comes to
-// degree k in any case; and a phase that makes none lighter has tried nothing, so that its witness
-// holds.
-// Cost: O(m α(m)) for m edges of the component; 20 bytes per vertex of the surface, from the first
-// phase on.
+// vertex, and w is in neither. That holds for the first w. For the next ones T may have changed: an
+// exchange is left out if its path does not run there any more, or an end has become heavy. No
+// vertex comes to degree k in any case; and a phase that makes none lighter has tried nothing, so
+// that its witness holds. Cost: O(m α(m)) for m edges of the component; 20 bytes per vertex of the
+// surface, from the first phase on.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Exchange_tree.h>
@@ -118,8 +116,8 @@ private:
     return v;
   }
 
-  // Makes one component of all that the path from u to v meets, up to a vertex of degree k, which is
-  // made lighter if that can be.
+  // Makes one component of all that the path from u to v meets, up to a vertex of degree k, which
+  // is made lighter if possible.
   void join(Index u, Index v)
   {
     bool has_reason = false;

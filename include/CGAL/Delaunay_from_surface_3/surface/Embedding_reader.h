@@ -139,8 +139,7 @@ private:
       last_seen_by[u] = i;
       surface.neighbor[dart] = u;
       if (get(m_is_boundary, e)) {
-        if (++boundary_edges > 2)
-          refuse(vertex_name(i) + " is pinched: it has more than two boundary edges");
+        ++boundary_edges;
         if (dart != begin && dart + 1 != end)
           refuse("boundary " + edge_name(i, u) + " stands inside the list of " + vertex_name(i) +
                  ", not at an end");

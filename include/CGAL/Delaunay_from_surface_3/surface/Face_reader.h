@@ -168,7 +168,7 @@ private:
     Index corner = *begin, start = scratch.place[ends(triangles, *begin)[1]];
     if (edges.size() == corners + 1) {
       surface.on_boundary[v] = true;
-      std::size_t steps = 0; // round and round, if a closed fan is beside an open one
+      std::size_t steps = 0; // would not end if a closed fan is beside an open one
       for (Index back = other_corner(edges[start], corner); back != none<Index>;
            back = other_corner(edges[start], corner)) {
         if (++steps > corners)

@@ -81,7 +81,7 @@ private:
     m_topology.components.push_back(component);
   }
 
-  // Returns whether all turns at v fit.
+  // Returns whether all turns at v are consistent.
   bool visit_neighbors(Index v)
   {
     bool fits = true;

@@ -202,7 +202,7 @@ private:
     return true;
   }
 
-  // Notes one edge. No branches, or they would keep the next look waiting.
+  // Notes one edge. Without branches, which would delay the next look.
   template <class Index>
   void look(Walk<Index>& walk, Rotation_system<Index>& surface) const
   {

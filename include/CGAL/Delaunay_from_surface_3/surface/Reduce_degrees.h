@@ -36,7 +36,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What was done, for those who measure it.
+// What was done, to be measured.
 struct Reduction_counts
 {
   std::size_t exchanges_nearby = 0;

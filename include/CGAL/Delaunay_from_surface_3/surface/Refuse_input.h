@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_REFUSE_INPUT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_REFUSE_INPUT_H
 
-// The words in which the subgraph room refuses its input: what is wrong, and at which vertex or
-// edge. Vertices are named by their index, edges by their two ends.
+// The messages with which the subgraph functions refuse their input: what is wrong, and at which
+// vertex or edge. Vertices are named by their index, edges by their two ends.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

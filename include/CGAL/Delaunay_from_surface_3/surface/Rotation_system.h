@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_ROTATION_SYSTEM_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_ROTATION_SYSTEM_H
 
-// A triangulated surface as flat arrays: what every step of the subgraph room works on.
+// A triangulated surface as flat arrays: what every step of the subgraphs works on.
 //
 // Invariant: darts first[v] .. first[v+1]-1 are the edges at v in the order in which they stand
 // around v, in either direction; neighbor[dart] is the other end. The list of an interior vertex is

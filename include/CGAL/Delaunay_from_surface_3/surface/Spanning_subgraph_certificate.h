@@ -19,7 +19,7 @@ is what `certify_spanning_subgraph()` finds out about a set of edges.
 struct Spanning_subgraph_certificate
 {
   std::size_t number_of_edges = 0;               ///< repeated ones included
-  std::size_t number_of_repeated_edges = 0;      ///< edges that are there once before
+  std::size_t number_of_repeated_edges = 0;      ///< edges that have come before
   std::size_t number_of_graph_components = 0;    ///< isolated vertices included
   std::size_t number_of_subgraph_components = 0; ///< isolated vertices included
   std::size_t number_of_independent_cycles = 0; ///< edges − vertices + components of the subgraph

@@ -22,7 +22,7 @@ template <class Reader>
 class Triangulated_surface
 {
 public:
-  /// is what an edge is called: the descriptor of the mesh or graph, or two indices of a soup.
+  /// the type of edges: the descriptor of the mesh or graph, or two indices of a soup.
   using edge_descriptor = typename Reader::Edge;
 
   /// \cond

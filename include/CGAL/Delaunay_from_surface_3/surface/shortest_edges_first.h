@@ -52,8 +52,8 @@ public:
   {
   }
 
-  // What is computed from doubles is off by six roundings at most, where nothing underflows; so is
-  // the difference decided by it where it is larger. The kernel decides the others.
+  // A length computed from doubles is off by six roundings at most, where nothing underflows: a
+  // larger difference is decided by it, the others by the kernel.
   Comparison_result operator()(const Measured_edge& a, const Measured_edge& b) const
   {
     const double x = a.squared_length, y = b.squared_length;
@@ -80,8 +80,8 @@ private:
   decltype(std::declval<const GeomTraits&>().compare_distance_3_object()) m_compare_distance;
 };
 
-// Leaves of `edges` those of the minimum spanning forest, from the shortest on; edges of the same
-// length are taken by the numbers of their ends. O(m log m) for m edges.
+// Keeps of `edges` those of the minimum spanning forest, from the shortest on; edges of the same
+// length come in the order of the numbers of their ends. O(m log m) for m edges.
 template <class Point, class GeomTraits>
 void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges,
                                   const std::vector<const Point*>& points, const GeomTraits& gt)

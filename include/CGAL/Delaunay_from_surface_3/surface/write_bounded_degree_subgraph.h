@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_BOUNDED_DEGREE_SUBGRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_BOUNDED_DEGREE_SUBGRAPH_H
 
-// What every public form comes down to: read, mark darts, write edges.
+// What all public functions do: read, mark darts, write edges.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_marks.h>

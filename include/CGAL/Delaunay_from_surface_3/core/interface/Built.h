@@ -21,13 +21,13 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 enum class Insertion_outcome {
   COMPLETE,
   STOPPED,     // by the watcher
-  OVER_BUDGET, // only on the way: whoever has a budget has another order
+  OVER_BUDGET, // only never returned: where there is a budget another order follows
   FLAT,        // nothing is inserted: the points lie in one plane
   TOO_FEW_IDS  // to number all cells
 };
 
-// What build() makes: a complex, in memory of the core's, which gives it up piece by piece to who
-// reads it only once.
+// What build() makes: a complex, in memory of the core, which can give it up piece by piece while
+// it is read once.
 //
 // One vertex, one number: the point at place k of the order is vertex k + 1.
 template <class Id>

@@ -25,7 +25,7 @@ public:
   // all, if there are no edges or too many for numbers of 32 bits.
   virtual Lists_view<std::uint32_t> edges() = 0;
 
-  // Nobody will ask again, but for another order, which may then have none.
+  // The edges are no longer needed, unless for another order, which can then do without them.
   virtual void give_up() {}
 };
 

@@ -21,7 +21,7 @@ constexpr std::size_t coarsest_net = 64;
 constexpr std::size_t cells_per_point_of_nets = 64;
 constexpr std::size_t large_cluster = 32;
 
-// Which order points are to be inserted in.
+// The order in which points are to be inserted.
 struct Order_request
 {
   // The default: nets.

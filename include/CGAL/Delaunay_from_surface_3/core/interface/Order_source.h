@@ -24,11 +24,11 @@ class Order_source
 public:
   virtual ~Order_source() = default;
 
-  // Of the points, by as many threads as it can use. What is returned is there until it makes another
-  // one or goes on.
+  // Of the points, by as many threads as it can use. What is returned is valid until the next call
+  // of make() or go_on().
   virtual Order_view make(const Point_array& points, const Executor& executor) = 0;
 
-  // What that order may cost: so many destroyed cells for each point (Insertion_budget), or any
+  // What that order may cost: the number of destroyed cells per point (Insertion_budget), or any
   // number.
   static constexpr std::size_t any_number = std::size_t(-1);
   virtual std::size_t cells_per_point() const = 0;

@@ -14,7 +14,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// An order of insertion that is somebody else's: see Insertion_order.
+// An order of insertion owned elsewhere: see Insertion_order.
 struct Order_view
 {
   const std::size_t* order;

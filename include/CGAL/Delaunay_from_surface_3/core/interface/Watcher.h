@@ -30,7 +30,7 @@ public:
   virtual void round_begins(std::size_t /* round */, std::size_t /* number_of_points */) {}
   virtual void insertion_ends(const Insertion_counts&) {}
 
-  // Is asked every 256 points, when so many are inserted; `false` stops the work.
+  // Is asked every 256 points, with the number inserted so far; `false` stops the work.
   virtual bool go_further(std::size_t /* inserted */) { return true; }
 
   // Whether it is told of the phases LOCATION and UPDATE, point by point. Not with many threads.
@@ -42,8 +42,8 @@ public:
 
   // Whether point i may be inserted. The vertex nearest to it is that of point `nearest`, and
   // `corners` are those of a cell that contains it (none if it lies beyond the facet of the others,
-  // or if there is no cell yet). All are what the caller calls them. Not asked of a point that has
-  // a vertex at its place.
+  // or if there is no cell yet). All are the caller's numbers. Not asked of a point that has a
+  // vertex at its place.
   using Corners = std::array<std::size_t, 4>;
   static constexpr std::size_t none = std::size_t(-1);
   virtual bool accepts(std::size_t /* i */, std::size_t /* nearest */, const Corners&)

@@ -20,7 +20,7 @@ struct Many_threads;
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A header of each crew says by which class.
+// The header of each crew names the class.
 template <class Crew>
 struct Inserter_of;
 

@@ -47,8 +47,8 @@ struct Column_sizes
     (add(rows), ...);
   }
 
-  // Whether the box with these edges fills so little of a cube around it that these bounds decide
-  // much that the others do not.
+  // Whether the box with these edges is so flat that these bounds decide much that the others do
+  // not.
   bool are_flat() const
   {
     const double m = (std::max)((std::max)(x, y), z);

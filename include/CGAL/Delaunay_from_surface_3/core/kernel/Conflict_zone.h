@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_CONFLICT_ZONE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_CONFLICT_ZONE_H
 
-// What one insertion scribbles on, and what is kept for the next: all that whoever inserts has for
-// himself. The complex is shared, this is not.
+// The working memory of one insertion, kept for the next: all that a thread that inserts has for
+// itself. The complex is shared, this is not.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
@@ -33,9 +33,8 @@ struct Zone_facet
 template <class Id>
 struct Conflict_zone
 {
-  // The first number_of_cells and number_of_facets are filled; what is beyond is room. The cells
-  // are those in conflict, in the order in which they were found; after the fill, those of the
-  // star.
+  // The first number_of_cells and number_of_facets are filled; the rest is room. The cells are
+  // those in conflict, in the order in which they were found; after the fill, those of the star.
   std::vector<Id> cells;
   std::vector<Zone_facet<Id>> facets;
   std::size_t number_of_cells = 0;
@@ -57,8 +56,8 @@ struct Conflict_zone
   bool has_room(std::size_t n) const { return n <= m_room; }
   std::size_t room() const { return m_room; }
 
-  // As many cells as there are facets, for the star: the places of the dead are taken first, then
-  // free ones, then new ones. The complex may move its cells.
+  // Takes as many cells as there are facets, for the star: first the dead ones, then free ones,
+  // then new ones. The complex may move its cells.
   void take_cells_of_star(Compact_complex<Id>& complex)
   {
     if (!has_room(number_of_facets))

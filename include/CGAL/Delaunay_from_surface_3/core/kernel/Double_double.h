@@ -13,8 +13,8 @@
 // values of what enters, and differences of two doubles are exact. So the bound of the first stage
 // holds with 2^-100 for u, and 2^-93 m^(5/2) is on the safe side.
 //
-// The error terms are exact only if no product is fused into a sum behind our back, as compilers do
-// when the user allows fma. opaque() hides from them what is a product.
+// The error terms are exact only if no product is fused into a sum, as compilers do when the user
+// allows fma. opaque() hides from them what is a product.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -73,7 +73,7 @@ struct Fused_products
   }
 };
 
-// The first where the user's compiler says so.
+// Fused_products where the user compiles for a machine with fma.
 #if defined(__FMA__) || defined(__aarch64__)
 using Portable_products = Fused_products;
 #else
@@ -176,7 +176,7 @@ close_sphere_sign_with(const Exact_differences<4>& differences)
   return certified_sign(cofactors.lifted(r[0], r[1], r[2], r[3]).high, bound);
 }
 
-// Of a positively oriented cell.
+// The sphere test of a positively oriented cell.
 inline int close_sphere_sign(const Exact_differences<4>& differences)
 {
   return close_sphere_sign_with<Portable_products>(differences);

@@ -51,8 +51,8 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Neighborhood neighborhood(unsigned op
   return {open, signs.inside & filtered, open & ~decided};
 }
 
-// Scalar code for any machine and any Id. Cells that nobody else writes meanwhile: they are read
-// where they are, and marked as dead when they join the zone.
+// Scalar code for any machine and any Id, where no other thread writes: cells are read where they
+// are, and marked as dead when they join the zone.
 struct Explore_alone
 {
   template <class Id>
@@ -81,7 +81,7 @@ struct Explore_alone
 
 struct Explore_neighbors : Explore_alone
 {
-  // Of the cell's neighbours. Infinite cells are left undecided.
+  // What is known of the cell's neighbours. Infinite cells are left undecided.
   template <class Id>
   static Neighborhood around(const Compact_cell<Id>* cells, const Compact_vertex<Id>* vertices,
                              const Compact_cell<Id>& cell, const double* p)

@@ -33,7 +33,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Writes cells that nobody else reads meanwhile.
+// Writes cells that no other thread reads.
 template <class Id>
 struct Write_alone
 {
@@ -76,7 +76,7 @@ class Fill_star
 
 public:
   static constexpr std::size_t small_side = 32, side = 64;
-  // So many facets can have `side` vertices.
+  // The largest number of facets with at most `side` vertices.
   static constexpr std::size_t max_table_facets = 2 * side - 4;
 
   explicit Fill_star(Write write = Write())

@@ -42,7 +42,7 @@ public:
   {
   }
 
-  // How many points a piece should have when so many are inserted.
+  // How many points the next piece should have.
   static constexpr std::size_t size_of_piece(std::size_t /* inserted */) { return 256; }
   static constexpr std::size_t number_of_threads() { return 1; }
 
@@ -94,14 +94,14 @@ private:
     m_starting_cells.after_update(k, v);
   }
 
-  // What the caller calls the point of a vertex.
+  // The caller's number of the point of a vertex.
   std::size_t name_of(Id v) const
   {
     return v == Complex::infinite ? Watcher::none
                                   : m_points.order.order[Complex::point_of_vertex(v)];
   }
 
-  // Of a cell that contains p, whose zone of conflict is dug.
+  // The corners of a cell that contains p, whose conflict zone is dug.
   Watcher::Corners corners_of(Id p) const
   {
     if (!m_looks_at_corners)

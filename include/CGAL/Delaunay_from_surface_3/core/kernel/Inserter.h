@@ -7,8 +7,8 @@
 
 // Insertion (Bowyer 1981; Watson 1981) on numbered cells: walk to a conflict, dig the conflict
 // zone, fill the star (Choi 2002, Fig. 1, lines 2b and 2c). Each of the three has a header of its
-// own; this is the one composition of them, for a thread that is alone and for one that announces
-// what it does (threads/Insertion_worker.h).
+// own; this composes them, for a thread that is alone and for one that announces what it does
+// (threads/Insertion_worker.h).
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
@@ -83,7 +83,7 @@ public:
                                                    std::forward<Read>(read));
   }
 
-  // The zone of p, from a cell in conflict with it; false if somebody was in the way.
+  // Digs the zone of p, from a cell in conflict with it; false if another thread was in the way.
   bool dig(Id p, Id cell)
   {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS

@@ -86,8 +86,8 @@ struct Ordered_complex
   Order_view order = {nullptr, 0, nullptr, 0, nullptr};
   Complex complex;
   std::vector<Id> vertex_of;     // by place: 0 as long as there is none
-  std::vector<char> is_accepted; // by place, of the first points, if somebody was asked
-  Id any_vertex = 0;             // the first that is there
+  std::vector<char> is_accepted; // by place, of the first points, if the watcher was asked
+  Id any_vertex = 0;             // any vertex of the complex
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -81,7 +81,7 @@ private:
   }
 
   double m_largest = 0, m_least = (std::numeric_limits<double>::max)();
-  double m_factor = 0; // where doubles are not to be trusted: then no filter decides anything
+  double m_factor = 0; // if doubles cannot be trusted: then no filter decides anything
   bool m_is_exact = false;
 };
 

@@ -20,7 +20,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Which tree it is depends on rounded distances; what is made of it must not.
+// The tree depends on rounded distances; the sign that is found by it must not.
 template <int N>
 class Shortest_tree
 {
@@ -41,7 +41,7 @@ public:
   const double* point(int k) const { return m_points[m_places[k]]; }
   const double* parent(int k) const { return m_points[m_parents[k]]; }
   const double* root() const { return m_points[m_root]; }
-  // Whether two points have changed places for that.
+  // Whether two points have changed places for it.
   bool is_odd() const { return m_root != N; }
 
 private:

@@ -56,14 +56,14 @@ inline double largest_square(const Row<double>& a, const Row<double>& b, const R
   return (std::max)((std::max)(a.w, b.w), c.w);
 }
 
-// Of an infinite cell (a, b, c, infinite).
+// The test against an infinite cell (a, b, c, infinite).
 inline int beyond_sign(const Row<double>& a, const Row<double>& b, const Row<double>& c)
 {
   return -certified_sign(determinant_of(a, b, c),
                          Filter_bounds::three_rows(largest_square(a, b, c)));
 }
 
-// Of a positively oriented cell (a, b, c, d).
+// The test against a positively oriented cell (a, b, c, d).
 inline int sphere_sign(const Row<double>& a, const Row<double>& b, const Row<double>& c,
                        const Row<double>& d)
 {

@@ -20,7 +20,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Of many threads each has a copy, and follows the points that it inserted itself.
+// Each of many threads has a copy, and follows the points that it inserted itself.
 template <class Id>
 class Starting_cells
 {

@@ -33,7 +33,7 @@ struct Compact_location
   Id vertex; // 0: none
 };
 
-// Reads cells that nobody else writes meanwhile, where they are.
+// Reads cells where they are, as no other thread writes.
 struct Read_alone
 {
   template <class Id>

@@ -123,7 +123,7 @@ private:
       {i2, i3}, {i0, i2, i3}, {i1, i2, i3}, {i0, i1, i2, i3}};
 };
 
-// The widest there is for these ids, where the machine has vectors.
+// The widest search for these ids, where the machine has vectors.
 template <class Id>
 using Widest_explore_neighbors =
     std::conditional_t<std::is_same<Id, Wide_explore_neighbors::Id>::value, Wide_explore_neighbors,

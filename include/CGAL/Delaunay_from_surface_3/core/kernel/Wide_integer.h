@@ -8,8 +8,8 @@
 // Integers as wide as need be, for the determinants that no other stage can decide. All doubles are
 // integers times the least of them, 2^-1074, so that differences have at most 2099 bits, and the
 // determinant of the sphere, of degree 5 with a few terms, at most 10,504. Schoolbook arithmetic on
-// digits, least first, with a sign beside (Knuth 1969), in memory of the object's own: nothing is
-// allocated, and no digit is touched but those that are there.
+// digits, least first, with a sign beside (Knuth 1969), in the object's own memory: nothing is
+// allocated, and only digits in use are touched.
 //
 // Cost: O(s t) for a product of s digits that are not 0 and t.
 
@@ -158,7 +158,7 @@ private:
     return result;
   }
 
-  // But for the signs.
+  // Compares absolute values.
   static bool has_less_digits(const Wide_integer& s, const Wide_integer& t)
   {
     if (s.m_size != t.m_size)

@@ -29,7 +29,7 @@ inline std::array<double, 3> apex_of_plane(const double* a, const double* b, con
     const double p[3] = {a[s], a[t], 0}, q[3] = {b[s], b[t], 0}, r[3] = {c[s], c[t], 0};
     const Row<double> u = row(q, p), v = row(r, p);
     const double area = std::abs(u.x * v.y - u.y * v.x);
-    areas[k] = are_collinear(p, q, r) ? -1 : area >= 0 ? area : 0; // no number if it overflows
+    areas[k] = are_collinear(p, q, r) ? -1 : area >= 0 ? area : 0; // NaN if it overflows
     size = (std::max)({size, std::abs(b[k] / 2 - a[k] / 2), std::abs(c[k] / 2 - a[k] / 2)});
   }
   std::array<double, 3> apex = {a[0], a[1], a[2]};

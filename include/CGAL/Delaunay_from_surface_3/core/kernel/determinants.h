@@ -25,14 +25,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Before loops over the few numbers of a test, which the compiler shall write out.
+// Before loops over the few numbers of a test, which the compiler is to unroll.
 #if defined(__clang__)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("unroll")
 #else
 #define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("GCC unroll 16")
 #endif
 
-// What makes an ordinary number of a finished sum. Most are; those of Fixed_integer.h are not.
+// Makes an ordinary number of a finished sum. Most are; those of Fixed_integer.h are not.
 template <class Number>
 CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Number carried(const Number& sum)
 {

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_EXACT_PREDICATES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_EXACT_PREDICATES_H
 
-// What the kernel asks beside its tests of conflict (Compact_predicates.h), seldom: orientations
+// What the kernel rarely asks besides its tests of conflict (Compact_predicates.h): orientations
 // and distances of points given by their coordinates. Each is asked in doubles first, with a bound
 // on the error; integers of fewer bits decide what these leave open, and those of any width the
 // rest. The coordinates may be any finite numbers: where products might overflow, or the compiler

@@ -88,7 +88,7 @@ struct Difference_sizes
     longest = (std::max)((std::max)(columns.x, columns.y), columns.z);
   }
 
-  // Whether distances from p or edges do, or all are so small that products underflow.
+  // Whether distances from p or edges differ so, or all are so small that products underflow.
   bool are_unbalanced() const
   {
     constexpr double tiny = 0x1p-170;
@@ -96,7 +96,7 @@ struct Difference_sizes
     return longest < tiny || (std::min)(shortest, least) < least_share * longest;
   }
 
-  // Whether distances of the other points do: seldom, and it takes longer to find out.
+  // Whether distances between the other points do: rarely, and it takes longer to find out.
   CGAL_DELAUNAY_FROM_SURFACE_3_APART bool
   has_close_pair(const Exact_differences<N>& differences) const
   {
@@ -257,13 +257,13 @@ Exact_sign exact_sign(const double* const* vertices, const double* p, bool is_fu
 
 #endif
 
-// Of a positively oriented cell.
+// The sphere test of a positively oriented cell.
 inline Exact_sign exact_sphere_sign(const double* const* vertices, const double* p, bool is_fused)
 {
   return exact_sign<Exact_sphere>(vertices, p, is_fused);
 }
 
-// Of an infinite cell, given by its three finite vertices.
+// The test of an infinite cell, given by its three finite vertices.
 inline Exact_sign exact_beyond_sign(const double* const* vertices, const double* p, bool is_fused)
 {
   return exact_sign<Exact_beyond>(vertices, p, is_fused);

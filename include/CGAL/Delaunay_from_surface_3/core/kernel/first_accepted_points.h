@@ -45,10 +45,9 @@ void extend_simplex(Starting_simplex& simplex, const PointOf& point, std::size_t
     }
 }
 
-// point(k) is the point at place k, and order[k] what the caller calls it. Says of each point that
-// was asked about, in is_accepted, whether it is to be inserted. If a thousand of them lie in one
-// plane it gives up: that would take more points than can be compared with each other in next to no
-// time.
+// point(k) is the point at place k, and order[k] the caller's number of it. Says of each point that
+// was asked about, in is_accepted, whether it is to be inserted. It gives up if a thousand of them
+// lie in one plane, since the points accepted are compared with each other.
 template <class PointOf>
 Starting_simplex first_accepted_points(const Order_view& order, const PointOf& point,
                                        Watcher& watcher, std::vector<char>& is_accepted)

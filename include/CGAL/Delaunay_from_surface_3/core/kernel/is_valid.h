@@ -47,7 +47,7 @@ bool are_finite_cells_positive(const Compact_complex<Id>& complex)
   return true;
 }
 
-// As far as the level goes. Linear up to the links of vertices, which take sorting.
+// Checks as much as the level says. Linear up to the links of vertices, which take sorting.
 template <class Id>
 bool is_valid(const Compact_complex<Id>& complex, Delaunay_validity_level level)
 {

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_OBSTACLE_OF_COMPILER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_OBSTACLE_OF_COMPILER_H
 
-// The bounds and error terms of the filters suppose that each operation on doubles is done as it is
+// The bounds and error terms of the filters assume that each operation on doubles is done as
 // written, and rounded to a double.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
@@ -22,8 +22,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 constexpr bool rounds_every_operation =
     FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 16;
 
-// What compilers say of -ffast-math and, as far as they do, of its parts. g++ has the one in the
-// middle for each of them.
+// The macros by which compilers announce -ffast-math or its parts. g++ defines the one in the
+// middle for each part.
 #if defined(__FAST_MATH__) || (defined(__GCC_IEC_559) && __GCC_IEC_559 == 0) ||                    \
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || defined(_M_FP_FAST)
 constexpr bool is_fast_math = true;
@@ -31,8 +31,8 @@ constexpr bool is_fast_math = true;
 constexpr bool is_fast_math = false;
 #endif
 
-// Whether the error of a difference is what it is, of numbers that the compiler does not know.
-// clang says nothing when it may compute in another order, and then does so here.
+// Whether the error of a difference is computed right, for numbers that the compiler does not know:
+// clang has no macro for when it may compute in another order, and then does so here.
 inline bool has_error_terms()
 {
   const volatile double one = 1, small = 0x1p-60;
@@ -42,7 +42,7 @@ inline bool has_error_terms()
   return differences.high[0] == 1 && differences.low[0] == -small;
 }
 
-// Why that is not so; null if nothing is known.
+// What the compiler does otherwise; null if nothing is known.
 inline const char* obstacle_of_compiler()
 {
   if (!rounds_every_operation)

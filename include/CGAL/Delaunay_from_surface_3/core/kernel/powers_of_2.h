@@ -24,8 +24,8 @@ inline double power_of_2(std::uint64_t biased_exponent)
   return power;
 }
 
-// Of a number that is not negative, e: it is less than 2^(e - 1022) and, if e is not 0, at least
-// half of that.
+// The biased exponent e of a number that is not negative: the number is less than 2^(e - 1022) and,
+// if e is not 0, at least half of that.
 inline std::uint64_t biased_exponent(double number)
 {
   std::uint64_t bits;

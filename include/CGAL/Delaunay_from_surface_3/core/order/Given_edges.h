@@ -17,7 +17,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Edges that are there until they are given up, and not again.
+// Edges that are kept until they are given up.
 class Given_edges final : public Edge_source
 {
 public:

@@ -17,16 +17,15 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// How much work an order may make before another takes its place. No order that only looks at the
+// How much work an order may cause before another takes its place. No order that only looks at the
 // surface bounds the cells that insertions destroy; a random one does (Amenta, Choi, Rote 2003). So
 // the whole costs no more than the budget, what is done between two looks at it, and one insertion
 // in that order.
 class Insertion_budget
 {
 public:
-  // Of so many destroyed cells for each point inserted, and for the first points together those of
-  // a thousand: there are too few of them to tell a good order from a bad one. The largest number is
-  // never exceeded.
+  // A budget of destroyed cells for each point inserted; the first points share that of a thousand,
+  // since few points do not tell a good order from a bad one. The largest number is never exceeded.
   explicit Insertion_budget(std::size_t cells_per_point)
     : m_cells_per_point(double(cells_per_point))
   {

@@ -49,14 +49,14 @@ public:
   bool go_on() override
   {
     m_is_spent = true;
-    return m_is_given || m_source->go_on(); // a given one is followed by the source's first
+    return m_is_given || m_source->go_on(); // a given order is followed by the first of the source
   }
 
 private:
   Insertion_order& m_kept;
   std::unique_ptr<Order_source> m_source;
   bool m_is_given = false; // by the caller
-  bool m_is_spent = false; // what he gave costs too much
+  bool m_is_spent = false; // the given order costs too much
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -10,8 +10,8 @@
 // and farther from the box that comes after; and so on. A Hilbert curve halves along x, y and z in
 // turn: in a box 1 : 1/100 : 1/100 it follows cells that are as long and thin as the box.
 //
-// Many points are halved six times at once: where, a sample of them tells, which is halved in their
-// place. Each point then moves once for six halvings.
+// Many points are halved six times at once, where a sample of them is halved. Each point then moves
+// once for six halvings.
 //
 // Cost: O(n log n).
 
@@ -59,7 +59,7 @@ public:
       *first++ = item.index;
   }
 
-  // What was sorted last.
+  // The points sorted last.
   const std::vector<Item>& items() const { return m_items; }
 
 private:

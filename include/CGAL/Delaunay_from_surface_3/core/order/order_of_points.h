@@ -25,8 +25,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The order that is asked for. Where nets have no edges, and where points are too many for numbers of
-// 32 bits, rounds are random.
+// The order requested. Rounds are random where nets have no edges, and where there are too many
+// points for numbers of 32 bits.
 inline Insertion_order order_of_points(const Point_array& points, Edge_source& edges,
                                        const Order_request& request, const Executor& executor)
 {

@@ -89,7 +89,7 @@ private:
   std::vector<std::uint32_t> m_inner; // as many as a block has, a power of 2
 };
 
-// The points of the vertices of a graph.
+// The points at the vertices of a graph.
 class Vertex_points
 {
 public:

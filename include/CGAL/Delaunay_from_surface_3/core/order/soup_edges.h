@@ -69,7 +69,7 @@ void for_each_side(const IndexRange& face, std::ptrdiff_t size, const Side& side
   }
 }
 
-// What is found in faces on the way.
+// What is counted while faces are read.
 struct Face_counts
 {
   std::size_t sides = 0, non_triangles = 0;
@@ -120,7 +120,7 @@ struct Kept_items
 {
   std::size_t first = 0, last = 0;
   Index begin = 0, end = 0;
-  std::size_t more_than_twice = 0; // so many items were there
+  std::size_t more_than_twice = 0; // number of items that came more than twice
 };
 
 // Keeps one of the equal items of each of the lists first, …, last - 1, whose places are free for

@@ -11,8 +11,8 @@
 // crowded has a small Voronoi cell: it destroys few cells if it comes late. It starts at the centre
 // that was near.
 //
-// How near is near, the points tell themselves: a share of the diagonals of the boxes of eight points
-// each that follow each other, so that nothing depends on the scale, nor on random numbers.
+// What is near depends on the points: it is a share of the diagonals of the boxes of eight
+// successive points, so that neither the scale nor random numbers matter.
 //
 // Cost: one sort, and linear time after it.
 
@@ -57,7 +57,7 @@ public:
 
   std::vector<unsigned char> level; // how often a point was a centre: seldom a hundred times
   std::vector<Position> center;     // which was near when it was none; the point itself if none was
-  std::vector<std::size_t> sizes;   // of each level: so many points have it or a higher one
+  std::vector<std::size_t> sizes;   // by level: the number of points that have it or a higher one
 
 private:
   static constexpr std::size_t coarsest = 64, group = 8, window = 6;
@@ -116,7 +116,7 @@ private:
     return m + 1;
   }
 
-  // Distances do not tell: of m points every second one is a centre, of the next.
+  // Where distances do not help: of m points every second one is the centre of the next.
   std::size_t every_second(std::size_t m)
   {
     for (std::size_t k = 1; k < m; k += 2)

@@ -15,7 +15,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Of points i and j, up to rounding, and infinite where it overflows.
+// The squared distance of points i and j, up to rounding; infinite where it overflows.
 inline double squared_distance(const Point_array& points, std::size_t i, std::size_t j)
 {
   const double *const p = points[i], *const q = points[j];

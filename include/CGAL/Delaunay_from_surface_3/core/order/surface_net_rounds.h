@@ -199,8 +199,8 @@ private:
   Insertion_order m_result;
 };
 
-// Of n points whose graph has these lower neighbours. Without starting places if the graph says
-// nothing about which points are near each other.
+// The order of n points whose graph has these lower neighbours; without starting places if the
+// graph does not tell which points are near each other.
 inline Insertion_order surface_net_rounds(const Point_array& points, Edge_source& edges,
                                           const Order_request& request, const Executor& executor)
 {

@@ -14,14 +14,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Of an order that is kept.
+// A view of an order that is kept elsewhere.
 inline Order_view view_of(const Insertion_order& order)
 {
   return {order.order.data(), order.order.size(), order.round_ends.data(), order.round_ends.size(),
           order.starting_places.empty() ? nullptr : order.starting_places.data()};
 }
 
-// An order of one's own.
+// A copy, which owns its arrays.
 inline Insertion_order copy_of(const Order_view& view)
 {
   Insertion_order order;

@@ -32,7 +32,7 @@ struct Announced_zone : Conflict_zone<Id>
 
   Announced_zone() { make_room(64); }
 
-  // In place of the base's, with the same postcondition.
+  // Hides that of the base, with the same postcondition.
   void make_room(std::size_t n)
   {
     Conflict_zone<Id>::make_room(n);

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_EXPLORE_ANNOUNCED_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_EXPLORE_ANNOUNCED_H
 
-// Digs beside others who write: what joins the zone is announced in the worker's lane, and what was
-// read is kept, to be compared before anything is written (is_still_true()).
+// Digs while others write: what joins the zone is announced in the worker's lane, and what was read
+// is kept, to be compared before anything is written (is_still_true()).
 //
 // A cell is written only as part of the star of some point p, whose number is its first vertex
 // then, and p is inserted once: so the first vertex tells the version. If it is the same before and
@@ -28,7 +28,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The parts of the handshake. Tests leave out one after the other.
+// The parts of the handshake. Tests leave them out, one at a time.
 struct Handshake
 {
   static constexpr bool has_fence = true;
@@ -38,7 +38,7 @@ struct Handshake
   static constexpr bool heeds_busy = true;
 };
 
-// A copy of a cell that another may be writing. Returns whether it is of one piece.
+// Copies a cell that another may be writing. Returns whether the copy is consistent.
 template <class Id>
 bool read_cell(const Compact_cell<Id>& cell, Compact_cell<Id>& copy)
 {

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_INSERTION_WORKER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_INSERTION_WORKER_H
 
-// Inserts points beside other workers: walks and digs without a lock, announces the zone, makes
-// sure that nobody interfered, and only then writes.
+// Inserts points beside other workers: walks and digs without a lock, announces the zone, checks
+// that none interfered, and only then writes.
 //
 // Two insertions conflict if a cell of one zone is in the other zone or beside it. Both announce
 // their zones in their lanes, then a fence, then both read the lanes of their zones and of the
@@ -33,8 +33,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Copies of cells that others may be writing. It is lost after so many cells, or at one that stays
-// busy.
+// Copies of cells that others may be writing. It is lost after a number of cells, or at one that
+// stays busy.
 template <class Id>
 class Read_announced
 {
@@ -65,7 +65,7 @@ enum class Insertion_try {
   DONE,    // the point is a vertex
   PRESENT, // another point was there
   CLASH,   // another insertion was in the way; nothing was written
-  NO_CELLS // there are no fresh cells any more; nothing was written
+  NO_CELLS // no fresh cells are left; nothing was written
 };
 
 // How a worker looks at cells, and writes them: it announces what it does.
@@ -137,7 +137,7 @@ public:
     return has_cells_for_star() ? Insertion_try::DONE : withdraw(Insertion_try::NO_CELLS);
   }
 
-  // The second half: writes the star of p if nobody interfered.
+  // The second half: writes the star of p if no other interfered.
   Insertion_try write(Id p)
   {
     if (Protocol::has_fence)

@@ -29,17 +29,17 @@ class Lanes
 public:
   static constexpr unsigned most_workers = 64;
 
-  // Of so many workers, up to most_workers; of no cells yet.
+  // For so many workers, up to most_workers; for no cells yet.
   explicit Lanes(unsigned number_of_workers)
   {
     while ((1u << m_shift) < number_of_workers)
       ++m_shift;
   }
 
-  // Room for n cells; no lane is set. Nobody else works meanwhile.
+  // Makes room for n cells; no lane is set. No other worker may run.
   void reset(std::size_t n)
   {
-    m_bytes.reset(); // first, so that not both are there
+    m_bytes.reset(); // first, so that both are never allocated
     m_bytes.reset(static_cast<std::uint8_t*>(std::calloc((n << m_shift) + 8, 1)));
     if (m_bytes == nullptr)
       throw std::bad_alloc();

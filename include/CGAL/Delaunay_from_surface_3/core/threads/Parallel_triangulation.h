@@ -8,7 +8,7 @@
 // A round of Choi 2002, Fig. 1, lines 2b and 2c, or a piece of one, by several workers. Every start
 // is a vertex of an earlier round, or leads to one, so that any worker can insert any point of the
 // piece at any time. A point that clashes is tried once more when the chunk is done, and then put
-// off until all are, when the caller inserts it alone: until then nobody waits for anybody.
+// off until all are, when the caller inserts it alone: until then no worker waits for another.
 //
 // Workers are right when they run one after the other, too: then the first one takes all points.
 
@@ -30,7 +30,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// When a round is worth how many workers, and in what portions.
+// How many workers a round is worth, and how many points they take at a time.
 struct Parallel_rules
 {
   std::size_t first_points = 2000;     // until so many are inserted, one works
@@ -38,7 +38,7 @@ struct Parallel_rules
   std::size_t chunk = 256;
 };
 
-// Worker: how one inserts a point beside others; tests have others.
+// Worker: inserts points beside others; tests use other workers.
 template <class Id, class Worker = Insertion_worker<Id>>
 class Parallel_triangulation
 {

@@ -38,7 +38,7 @@ public:
                                    n / number * (t + 1) + (std::min)(t + 1, n % number)});
   }
 
-  // So many of the next numbers of worker t, or fewer; none if none are left at all.
+  // The next numbers of worker t, `chunk` or fewer; none if none are left at all.
   Range take(std::size_t t, std::size_t chunk)
   {
     for (;;) {

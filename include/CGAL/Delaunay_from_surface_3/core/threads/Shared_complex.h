@@ -34,7 +34,7 @@ public:
   {
   }
 
-  // Once the complex has started.
+  // To be called once the complex has started.
   void begin()
   {
     if (m_lanes.bytes() == nullptr)
@@ -62,7 +62,7 @@ public:
     return first < last;
   }
 
-  // Room for at least so many cells, all of them to be had. Nobody works meanwhile.
+  // Makes room for at least n cells, all of them available. No worker may run.
   void make_room(std::size_t n)
   {
     const std::size_t used = (std::min)(m_next.load(), m_complex.capacity());

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_WRITE_ANNOUNCED_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_WRITE_ANNOUNCED_H
 
-// Writes stars beside others who read. The first store to a cell makes it busy, the last one tells
-// its new version; a facet's outer link is set when there is something to see behind it.
+// Writes stars while others read. The first store to a cell makes it busy, the last one tells its
+// new version; a facet's outer link is set when there is something to see behind it.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fill_star.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -58,10 +58,10 @@ public:
   static void set_link(Id& link, Id to) { store_relaxed(link, to); }
   static void close(Cell& cell, Id p) { store_release(cell.v[0], p); }
 
-  // Whoever destroys a cell stores later than who made it: so what is stored last is alive.
+  // Who destroys a cell stores later than who made it: so the cell stored last is alive.
   static void set_cell(Vertex* vertices, Id v, Id c) { store_relaxed(vertices[v].cell, c); }
 
-  // The infinite vertex, only ever the last corner, gets none: everybody would write it.
+  // The infinite vertex, only ever the last corner, gets none: all workers would write it.
   void set_cell_of_corners(Vertex* vertices, const Id* corners, Id c)
   {
     set_cell(vertices, corners[0], c);
