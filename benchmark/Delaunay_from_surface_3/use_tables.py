@@ -74,6 +74,30 @@ def cluster(large, small):
             f"`{small['name']}.json`).")
 
 
+def mpi(report, *loads):
+    """Times of tiles by MPI; and those calculated for more ranks from what their tiles of an elephant keep and send."""
+    rows, alone = [], next(r for r in report["results"] if r.get("ranks") == 1)
+    for r in report["results"]:
+        rows.append([r["points"], f'{r["ranks"]} by MPI' if "ranks" in r else "arrays", f'{r["seconds"]:.2f}',
+                     f'{100 * r["share_of_exchange"]:.0f}' if "ranks" in r else "–"])
+    counted = [(r["points"], c) for load in loads for r in load["results"] if r["input"] == "elephant" for c in r["counts"]]
+    for points, c in counted:
+        if not c["pairs_that_differed"]:
+            own = points / c["tiles"]
+            work = own * c["kept"]["worst"] * alone["seconds"] / alone["kept"]
+            exchange = (own * (32 + c["load"]["bytes_received_per_own_point"]["worst"]) / 1e9
+                        + c["load"]["most_messages_of_a_tile"] * 1e-5)
+            rows.append([points, f'{c["tiles"]}, calculated', f"{work + exchange:.3f}", f"{100 * exchange / (work + exchange):.0f}"])
+    of = {}
+    for n, ranks, *others in sorted(rows, key=lambda row: row[0]):
+        of.setdefault((n, ranks), [thousands(n), ranks, *others])  # as many, and as many for each, may be the same
+    rows = list(of.values())
+    return "\n\n".join([f"Points of an elephant in memory, one tile a rank: `{report['name']}`. Calculated: the worst tile of "
+                        "`tiles_load` and `tiles_load_2M`, each point that it keeps as one rank alone took for it, a billion "
+                        "bytes a second, and 10 µs a message.",
+                        table(["points", "ranks", "s", "exchange, %"], rows, 2)])
+
+
 def python(report):
     rows = [[f'{r["consumer"]}, {thousands(r["points"])}', "SciPy", seconds(r["median_scipy_cpu"]), seconds(r["median_ours_cpu"]),
              f'{r["median_ratio"]:.0f}', cell(r.get("median_speedup"), "{:.2f}")]

@@ -7,6 +7,7 @@ processes, and on bad input. With LONG=1 in the environment the points are 30 mi
 
 import array
 import ast
+import fcntl
 import json
 import os
 import random
@@ -164,6 +165,21 @@ class Tiles(unittest.TestCase):
                    says="tile [01] of .* keeps more than .* that it may; point .* tiles would do")
         report = json.loads(self.works(points, "--output", self.folder / "chosen", "--memory", "2M", "--json"))
         self.assertGreater(report["tiles"], 4)
+
+    def test_in_a_folder_that_is_used(self):
+        points, output = self.folder / "points.raw", self.folder / "tiles"
+        write_points(points, 500)
+        output.mkdir()
+        folder = os.open(output, os.O_RDONLY)
+        self.addCleanup(os.close, folder)
+        fcntl.flock(folder, fcntl.LOCK_SH)  # as who does a task
+        self.fails(points, "--output", output, says="tiles: another run is at work there")
+        self.works(points, "--output", output, "--next")
+        fcntl.flock(folder, fcntl.LOCK_EX)
+        self.fails(points, "--output", output, "--task", 0, says="tiles: another run is at work there")
+        fcntl.flock(folder, fcntl.LOCK_UN)
+        self.works(points, "--output", output, "--quiet")
+        self.fails(points, "--output", output, "--vtu", says="tiles: its tiles are written, without .vtu")
 
 
 if __name__ == "__main__":

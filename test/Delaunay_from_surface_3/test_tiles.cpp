@@ -367,6 +367,16 @@ BOOST_AUTO_TEST_CASE(a_hub_is_to_blame)
   const auto report = CGAL::delaunay_3_tiles(engine, source_of(surface), ignore, options);
   BOOST_TEST(report.tiles > 1u);
   BOOST_TEST(report.is_certified);
+
+  // But not more than there may be.
+  options.memory = 480 * 200;
+  options.least_points = surface.size() / 7 + 1;
+  BOOST_CHECK_EXCEPTION(CGAL::delaunay_3_tiles(engine, source_of(surface), ignore, options),
+                        core::Tile_too_large, [](const core::Tile_too_large& error) {
+                          const std::string message = error.what();
+                          return error.number_of_tiles() == 0 &&
+                                 message.find("may be 7 only") != std::string::npos;
+                        });
 }
 
 BOOST_AUTO_TEST_CASE(a_certificate_needs_all_tiles_and_all_points)

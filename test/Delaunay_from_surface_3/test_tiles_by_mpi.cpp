@@ -406,6 +406,32 @@ BOOST_AUTO_TEST_CASE(seed_of_the_first_rank)
   check_thrown<std::runtime_error>(run, 0, "no random numbers");
 }
 
+// What a rank throws when it has the certificates of all.
+BOOST_AUTO_TEST_CASE(certificates_are_judged_together)
+{
+  struct Engine : CGAL::Tiles_by_mpi_3
+  {
+    using Base = CGAL::Tiles_by_mpi_3;
+    Engine()
+      : Base(MPI_COMM_WORLD)
+    {
+    }
+    std::vector<core::Tile_certificate> gather(std::uint64_t seed)
+    {
+      auto certificates = Base::gather(seed);
+      if (rank() == number_of_ranks() - 1)
+        certificates.front().common[99]; // there is no such tile
+      return certificates;
+    }
+  };
+  const Points points = random_points(500, 1, 1000);
+  Engine engine;
+  engine.begin(source_of(points), options_of(3));
+  check_thrown<std::runtime_error>(
+      [&] { core::run_tiles(engine, [] { return std::uint64_t(7); }); },
+      engine.number_of_ranks() - 1, "");
+}
+
 BOOST_AUTO_TEST_CASE(begins_again_with_more_tiles)
 {
   const Points points = random_points(3000, 1, 100000);

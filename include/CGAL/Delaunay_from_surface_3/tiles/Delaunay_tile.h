@@ -19,6 +19,7 @@
 //
 // Cost: that of the insertions; each telling looks at the cells made since the one before.
 
+#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_news.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
@@ -58,17 +59,17 @@ public:
     , m_limit(limit)
     , m_known(std::move(state.known))
     , m_told(std::move(state.told))
-    , m_triangulation(tiling, own.size() + state.kept.size())
+    , m_triangulation(tiling, (std::min)(limit, own.size() + state.kept.size()))
   {
     for (const Tile_point& p : own)
       m_number_of_own_points += tiling.tree.owner(p.coordinates) == number;
     own.insert(own.end(), state.kept.begin(), state.kept.end());
     if (own.size() > limit)
-      throw too_large();
+      throw too_large(limit);
     const bool is_new = state.kept.empty() && m_known.empty();
     state = {};
-    m_triangulation.insert(
-        own, number, [] { return true; },
+    insert(
+        own, [] { return true; },
         [&](Id, std::uint64_t p, std::uint64_t q) {
           if (p != q)
             m_equal.push_back({(std::max)(p, q), (std::min)(p, q)});
@@ -92,8 +93,8 @@ public:
   {
     const bool is_first = m_first_untold == 0;
     note_known(news.offers);
-    m_triangulation.insert(
-        news.offers, m_number, [&] { return wants(); },
+    insert(
+        news.offers, [&] { return wants(); },
         [](Id, std::uint64_t, std::uint64_t) { return true; });
     std::vector<Tile_message> messages = tell(is_first);
     answer(news.questions, messages);
@@ -126,11 +127,21 @@ public:
   }
 
 private:
+  template <class Wants, class Equal>
+  void insert(const std::vector<Tile_point>& points, const Wants& wants, const Equal& equal)
+  {
+    try {
+      m_triangulation.insert(points, m_number, wants, equal);
+    } catch (const Too_few_ids&) { // for cells: a hub has many
+      throw too_large((std::min)(m_limit, number_of_points_kept()));
+    }
+  }
+
   bool wants() const
   {
     const bool is_wanted = m_triangulation.find_neighbor([&](Id v) { return is_own(v); });
     if (is_wanted && number_of_points_kept() >= m_limit)
-      throw too_large();
+      throw too_large(m_limit);
     return is_wanted;
   }
 
@@ -143,9 +154,10 @@ private:
   }
 
   // Calls visit(v, to) for each edge of a new cell from a finite vertex v to one of the tile `to`,
-  // which is another than the owner of v and than this one; edges again and again.
+  // which is another than the owner of v and than this one; edges again and again. If it asks, for
+  // each edge to an own vertex, too, `to` being the owner of v.
   template <class Visit>
-  void for_each_new_edge(const Visit& visit) const
+  void for_each_new_edge(bool asks, const Visit& visit) const
   {
     m_triangulation.for_each_cell([&](const Cell& cell) { // new edges are in cells of new vertices
       if (*std::max_element(cell.v, cell.v + 4) < m_first_untold)
@@ -155,21 +167,14 @@ private:
         owners[k] = m_triangulation.owner(cell.v[k]);
       if (owners[0] == owners[1] && owners[1] == owners[2] && owners[2] == owners[3])
         return;
+      const bool asks_here = asks && std::find(owners, owners + 4, m_number) != owners + 4;
       for (unsigned i = 0; i < 4; ++i)
         for (const std::uint32_t to : owners)
-          if (to != owners[i] && to != m_number && to != Tile_triangulation::nobody &&
-              owners[i] != Tile_triangulation::nobody)
+          if ((to != owners[i] || asks_here) && to != m_number &&
+              to != Tile_triangulation::nobody && owners[i] != Tile_triangulation::nobody)
             visit(cell.v[i], to);
     });
   }
-
-  struct Tell
-  {
-    std::uint32_t to;
-    Id v;
-    bool operator<(const Tell& t) const { return to != t.to ? to < t.to : v < t.v; }
-    bool operator==(const Tell& t) const { return to == t.to && v == t.v; }
-  };
 
   // Of each edge between points of two tiles the owner of each end is told of the other, once.
   // Nobody has told of the points that all tiles get: the first time their owners are asked about
@@ -177,33 +182,29 @@ private:
   // would refuse the other end has no other reason to say so.
   std::vector<Tile_message> tell(bool asks)
   {
-    std::vector<Tell> tells;
+    if (m_first_untold == m_triangulation.vertices_end())
+      return {};
+    std::vector<std::pair<std::uint32_t, Id>> tells; // to whom of what
     std::vector<std::uint32_t> last(m_triangulation.vertices_end(), Tile_triangulation::nobody);
-    for_each_new_edge([&](Id v, std::uint32_t to) {
+    for_each_new_edge(asks, [&](Id v, std::uint32_t to) {
       if (last[v] != to) // nearly always the same one
-        tells.push_back({to, v});
+        tells.emplace_back(to, v);
       last[v] = to;
     });
-    if (asks)
-      m_triangulation.for_each_cell([&](const Cell& cell) {
-        for (const Id v : cell.v)
-          if (!is_own(v) && v != 0 && has_vertex_of(cell, m_number))
-            tells.push_back({m_triangulation.owner(v), v});
-      });
     std::sort(tells.begin(), tells.end());
     tells.erase(std::unique(tells.begin(), tells.end()), tells.end());
     m_first_untold = m_triangulation.vertices_end();
 
     std::vector<Tile_message> messages;
     const std::size_t before = m_told.size();
-    for (const Tell& t : tells) {
-      const Told told = {m_triangulation.id(t.v), t.to};
+    for (const auto& [to, v] : tells) {
+      const Told told = {m_triangulation.id(v), to};
       if (std::binary_search(m_told.begin(), m_told.begin() + std::ptrdiff_t(before), told))
         continue;
       m_told.push_back(told);
-      if (messages.empty() || messages.back().to != t.to)
-        messages.push_back({m_number, t.to, {}});
-      messages.back().points.push_back(m_triangulation.point(t.v));
+      if (messages.empty() || messages.back().to != to)
+        messages.push_back({m_number, to, {}});
+      messages.back().points.push_back(m_triangulation.point(v));
     }
     std::sort(m_told.begin() + std::ptrdiff_t(before), m_told.end());
     std::inplace_merge(m_told.begin(), m_told.begin() + std::ptrdiff_t(before), m_told.end());
@@ -266,7 +267,7 @@ private:
   }
 
   // The vertex with the most neighbours is to blame.
-  Tile_too_large too_large() const
+  Tile_too_large too_large(std::size_t limit) const
   {
     std::vector<std::uint32_t> cells(m_triangulation.vertices_end());
     m_triangulation.for_each_cell([&](const Cell& cell) {
@@ -274,7 +275,7 @@ private:
         ++cells[v];
     });
     const auto hub = Id(std::max_element(cells.begin() + 1, cells.end()) - cells.begin());
-    return Tile_too_large(m_number, m_number_of_own_points, m_limit, m_triangulation.id(hub),
+    return Tile_too_large(m_number, m_number_of_own_points, limit, m_triangulation.id(hub),
                           cells[hub] / 2 + 2, m_tiling.tree.number_of_tiles());
   }
 

@@ -42,10 +42,12 @@ struct Sampling
 
   static std::uint64_t hash(std::uint64_t id) { return Split_mix(id)(); }
 
-  // Of n points for so many tiles: of a tile's points 1 / share, and for the tree 256 of them if
-  // there are so many.
+  // Of n points for so many tiles: of a tile's points 1 / share, but no more than 16384, as offers
+  // of the sample take time and few of them spare others; and for the tree 256 of them if there are
+  // so many.
   Sampling(std::uint64_t n, std::uint32_t tiles, std::size_t share)
-    : common(part(1. / (double(share) * tiles)))
+    : common(part((std::min)(1. / (double(share) * tiles),
+                             16384 / double((std::max)(n, std::uint64_t(1))))))
     , of_tree((std::max)(common, part(256. * tiles / double((std::max)(n, std::uint64_t(1))))))
   {
   }

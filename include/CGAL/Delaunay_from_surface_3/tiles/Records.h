@@ -6,7 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RECORDS_H
 
 // Files of records, which appear only when they are complete: they are written beside their place
-// and renamed, so what a killed process leaves is never taken for a whole.
+// and renamed, so what a killed process or a crash of the machine leaves is never taken for a whole.
 //
 // Each begins with a word that says what it is and of which version, and the number of the run.
 // Numbers are those of the machine.
@@ -29,6 +29,10 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -81,7 +85,7 @@ public:
   void finish()
   {
     errno = 0;
-    if (std::fclose(m_file.release()) != 0)
+    if (std::fflush(m_file.get()) != 0 || !is_on_disk() || std::fclose(m_file.release()) != 0)
       fail_to_write(m_place, errno);
     std::error_code error;
     std::filesystem::rename(m_unfinished, m_place, error);
@@ -91,6 +95,16 @@ public:
   }
 
 private:
+  // Before it is renamed: else the name may outlive a crash of the machine, and not what it names.
+  bool is_on_disk() const
+  {
+#if __has_include(<unistd.h>)
+    return ::fsync(::fileno(m_file.get())) == 0 || errno == EINVAL; // of what is no disk
+#else
+    return true;
+#endif
+  }
+
   struct Close
   {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -133,13 +147,13 @@ private:
 // What stands at the beginning of each file of a run.
 struct Record_head
 {
-  char what[32] = {}; // "dfs3 tiles 1 tiling"
+  char what[32] = {}; // "dfs3 tiles 2 tiling"
   std::uint64_t run;
 
   Record_head(const char* kind, std::uint64_t run_number)
     : run(run_number)
   {
-    std::snprintf(what, sizeof(what), "dfs3 tiles 1 %s", kind);
+    std::snprintf(what, sizeof(what), "dfs3 tiles 2 %s", kind);
   }
 };
 

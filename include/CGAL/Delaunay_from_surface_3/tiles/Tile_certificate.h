@@ -145,7 +145,8 @@ inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t 
     std::array<std::uint32_t, 4> owners;
     for (unsigned k = 0; k < 4; ++k)
       owners[k] = tr.owner(cell.v[k]);
-    if (std::find(owners.begin(), owners.end(), tile.number()) == owners.end())
+    const auto own = std::count(owners.begin(), owners.end(), tile.number());
+    if (own == 0)
       return;
     const bool is_infinite = Tile_triangulation::Complex::is_infinite(cell);
     for (unsigned k = 0; k < 4 && is_infinite; ++k)
@@ -153,16 +154,18 @@ inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t 
         is_on_hull[cell.v[k]] = 1;
         ++result.hull_vertices;
       }
-    std::array<Tile_triangulation::Id, 4> sorted = {cell.v[0], cell.v[1], cell.v[2], cell.v[3]};
-    std::sort(sorted.begin(), sorted.end(), [&](auto v, auto w) { return tr.id(v) < tr.id(w); });
-    if (tr.owner(sorted[0]) == tile.number()) {
+    if (own == 4 || tr.owner_of(cell) == tile.number()) {
       result.hull_facets += is_infinite;
       ++result.owned_cells;
       std::uint64_t h = 0;
-      for (const auto v : sorted)
-        h = Split_mix(h ^ tr.id(v))();
-      result.hash += h;
+      for (const auto v : cell.v)
+        h += Split_mix(tr.id(v))();
+      result.hash += Split_mix(h)();
     }
+    if (own == 4) // nearly always
+      return;
+    std::array<Tile_triangulation::Id, 4> sorted = {cell.v[0], cell.v[1], cell.v[2], cell.v[3]};
+    std::sort(sorted.begin(), sorted.end(), [&](auto v, auto w) { return tr.id(v) < tr.id(w); });
     std::sort(owners.begin(), owners.end());
     for (unsigned k = 0; k < 4; ++k)
       if (owners[k] != tile.number() && owners[k] != Tile_triangulation::nobody &&

@@ -18,6 +18,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Packed_bytes.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
@@ -200,34 +201,22 @@ public:
   void write_certificate(const Tile_certificate& c) const
   {
     Record_writer to(file("certificate", c.tile), "certificate", m_run);
-    for (const std::uint64_t n :
-         {c.hull_vertices, c.hull_facets, c.own_points, c.points_kept, c.owned_cells, c.hash})
-      to.put(n);
-    to.put(std::uint64_t(c.common.size()));
-    for (const auto& [partner, sum] : c.common) {
-      to.put(partner);
-      to.put(sum);
-      const auto cells = c.cells.find(partner);
-      to.put(cells == c.cells.end() ? std::vector<Sorted_cell>() : cells->second);
-    }
+    Packed_bytes bytes;
+    pack(bytes, c);
+    to.put(bytes);
+    for (const auto& [partner, cells] : c.cells)
+      to.put(cells);
     to.finish();
   }
   Tile_certificate read_certificate(std::uint32_t t) const
   {
     Record_reader from(file("certificate", t), "certificate", m_run);
-    Tile_certificate c;
-    c.tile = t;
-    for (std::uint64_t* n :
-         {&c.hull_vertices, &c.hull_facets, &c.own_points, &c.points_kept, &c.owned_cells, &c.hash})
-      from.get(*n);
-    for (auto partners = from.get<std::uint64_t>(); partners > 0; --partners) {
-      const auto partner = from.get<std::uint32_t>();
-      from.get(c.common[partner]);
-      std::vector<Sorted_cell> cells;
-      from.get(cells);
-      if (!cells.empty())
-        c.cells[partner] = std::move(cells);
-    }
+    Packed_bytes bytes;
+    from.get(bytes);
+    Unpack packed(bytes);
+    Tile_certificate c = unpack_certificate(packed);
+    for (auto& partner : c.cells)
+      from.get(partner.second);
     return c;
   }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
@@ -68,8 +69,11 @@ public:
   void insert(const std::vector<Tile_point>& points, unsigned int seed, const Wants& wants,
               const Equal& equal)
   {
-    for (const std::size_t i : order_of(points, seed))
-      insert(points[i], wants, equal);
+    const std::vector<std::size_t> order = order_of(points, seed);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      prefetch(&points[order[(std::min)(k + 8, order.size() - 1)]]);
+      insert(points[order[k]], wants, equal);
+    }
   }
 
   // While wants() is asked: the corners of the zone, each more than once, until visit(v) is true.

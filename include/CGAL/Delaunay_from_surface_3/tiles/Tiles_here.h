@@ -118,6 +118,12 @@ public:
 
   void forget() { m_tiles.clear(); }
 
+  template <class F>
+  void together(const F& f) const
+  {
+    f();
+  }
+
   const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles.tiles(); }
 
 private:

@@ -96,6 +96,12 @@ public:
   // Removes all that there is.
   void forget() { m_stages.forget(); }
 
+  template <class F>
+  void together(const F& f) const
+  {
+    f();
+  }
+
   // For who does tasks one by one: the stage, its tasks, and its closing.
   Tiles_stages& stages() { return m_stages; }
 

@@ -37,7 +37,7 @@ struct Tiles_options
   std::uint64_t memory = 0;
 
   /// The sample that all tiles are offered has about as many points as this part of one tile: 1 of
-  /// `sample_share`.
+  /// `sample_share`, but no more than 16384.
   std::size_t sample_share = 8;
 
   /// How many points are read at once.

@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Folder_lock.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
@@ -52,6 +53,7 @@ public:
   // Begins or goes on, to the end.
   Tiles_report run(const Tile_source_3& source, const Tiles_options& options)
   {
+    const Folder_lock lock(m_folder, true);
     refuse_other_tiles();
     const auto no_seed = [] { return std::uint64_t(0); }; // it is in the state
     const auto write = [&](const Tiles_report& report) {
@@ -67,6 +69,7 @@ public:
   // neighbors.
   std::size_t next(const Tile_source_3& source, const Tiles_options& options)
   {
+    const Folder_lock lock(m_folder, false);
     try {
       return close_and_count(source, options);
     } catch (const Surface_input_error&) {
@@ -88,6 +91,7 @@ public:
   // Of those that next() has counted.
   void do_task(const Tile_source_3& source, const Tiles_options& options, std::size_t k)
   {
+    const Folder_lock lock(m_folder, false);
     Tiles_stages& stages = begin(source, options);
     const bool writes = stages.stage() == Tiles_stages::DONE;
     const std::size_t n = writes ? m_engine.number_of_tiles() : stages.number_of_tasks();
@@ -157,9 +161,12 @@ private:
            (!m_with_vtu || std::filesystem::exists(file_of_tile(m_folder, "tile", t, "vtu")));
   }
 
-  void write(std::uint32_t t) const
+  void write(std::uint32_t t)
   {
     if (!is_written(t)) {
+      if (!std::filesystem::exists(m_engine.stages().folder().file("piece", t)))
+        throw Tile_files_error(m_folder.string() + ": its tiles are written, without .vtu: remove "
+                                                   "it, or name another folder");
       const Delaunay_3_tile tile = m_engine.tile(t);
       if (m_with_vtu)
         write_tile_as_vtu(m_folder, tile);

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -46,13 +47,19 @@ inline std::uint32_t number_of_tiles(const Tiles_options& options, std::uint64_t
 }
 
 // After a tile of n points in all was too large: asks for as many as would do. False if there are
-// none, or not to be asked for.
+// none, or not to be asked for. Throws if there may not be so many.
 inline bool ask_for_more_tiles(Tiles_options& options, const Tile_too_large& error, std::uint64_t n,
                                std::uint32_t tiles)
 {
   options.number_of_tiles = error.number_of_tiles();
-  return options.starts_again && error.number_of_tiles() > 0 &&
-         number_of_tiles(options, n, 1) > tiles;
+  if (error.number_of_tiles() == 0)
+    return false;
+  const std::uint32_t most = number_of_tiles(options, n, 1);
+  if (most <= tiles)
+    throw Tile_too_large(std::string(error.what()) + ", but there may be " + std::to_string(most) +
+                             " only, of " + std::to_string(options.least_points) + " points each",
+                         0);
+  return options.starts_again;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

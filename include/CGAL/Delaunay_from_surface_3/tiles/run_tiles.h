@@ -69,8 +69,11 @@ Tiles_report run_tiles(Engine& engine, const Draw& draw)
     const auto certificates = engine.gather(draw_seed(engine, draw));
     report.rounds = engine.rounds();
     report.told = engine.told();
-    report_certificates(certificates, report);
-    const auto differing = tiles_that_differ(certificates);
+    Tile_pairs differing;
+    engine.together([&] { // it may throw on one of many processes
+      report_certificates(certificates, report);
+      differing = tiles_that_differ(certificates);
+    });
     if (report.is_certified || differing.empty() || repairs == most_repairs)
       return report;
     engine.show(differing);

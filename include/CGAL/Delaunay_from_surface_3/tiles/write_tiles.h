@@ -64,17 +64,22 @@ void write_npy(const std::filesystem::path& file, const std::string& type, std::
 
 using Global_cell = std::array<std::int64_t, 4>;
 
-// The finite cells that the tile owns, by ids.
-inline std::vector<Global_cell> owned_cells(const Delaunay_3_tile& tile)
+// The finite cells that the tile owns, by ids; a few at a time.
+inline void write_cells(const std::filesystem::path& file, const Delaunay_3_tile& tile)
 {
-  std::vector<Global_cell> cells;
-  cells.reserve(tile.number_of_owned_finite_cells);
-  for (std::size_t c = 0; c < tile.number_of_owned_finite_cells; ++c) {
-    cells.emplace_back();
-    for (std::size_t k = 0; k < 4; ++k)
-      cells.back()[k] = std::int64_t(tile.ids[std::size_t(tile.cells[c][k])]);
+  const std::size_t n = tile.number_of_owned_finite_cells;
+  Bytes_writer to(file);
+  const std::string head = head_of_npy("i8", n, 4);
+  to.write(head.data(), head.size());
+  std::vector<Global_cell> cells((std::min)(n, std::size_t(4096)));
+  for (std::size_t first = 0; first < n; first += cells.size()) {
+    cells.resize((std::min)(cells.size(), n - first));
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      for (std::size_t k = 0; k < 4; ++k)
+        cells[c][k] = std::int64_t(tile.ids[std::size_t(tile.cells[first + c][k])]);
+    to.write(cells.data(), cells.size() * sizeof(Global_cell));
   }
-  return cells;
+  to.finish();
 }
 
 // cells-T.npy: the finite cells that the tile owns, by ids; ids-T.npy and points-T.npy: of the
@@ -83,7 +88,7 @@ inline void write_tile_as_arrays(const std::filesystem::path& folder, const Dela
 {
   write_npy(file_of_tile(folder, "ids", tile.number, "npy"), "i8", 1, tile.ids);
   write_npy(file_of_tile(folder, "points", tile.number, "npy"), "f8", 3, tile.points);
-  write_npy(file_of_tile(folder, "cells", tile.number, "npy"), "i8", 4, owned_cells(tile));
+  write_cells(file_of_tile(folder, "cells", tile.number, "npy"), tile);
 }
 
 // tile-T.vtu: the same cells, for VTK and ParaView.
