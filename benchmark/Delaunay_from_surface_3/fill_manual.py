@@ -62,6 +62,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "tiles", ["tiles"], hard_tables.tiles),
     (HOW_FAST, "mpi", ["mpi", "tiles_load", "tiles_load_2M"], use_tables.mpi),
     (HOW_FAST, "peers", ["compare_peers"], hard_tables.peers),
+    (HOW_FAST, "clusters", ["compare_clusters"], hard_tables.peers),
     (MAIN_PAGE, "cluster", ["tiles_load_2M", "tiles_load"], use_tables.cluster),
     (PAPER, "work", ["total_work"], paper_tables.work),
     (PAPER, "work_parts", ["total_work"], paper_tables.work_parts),

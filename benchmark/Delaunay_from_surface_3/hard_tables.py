@@ -74,9 +74,18 @@ def ratios_of_peers(report):
     return dict(sorted(ratios.items()))
 
 
+def plain_beside(report):
+    """Rows as those of peers(): whole calls of plain CGAL / of this package."""
+    times = [(result["surface"], result["times"]) for result in report["results"]]
+    for threads, plain in ((1, "plain"), (2, "plain_parallel")):
+        of = [t[plain]["median_wall"] / t[f"threads_{threads}"]["median_wall"] for _, t in times]
+        yield ["plain %CGAL, whole calls", str(threads), *map(two, of), two(geometric_mean(of))]
+
+
 def peers(report):
     surfaces = [result["surface"] for result in report["results"]]
-    rows = [[program, str(threads), *(two(of.get(surface)) for surface in surfaces), two(geometric_mean(of.values()))]
+    rows = list(plain_beside(report))
+    rows += [[program, str(threads), *(two(of.get(surface)) for surface in surfaces), two(geometric_mean(of.values()))]
             for (threads, program), of in ratios_of_peers(report).items()]
     return "\n\n".join([measured(report), table(["program", "threads", *surfaces, "geometric mean"], rows),
                         differences(report["results"])])

@@ -23,6 +23,7 @@ SHOWS = {
     "threads_memory": "peaks with 1, 2 and 16 threads",
     "threads_simulated": "insertions withdrawn with 2 to 64 workers, by simulation",
     "compare_peers": "Geogram, HXT and TetGen beside one thread and two",
+    "compare_clusters": "the same of a million points alone that crowd in places",
     "compare_64k": "all methods: times, phases, counts, memory, the yardstick",
     "compare_256k": "times only",
     "compare_1M": "times, counts, memory",

@@ -8,7 +8,7 @@
 
 #include <Delaunay_from_surface_3_comparison/gains.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+#include <Delaunay_from_surface_3_surfaces/clusters.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,9 +17,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,47 +32,11 @@ using Triangulation =
 using Points = std::vector<std::array<float, 3>>;
 using Rows = std::vector<std::array<int, 4>>;
 
-// A rotation, all equally likely.
-std::array<std::array<double, 3>, 3> random_rotation(std::mt19937& random)
-{
-  std::normal_distribution<double> normal;
-  double q[4], square = 0;
-  for (double& x : q)
-    x = normal(random), square += x * x;
-  for (double& x : q)
-    x /= std::sqrt(square);
-  const auto [w, x, y, z] = q;
-  return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
-           {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
-           {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
-}
-
-// Of each of many Gaussians near a surface the centre and the corners of a box, in no order that helps.
-// Sizes vary over three decades, and from axis to axis.
 Points points_of_gaussians(std::size_t n)
 {
-  const auto centers = surfaces::genus_surface(3, n / 9, 0.05, 2024).points;
-  std::mt19937 random(2024);
-  std::uniform_real_distribution<double> exponent(-4, -1), flatness(.1, 1);
-  std::normal_distribution<double> off(0, .01);
   Points points;
-  for (const auto& c : centers) {
-    const auto axes = random_rotation(random);
-    const double size = std::pow(10, exponent(random));
-    const double half[3] = {size * flatness(random), size * flatness(random),
-                            size * flatness(random)};
-    const double center[3] = {c.x() + off(random), c.y() + off(random), c.z() + off(random)};
-    const auto add = [&](double s, double t, double u) {
-      std::array<float, 3> p;
-      for (std::size_t k = 0; k < 3; ++k)
-        p[k] = float(center[k] + s * half[0] * axes[k][0] + t * half[1] * axes[k][1] +
-                     u * half[2] * axes[k][2]);
-      points.push_back(p);
-    };
-    add(0, 0, 0);
-    for (int corner = 0; corner < 8; ++corner)
-      add(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-  }
+  for (const auto& p : surfaces::boxes_of_gaussians(n, 2024).points)
+    points.push_back({float(p.x()), float(p.y()), float(p.z())});
   return points;
 }
 

@@ -13,6 +13,7 @@
 #include <Delaunay_from_surface_3_comparison/peers.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
+#include <Delaunay_from_surface_3_surfaces/clusters.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_threads/simulate_workers.h>
 #include <Delaunay_from_surface_3_threads/time_parts.h>
@@ -281,6 +282,11 @@ std::vector<comparison::Named_surface> chosen_surfaces(const Options& options)
   auto all = comparison::named_surfaces(options.data_dir);
   all.push_back(shuffled(all[0]));
   all.push_back(shuffled(all[1]));
+  all.push_back({"plummer", "a star cluster, points alone", 100, surfaces::plummer_sphere});
+  all.push_back(
+      {"soneira-peebles", "clusters of clusters, points alone", 100, surfaces::soneira_peebles});
+  all.push_back({"boxes", "turned boxes over three decades, float coordinates, points alone", 1000,
+                 surfaces::boxes_of_gaussians});
   std::vector<comparison::Named_surface> result;
   for (const auto& surface : all)
     if (options.names.empty() ||

@@ -154,11 +154,11 @@ public:
 
   // The first cells: that of four vertices, positively oriented, and the infinite ones around it.
   // Makes room for the cells that points on a surface have, 6.5 to 7.5 for each. Lattices and
-  // smooth surfaces without noise have up to 13 for a time; pages that nobody writes take no
+  // smooth surfaces without noise have up to 15 for a time; pages that nobody writes take no
   // memory, so there is room for these, too, while that is less than a gigabyte.
   void start(const std::array<Id, 4>& v)
   {
-    const std::size_t few = 8 * m_number_of_vertices + 64, many = 14 * m_number_of_vertices + 64;
+    const std::size_t few = 8 * m_number_of_vertices + 64, many = 16 * m_number_of_vertices + 64;
     m_cells.reserve((std::min)(many < cells_of_gigabyte ? many : few, max_cells), 0);
     std::array<Id, 5> cells;
     for (Id& c : cells)
