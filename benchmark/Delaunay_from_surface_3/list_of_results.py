@@ -53,6 +53,7 @@ SHOWS = {
     "tiles": "what tiles keep, tell and take",
     "tiles_load": "the messages that tiles would send, each on a machine of its own",
     "tiles_load_2M": "the same of two million points",
+    "out_of_core": "a hundred million points out of core: seconds of CPU, memory, disk",
     "mpi": "tiles by MPI: times and the share of exchange, one rank and two, as many points and more",
     "location_costs": "the paper's theorems: locations, traces, crossings, by sizes",
     "location_costs_genus_50": "the same on genus 50; ended before its largest size",
