@@ -209,8 +209,8 @@ std::vector<std::array<Index, 4>> neighbors_of_corners(const Corners_view<Index>
   return neighbors;
 }
 
-// Of m tetrahedra vertices_of(c), opposite to which lie the tetrahedra neighbors_of(c), or other numbers
-// where there are none, and faces whose points have the vertices vertex_of(i).
+// Of m tetrahedra vertices_of(c), opposite to which lie the tetrahedra neighbors_of(c), or other
+// numbers where there are none, and faces whose points have the vertices vertex_of(i).
 template <class FaceRange, class VerticesOf, class NeighborsOf, class VertexOf>
 Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::size_t m,
                      const VerticesOf& vertices_of, const NeighborsOf& neighbors_of,
