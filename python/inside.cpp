@@ -24,12 +24,14 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 namespace {
 
 py::array winding_numbers(const python::Points& points, const python::Numbers& simplices,
-                          const python::Numbers& vertices, const py::object& faces,
-                          std::size_t threads)
+                          const python::Numbers& neighbors, const python::Numbers& vertices,
+                          const py::object& faces, std::size_t threads)
 {
-  const python::Rows rows(simplices);
+  const python::Rows rows(simplices), across(neighbors);
   if (rows.corners() != 4)
     throw py::value_error("inside: the surface has no inside: there are no tetrahedra");
+  if (across.corners() != 4 || across.size() != rows.size())
+    throw py::value_error("inside: expected four neighbours of each tetrahedron");
   const auto n = std::size_t(points.shape(0));
   std::vector<double> coordinates;
   python::copy_points(python::Points_view(points), n, "points: point", coordinates);
@@ -45,6 +47,10 @@ py::array winding_numbers(const python::Points& points, const python::Numbers& s
         [&](std::size_t c) {
           return std::array<python::Index, 4>{rows.number(c, 0, n), rows.number(c, 1, n),
                                               rows.number(c, 2, n), rows.number(c, 3, n)};
+        },
+        [&](std::size_t c) {
+          const python::Index* const row = across.data() + across.stride() * c;
+          return std::array<python::Index, 4>{row[0], row[1], row[2], row[3]};
         },
         [&](std::size_t i) { return vertex_of[i]; }, executor);
   });

@@ -45,7 +45,7 @@ short tube.) A patch, a sheet, a Möbius strip and points alone have none.
 \param points the points, as `delaunay_3_arrays()` takes them
 \param faces the faces: for each the indices of its points in order, counterclockwise seen from
 outside
-\param arrays the triangulation of these points; its neighbours are not read
+\param arrays the triangulation of these points; neighbours that have been dropped are found anew
 
 <b>Complexity</b>: \f$O((n + m) \log n)\f$ for n faces and m tetrahedra where the surface is spread
 evenly.
@@ -71,10 +71,19 @@ Inside_3 inside_of_surface_3(const PointRange& points, const FaceRange& faces,
                               " points, and " + std::to_string(array.size()) + " are given");
   if (arrays.dimension() < 3)
     throw Surface_input_error("the surface has no inside: there are no tetrahedra");
-  return find_inside(
-      array, faces, arrays.number_of_simplices(), [&](std::size_t c) { return arrays.vertices(c); },
-      [&](std::size_t i) { return arrays.vertex_of_point(i); },
-      typename Executor_of_tag<ConcurrencyTag>::type());
+  const typename Executor_of_tag<ConcurrencyTag>::type executor;
+  const auto find = [&](const auto& neighbors_of) {
+    return find_inside(
+        array, faces, arrays.number_of_simplices(),
+        [&](std::size_t c) { return arrays.vertices(c); }, neighbors_of,
+        [&](std::size_t i) { return arrays.vertex_of_point(i); }, executor);
+  };
+  if (arrays.neighbors_data() != nullptr)
+    return find([&](std::size_t c) { return arrays.neighbors(c); });
+  const auto neighbors = neighbors_of_corners(
+      Corners_view<Index>{arrays.vertices_data(), arrays.stride(), arrays.number_of_simplices(), 0},
+      array.size(), executor);
+  return find([&](std::size_t c) { return neighbors[c]; });
 }
 
 /// \cond SKIP_IN_MANUAL

@@ -108,7 +108,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         faces = [tuple(face) for face in faces]  # they are read twice
     result = Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number, order), threads=number)
     if inside:
-        result.winding_numbers = _core.winding_numbers(array, result.simplices, result.vertices, faces, number)
+        across = result.neighbors if neighbors else _core.neighbors(result.simplices, len(array), number)
+        result.winding_numbers = _core.winding_numbers(array, result.simplices, across, result.vertices, faces, number)
     return result
 
 

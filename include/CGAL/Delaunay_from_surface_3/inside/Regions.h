@@ -27,7 +27,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -53,37 +52,43 @@ inline Corners ascending(Corners corners)
 class Regions
 {
 public:
-  // Of m tetrahedra vertices_of(c) on n points, and triangles in ascending order.
-  template <class VerticesOf>
-  Regions(std::size_t m, std::size_t n, const VerticesOf& vertices_of,
-          const std::vector<Corners>& triangles, const Executor& executor)
-    : m_sets(m)
-    , m_is_cut(m, 0)
+  // Of cells, whose neighbors_of(c) are numbers, and those at the hull none of theirs; and of
+  // triangles in ascending order, on n points.
+  template <class Cells>
+  Regions(const Cells& cells, std::size_t n, const std::vector<Corners>& triangles,
+          const Executor& executor)
+    : m_sets(cells.number)
+    , m_is_cut(cells.number, 0)
+    , m_walls(cells.number, 0)
   {
-    find_facets(m, n, vertices_of, triangles, executor);
+    find_facets(cells, n, triangles, executor);
   }
 
-  // Triangles that are no facets, by their numbers.
-  const std::vector<std::uint32_t>& missing() const { return m_missing; }
+  // Triangles that are no facets.
+  const std::vector<Corners>& missing() const { return m_missing; }
 
   // Cuts what meets the triangles of the tree, and unites the others.
-  template <class CornersOf>
-  void cut(const Box_tree& tree, const CornersOf& corners_of, const Executor& executor)
+  template <class Cells>
+  void cut(const Box_tree& tree, const Cells& cells, const Executor& executor)
   {
     const std::size_t m = m_is_cut.size();
     std::vector<float> radii(m);
     for_each_block(executor, m, number_of_blocks(executor, m, 1024),
                    [&](std::size_t first, std::size_t last, std::size_t) {
                      for (std::size_t c = first; c < last; ++c) {
-                       const std::array<Vector_3d, 4> corners = corners_of(c);
+                       const std::array<Vector_3d, 4> corners = cells(c);
                        m_is_cut[c] = char(tree.meets(corners));
                        radii[c] = float(inradius(corners));
                      }
                    });
-    for (const auto& [c, d] : m_pairs)
-      if (!m_is_cut[c] && !m_is_cut[d])
-        m_sets.unite(c, d);
-    m_pairs = {};
+    for (std::size_t c = 0; c < m; ++c) {
+      const auto neighbors = cells.neighbors_of(c);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto d = std::size_t(neighbors[k]);
+        if (c < d && d < m && (m_walls[c] >> k & 1) == 0 && !m_is_cut[c] && !m_is_cut[d])
+          m_sets.unite(std::uint32_t(c), std::uint32_t(d));
+      }
+    }
     find_largest(radii);
   }
 
@@ -104,97 +109,72 @@ private:
     return areas > 0 ? std::abs(dot(a, cross(b, c))) / areas : 0;
   }
 
+  // The first of those that are equally large.
   void find_largest(const std::vector<float>& radii)
   {
-    m_largest.resize(radii.size());
-    std::iota(m_largest.begin(), m_largest.end(), std::uint32_t(0));
+    constexpr auto none = std::uint32_t(-1);
+    m_largest.assign(radii.size(), none);
     for (std::uint32_t c = 0; c < radii.size(); ++c) {
       std::uint32_t& largest = m_largest[m_sets.root(c)];
-      if (radii[c] > radii[largest])
+      if (largest == none || radii[c] > radii[largest])
         largest = c;
     }
   }
 
-  // Facet 4 c + k leaves out corner k.
-  template <class VerticesOf>
-  static Corners facet(const VerticesOf& vertices_of, std::size_t f)
+  // Looks each facet up among the triangles with the same least vertex.
+  template <class Cells>
+  void find_facets(const Cells& cells, std::size_t n, const std::vector<Corners>& triangles,
+                   const Executor& executor)
   {
-    const auto v = vertices_of(f / 4);
-    const auto at = [&](std::size_t i) { return std::uint32_t(v[(f + i) % 4]); };
-    return ascending({at(1), at(2), at(3)});
-  }
-
-  struct Item
-  {
-    std::uint64_t others;
-    std::uint32_t number; // of a tetrahedron or triangle
-    bool is_triangle;
-  };
-  struct Found
-  {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    std::vector<std::uint32_t> missing;
-  };
-
-  // At each vertex, facets and triangles whose least vertex it is, in the order of the two others.
-  template <class VerticesOf>
-  void find_facets(std::size_t m, std::size_t n, const VerticesOf& vertices_of,
-                   const std::vector<Corners>& triangles, const Executor& executor)
-  {
-    const auto facets = in_lists<std::uint32_t>(
-        n,
-        Listed_items(
-            4 * m, [&](std::size_t f) { return std::size_t(facet(vertices_of, f)[0]); },
-            [](std::size_t f) { return std::uint32_t(f); }),
-        executor);
     const auto lists = in_lists<std::uint32_t>(
         n,
         Listed_items(
             triangles.size(), [&](std::size_t t) { return std::size_t(triangles[t][0]); },
             [](std::size_t t) { return std::uint32_t(t); }),
         executor);
-    const auto others = [](const Corners& c) { return std::uint64_t(c[1]) << 32 | c[2]; };
-    std::vector<Found> found(number_of_blocks(executor, n, 4096));
-    for_each_block(executor, n, found.size(),
-                   [&](std::size_t first, std::size_t last, std::size_t block) {
-                     std::vector<Item> items;
-                     for (std::size_t v = first; v < last; ++v) {
-                       items.clear();
-                       for (const std::uint32_t* f = facets.begin(v); f != facets.end(v); ++f)
-                         items.push_back({others(facet(vertices_of, *f)), *f / 4, false});
-                       for (const std::uint32_t* t = lists.begin(v); t != lists.end(v); ++t)
-                         items.push_back({others(triangles[*t]), *t, true});
-                       match(items, found[block]);
-                     }
+    std::vector<Corners> listed;
+    listed.reserve(triangles.size());
+    for (const std::uint32_t t : lists.items)
+      listed.push_back(triangles[t]);
+    std::vector<char> is_facet(listed.size(), 0);
+    for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 4096),
+                   [&](std::size_t first, std::size_t last, std::size_t) {
+                     for (std::size_t c = first; c < last; ++c)
+                       m_walls[c] = walls_of(cells, c, lists, listed, is_facet);
                    });
-    for (Found& part : found) {
-      m_pairs.insert(m_pairs.end(), part.pairs.begin(), part.pairs.end());
-      m_missing.insert(m_missing.end(), part.missing.begin(), part.missing.end());
-      part = Found();
-    }
+    for (std::size_t t = 0; t < listed.size(); ++t)
+      if (!is_facet[t])
+        m_missing.push_back(listed[t]);
   }
 
-  // Two facets are a pair if no triangle lies between them; a triangle without a facet is missing.
-  static void match(std::vector<Item>& items, Found& found)
+  // Which facets of tetrahedron c are triangles, by their bits; between two the first one is asked.
+  template <class Cells>
+  static unsigned char walls_of(const Cells& cells, std::size_t c,
+                                const Lists<std::uint32_t>& lists,
+                                const std::vector<Corners>& listed, std::vector<char>& is_facet)
   {
-    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
-      return a.others != b.others ? a.others < b.others : a.is_triangle < b.is_triangle;
-    });
-    for (std::size_t first = 0, last = 0; first < items.size(); first = last) {
-      while (last < items.size() && items[last].others == items[first].others)
-        ++last;
-      if (items[first].is_triangle)
-        found.missing.push_back(items[first].number);
-      else if (last - first == 2 && !items[first + 1].is_triangle)
-        found.pairs.emplace_back(items[first].number, items[first + 1].number);
+    unsigned walls = 0;
+    const auto neighbors = cells.neighbors_of(c);
+    const auto v = cells.vertices_of(c);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (std::size_t(neighbors[k]) < c)
+        continue;
+      const auto at = [&](std::size_t i) { return std::uint32_t(v[(k + i) % 4]); };
+      const Corners facet = ascending({at(1), at(2), at(3)});
+      for (std::size_t t = lists.first[facet[0]]; t < lists.first[facet[0] + 1]; ++t)
+        if (listed[t] == facet) {
+          is_facet[t] = 1;
+          walls |= 1u << k;
+        }
     }
+    return static_cast<unsigned char>(walls);
   }
 
   Disjoint_sets<std::uint32_t> m_sets;
   std::vector<char> m_is_cut;
+  std::vector<unsigned char> m_walls;   // of each tetrahedron: bit k for the facet opposite to k
   std::vector<std::uint32_t> m_largest; // of each set, at its root
-  std::vector<std::uint32_t> m_missing;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_pairs;
+  std::vector<Corners> m_missing;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

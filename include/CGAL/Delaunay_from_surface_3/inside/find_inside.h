@@ -9,6 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Inside_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/match_facets.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Box_tree.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
@@ -75,12 +76,13 @@ public:
 };
 
 // The tetrahedra vertices_of(c) of a triangulation, in the frame of a field.
-template <class VerticesOf>
+template <class VerticesOf, class NeighborsOf>
 struct Tetrahedra
 {
   const std::vector<Vector_3d>& points;
   std::size_t number;
   const VerticesOf& vertices_of;
+  const NeighborsOf& neighbors_of;
 
   std::array<Vector_3d, 4> operator()(std::size_t c) const
   {
@@ -105,28 +107,29 @@ void find_numbers(const Winding_tree& tree, const Cells& cells,
                   const Executor& executor)
 {
   constexpr std::size_t most = Winding_tree::most;
-  const std::size_t blocks = number_of_blocks(executor, asked.size(), 1024);
-  for_each_block(executor, asked.size(), blocks,
+  std::vector<double> centers;
+  centers.reserve(3 * asked.size());
+  for (const std::uint32_t c : asked) {
+    const Vector_3d x = cells.center(c);
+    centers.insert(centers.end(), x.begin(), x.end());
+  }
+  const Point_array queries(centers.data(), asked.size());
+  std::vector<std::size_t> order(asked.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  Sort_by_halves()(queries, order.data(), order.data() + order.size());
+  const std::size_t groups = (order.size() + most - 1) / most;
+  for_each_block(executor, groups, number_of_blocks(executor, groups, 64),
                  [&](std::size_t begin, std::size_t end, std::size_t) {
-                   std::vector<double> centers;
-                   centers.reserve(3 * (end - begin));
-                   for (std::size_t k = begin; k < end; ++k) {
-                     const Vector_3d x = cells.center(asked[k]);
-                     centers.insert(centers.end(), x.begin(), x.end());
-                   }
-                   const Point_array queries(centers.data(), end - begin);
-                   std::vector<std::size_t> order(end - begin);
-                   std::iota(order.begin(), order.end(), std::size_t(0));
-                   Sort_by_halves()(queries, order.data(), order.data() + order.size());
                    Vector_3d q[most];
                    double found[most];
-                   for (std::size_t k = 0; k < order.size(); k += most) {
+                   for (std::size_t k = most * begin; k < (std::min)(most * end, order.size());
+                        k += most) {
                      const std::size_t n = (std::min)(most, order.size() - k);
                      for (std::size_t i = 0; i < n; ++i)
                        q[i] = vector_of(queries[order[k + i]]);
                      tree(q, n, found);
                      for (std::size_t i = 0; i < n; ++i)
-                       numbers[asked[begin + order[k + i]]] = found[i];
+                       numbers[asked[order[k + i]]] = found[i];
                    }
                  });
 }
@@ -139,12 +142,10 @@ void find_numbers_by_regions(const Winding_tree& tree, const Cells& cells,
                              const std::vector<Triangle_3d>& closing, double* numbers,
                              const Executor& executor)
 {
-  Regions regions(cells.number, cells.points.size(), cells.vertices_of, triangles, executor);
+  Regions regions(cells, cells.points.size(), triangles, executor);
   std::vector<Triangle_3d> cutting = closing;
-  for (const std::uint32_t t : regions.missing()) {
-    const auto at = [&](std::size_t k) { return cells.points[triangles[t][k]]; };
-    cutting.push_back({at(0), at(1), at(2)});
-  }
+  for (const Corners& v : regions.missing())
+    cutting.push_back({cells.points[v[0]], cells.points[v[1]], cells.points[v[2]]});
   regions.cut(Box_tree(std::move(cutting)), cells, executor);
   std::vector<std::uint32_t> asked;
   for (std::uint32_t c = 0; c < cells.number; ++c)
@@ -188,20 +189,40 @@ std::vector<Corners> corners_of(const FaceRange& faces, const VertexOf& vertex_o
   return triangles;
 }
 
-// Of m tetrahedra vertices_of(c), and faces whose points have the vertices vertex_of(i).
-template <class FaceRange, class VerticesOf, class VertexOf>
-Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::size_t m,
-                     const VerticesOf& vertices_of, const VertexOf& vertex_of,
-                     const Executor& executor)
+// An inside is found of m tetrahedra on n points.
+inline void check_sizes(std::size_t m, std::size_t n)
 {
-  if (m >= std::size_t(1) << 30 || points.size() >= std::size_t(1) << 31)
+  if (m >= std::size_t(1) << 30 || n >= std::size_t(1) << 31)
     throw std::length_error("an inside is found of fewer than 2^30 tetrahedra and 2^31 points");
+}
+
+// Those of tetrahedra on n points whose neighbours are not known; -1 where there is none.
+template <class Index>
+std::vector<std::array<Index, 4>> neighbors_of_corners(const Corners_view<Index>& tetrahedra,
+                                                       std::size_t n, const Executor& executor)
+{
+  check_sizes(tetrahedra.number, n);
+  std::vector<std::array<Index, 4>> neighbors(tetrahedra.number, {-1, -1, -1, -1});
+  match_facets<4>(
+      tetrahedra, n,
+      [&](std::size_t c, std::size_t k, std::size_t d) { neighbors[c][k] = Index(d); }, executor);
+  return neighbors;
+}
+
+// Of m tetrahedra vertices_of(c), opposite to which lie the tetrahedra neighbors_of(c), or other
+// numbers where there are none, and faces whose points have the vertices vertex_of(i).
+template <class FaceRange, class VerticesOf, class NeighborsOf, class VertexOf>
+Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::size_t m,
+                     const VerticesOf& vertices_of, const NeighborsOf& neighbors_of,
+                     const VertexOf& vertex_of, const Executor& executor)
+{
+  check_sizes(m, points.size());
   const Winding_field field = winding_field(points, faces);
   std::vector<Vector_3d> in_frame;
   in_frame.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     in_frame.push_back(field.frame(vector_of(points[i])));
-  const Tetrahedra<VerticesOf> cells = {in_frame, m, vertices_of};
+  const Tetrahedra<VerticesOf, NeighborsOf> cells = {in_frame, m, vertices_of, neighbors_of};
   const auto [closing, areas] = closing_triangles(open_edges(faces, points.size(), vertex_of),
                                                   [&](std::size_t v) { return in_frame[v]; });
   Inside_3 inside;
