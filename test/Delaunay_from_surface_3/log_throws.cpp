@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Preloaded, writes the message of each std::exception that a program throws to the file that
-// LOG_THROWS names, after the command line of the program (list_refusals.py).
+// LOG_THROWS names, after the command line of the program (scripts/refusals).
 
 #include <dlfcn.h>
 #include <fcntl.h>
