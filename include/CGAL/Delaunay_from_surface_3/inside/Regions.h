@@ -145,6 +145,8 @@ private:
     for (std::size_t t = 0; t < listed.size(); ++t)
       if (!is_facet[t])
         m_missing.push_back(listed[t]);
+    std::sort(m_missing.begin(), m_missing.end()); // what is cut depends on their order a little
+    m_missing.erase(std::unique(m_missing.begin(), m_missing.end()), m_missing.end());
   }
 
   // Which facets of tetrahedron c are triangles, by their bits; between two the first one is asked.
