@@ -179,7 +179,7 @@ class Tiles(unittest.TestCase):
         self.fails(points, "--output", output, "--task", 0, says="tiles: another run is at work there")
         fcntl.flock(folder, fcntl.LOCK_UN)
         self.works(points, "--output", output, "--quiet")
-        self.fails(points, "--output", output, "--vtu", says="tiles: its tiles are written, without .vtu")
+        self.fails(points, "--output", output, "--vtu", says="tiles: a tile has been removed, or tiles are written without .vtu")
 
 
 if __name__ == "__main__":

@@ -226,6 +226,11 @@ BOOST_AUTO_TEST_CASE(test_regions)
     const auto arrays = CGAL::delaunay_3_arrays(soup.points);
     const auto inside = CGAL::inside_of_surface_3(soup.points, soup.faces, arrays);
     const CGAL::Winding_number_3 number(soup.points, soup.faces);
+    auto alone = arrays;
+    alone.drop_neighbors();
+    BOOST_TEST(CGAL::inside_of_surface_3(soup.points, soup.faces, alone).winding_numbers ==
+                   inside.winding_numbers,
+               boost::test_tools::per_element());
     for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c) {
       std::array<Coordinates, 4> corners;
       Coordinates center = {0, 0, 0};

@@ -30,8 +30,8 @@ inline Random::Vector_3 random_direction(Random& random)
   return v / std::sqrt(v.squared_length());
 }
 
-/// A star cluster: the share m of the mass is within \f$ (m^{-2/3} - 1)^{-1/2} \f$ (Plummer 1911;
-/// drawn as Aarseth, Hénon and Wielen 1974 do). The outermost hundredth is left out.
+/// A star cluster: the share m of the mass is within \f$ (m^{-2/3} - 1)^{-1/2} \f$ (Plummer 1911).
+/// The outermost hundredth is left out.
 inline Indexed_surface plummer_sphere(std::size_t n, std::uint64_t seed)
 {
   Random random(seed);
@@ -44,7 +44,7 @@ inline Indexed_surface plummer_sphere(std::size_t n, std::uint64_t seed)
   return s;
 }
 
-/// Clusters of clusters (Soneira and Peebles 1978): in a ball lie four smaller ones, in each of them
+/// Clusters of clusters (Soneira, Peebles 1978): in a ball lie four smaller ones, in each of them
 /// four again, on nine levels, each smaller by 1.9; the points are drawn from the balls of the last
 /// level.
 inline Indexed_surface soneira_peebles(std::size_t n, std::uint64_t seed)

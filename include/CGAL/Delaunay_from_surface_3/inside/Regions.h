@@ -136,6 +136,9 @@ private:
     listed.reserve(triangles.size());
     for (const std::uint32_t t : lists.items)
       listed.push_back(triangles[t]);
+    for (std::size_t v = 0; v < n; ++v)
+      std::sort(listed.begin() + std::ptrdiff_t(lists.first[v]),
+                listed.begin() + std::ptrdiff_t(lists.first[v + 1]));
     std::vector<char> is_facet(listed.size(), 0);
     for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 4096),
                    [&](std::size_t first, std::size_t last, std::size_t) {
@@ -145,7 +148,6 @@ private:
     for (std::size_t t = 0; t < listed.size(); ++t)
       if (!is_facet[t])
         m_missing.push_back(listed[t]);
-    std::sort(m_missing.begin(), m_missing.end()); // what is cut depends on their order a little
     m_missing.erase(std::unique(m_missing.begin(), m_missing.end()), m_missing.end());
   }
 
@@ -163,11 +165,12 @@ private:
         continue;
       const auto at = [&](std::size_t i) { return std::uint32_t(v[(k + i) % 4]); };
       const Corners facet = ascending({at(1), at(2), at(3)});
-      for (std::size_t t = lists.first[facet[0]]; t < lists.first[facet[0] + 1]; ++t)
-        if (listed[t] == facet) {
-          is_facet[t] = 1;
-          walls |= 1u << k;
-        }
+      const auto found =
+          std::equal_range(listed.begin() + std::ptrdiff_t(lists.first[facet[0]]),
+                           listed.begin() + std::ptrdiff_t(lists.first[facet[0] + 1]), facet);
+      for (auto t = found.first; t != found.second; ++t)
+        is_facet[std::size_t(t - listed.begin())] = 1;
+      walls |= unsigned(found.first != found.second) << k;
     }
     return static_cast<unsigned char>(walls);
   }

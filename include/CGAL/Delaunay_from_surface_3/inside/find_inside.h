@@ -252,9 +252,11 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
   inside.doubtful_volume = judge.doubtful_volume();
   if (!judge.has_inside(inside.share_of_openings, share_of_largest))
     throw Surface_input_error(
-        "the surface has no inside: by its winding numbers more is in doubt than inside, and its "
-        "openings have " +
-        std::to_string(std::lround(100 * inside.share_of_openings)) + " % of its area");
+        "the surface has no inside: by its winding numbers too much is in doubt, and its openings "
+        "have " +
+        std::to_string(std::lround(100 * inside.share_of_openings)) +
+        " % of its area, the largest " + std::to_string(std::lround(100 * share_of_largest)) +
+        " %");
   return inside;
 }
 

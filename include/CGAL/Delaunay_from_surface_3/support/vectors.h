@@ -18,7 +18,7 @@
 
 #define CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 #define CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS __attribute__((target("avx2,popcnt")))
-// A function for vectors is never inlined into one without; so all that it calls is marked, too.
+// A function for vectors is never inlined into one without; so all that it calls goes into it.
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ALL_IN_VECTORS __attribute__((target("avx2,popcnt"), flatten))
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS                                             \
   __attribute__((target("avx2,popcnt"), always_inline)) inline

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <system_error>
 
-#if __has_include(<sys/file.h>)
+#if !defined(_WIN32) && __has_include(<sys/file.h>)
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -24,13 +24,14 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A run has its folder alone; who does tasks one by one shares it with others that do. What a
-// process has locked nobody has when it is killed. Where the system has no such locks, nobody is refused.
+// process has locked nobody has when it is killed. Where the system has no such locks, or
+// the folder is on another machine, nobody is refused.
 class Folder_lock
 {
 public:
   Folder_lock(const std::filesystem::path& folder, bool alone)
   {
-#if __has_include(<sys/file.h>)
+#if !defined(_WIN32) && __has_include(<sys/file.h>)
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
     m_file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -48,9 +49,11 @@ public:
   Folder_lock& operator=(const Folder_lock&) = delete;
   ~Folder_lock()
   {
-#if __has_include(<sys/file.h>)
-    if (m_file >= 0)
+#if !defined(_WIN32) && __has_include(<sys/file.h>)
+    if (m_file >= 0) {
+      ::flock(m_file, LOCK_UN); // a child of this process may have the file, too
       ::close(m_file);
+    }
 #endif
   }
 

@@ -30,7 +30,7 @@
 #include <utility>
 #include <vector>
 
-#if __has_include(<unistd.h>)
+#if !defined(_WIN32) && __has_include(<unistd.h>)
 #include <unistd.h>
 #endif
 
@@ -98,7 +98,7 @@ private:
   // Before it is renamed: else the name may outlive a crash of the machine, and not what it names.
   bool is_on_disk() const
   {
-#if __has_include(<unistd.h>)
+#if !defined(_WIN32) && __has_include(<unistd.h>)
     return ::fsync(::fileno(m_file.get())) == 0 || errno == EINVAL; // of what is no disk
 #else
     return true;

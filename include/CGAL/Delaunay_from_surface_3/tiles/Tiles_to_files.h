@@ -165,8 +165,9 @@ private:
   {
     if (!is_written(t)) {
       if (!std::filesystem::exists(m_engine.stages().folder().file("piece", t)))
-        throw Tile_files_error(m_folder.string() + ": its tiles are written, without .vtu: remove "
-                                                   "it, or name another folder");
+        throw Tile_files_error(m_folder.string() +
+                               ": a tile has been removed, or tiles are written "
+                               "without .vtu: remove it, or name another folder");
       const Delaunay_3_tile tile = m_engine.tile(t);
       if (m_with_vtu)
         write_tile_as_vtu(m_folder, tile);

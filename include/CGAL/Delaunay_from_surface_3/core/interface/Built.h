@@ -21,7 +21,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 enum class Insertion_outcome {
   COMPLETE,
   STOPPED,     // by the watcher
-  OVER_BUDGET, // only never returned: where there is a budget another order follows
+  OVER_BUDGET, // never returned: another order follows
   FLAT,        // nothing is inserted: the points lie in one plane
   TOO_FEW_IDS  // to number all cells
 };
