@@ -96,7 +96,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     MemoryError
         If memory ends.
 
-    Memory: about 270 bytes per point at the peak, the result included, where points have 6.8 cells each.
+    Memory: about 270 bytes per point at the peak, the result included, where points have 6.8 cells each; more with `inside`.
     """
     if not 0 <= operator.index(seed) < 2 ** 32:
         raise ValueError(f"seed: expected a whole number from 0 to 4294967295, got {seed}")
