@@ -35,12 +35,11 @@ import scipy.spatial
 
 import delaunay_from_surface as dfs
 import delaunay_from_surface.cpp
+from measure_single_calls import cpu
 
 
 def machine():
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        cpu = next((line.partition(":")[2].strip() for line in file if line.startswith("model name")), "unknown")
-    return {"cpu": cpu, "date": time.strftime("%Y-%m-%d"), "load_before": os.getloadavg()[0]}
+    return {"cpu": cpu(), "date": time.strftime("%Y-%m-%d"), "load_before": os.getloadavg()[0]}
 
 
 def torus(n):
