@@ -92,6 +92,22 @@ BOOST_AUTO_TEST_CASE(a_missing_edge_is_refused)
   check_says(refusal(g), {"is missing from the list of vertex 3"});
 }
 
+BOOST_AUTO_TEST_CASE(an_edge_that_the_graph_has_no_more_is_refused)
+{
+  const Embedded_graph whole = embedded(tetrahedron());
+  Embedded_graph g = whole; // whose lists name edges of `whole`
+  remove_edge(2, 3, g.graph);
+  check_says(refusal(g), {"the lists have edges that the graph does not have"});
+}
+
+// A tip without a mark, whose two triangles would be the same one.
+BOOST_AUTO_TEST_CASE(an_inner_vertex_of_two_edges_is_refused)
+{
+  Embedded_graph g = embedded({4, {{0, 1, 2}, {2, 1, 3}}});
+  g.is_boundary.assign(g.is_boundary.size(), 0);
+  check_says(refusal(g), {"vertex 0 has two edges and none is marked as boundary"});
+}
+
 BOOST_AUTO_TEST_CASE(an_edge_twice_in_a_list_is_refused)
 {
   Embedded_graph g = embedded(tetrahedron());

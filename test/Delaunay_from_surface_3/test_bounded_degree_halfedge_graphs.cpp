@@ -364,6 +364,13 @@ BOOST_AUTO_TEST_CASE(other_faces_are_refused_by_name)
   check_refused(mesh_of(5, {{0, 1, 2, 3}, {0, 3, 4}}), {"face at edge (", "not a triangle"});
 }
 
+BOOST_AUTO_TEST_CASE(halfedges_of_a_face_that_was_removed_are_refused)
+{
+  Surface_mesh mesh = mesh_of(4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}});
+  mesh.remove_face(Surface_mesh::Face_index(1)); // leaves its halfedges as they were
+  check_refused(mesh, {"the faces of the graph do not match its halfedges"});
+}
+
 BOOST_AUTO_TEST_CASE(pinched_vertices_are_refused_by_name)
 {
   check_refused(mesh_of(5, {{0, 1, 2}, {0, 3, 4}}), {"vertex 0 is pinched"});

@@ -384,10 +384,17 @@ BOOST_AUTO_TEST_CASE(bad_files)
           ply + "element cell 4611686018427387904\nproperty int a\nelement vertex 1\n" + xyz +
               std::string(12, ' '),
           "ends early");
+  refused("other.ply", "solid part\n", "no .ply: the first line is another");
   refused("type.ply", ply + "element vertex 1\nproperty half w\n" + xyz, "'half' is no type");
   refused("head.npy", std::string("\x93NUMPY\x02\x00\x00\x00\x00\x40", 12), "head has no end");
   check_refused([&] { core::join_tiles(folder.path, folder.path / "all.npy"); },
                 folder.path.string(), "has no tiles.json");
+  const auto join = [&] { core::join_tiles(folder.path, folder.path / "all.npy"); };
+  write_bytes(folder.path / "tiles.json", "{}");
+  check_refused(join, "tiles.json", "does not say how many tiles there are");
+  write_bytes(folder.path / "tiles.json", "{\"tiles\": 1}");
+  write_bytes(folder.path / "cells-00000.npy", npy("<i8", "2, 4", "False", std::string(63, ' ')));
+  check_refused(join, "cells-00000.npy", "has another size than its head says");
   check_refused([&] { CGAL::Point_files_3({folder.path / "none.npy"}); }, "none.npy",
                 "No such file");
   write_bytes(folder.path / "nan.raw", bytes_of(std::vector<double>{0, 0, 0, 1, 1, std::nan("")}));
@@ -417,6 +424,18 @@ BOOST_AUTO_TEST_CASE(states_of_others)
   check_refused([&] { run(moved, 4); }, place, "another input");
   check_refused([&] { run(points, 5); }, place, "4 tiles");
   check_same(run(points, 4), report);
+  CGAL::Tiles_options options = options_of(4);
+  options.compares_cells = true;
+  check_refused(
+      [&] { core::Tiles_to_files(folder.path, 1, false).run(source_of(points), options); }, place,
+      "compares sums of hashes");
+  const Folder another;
+  core::Tiles_in_files tiles(another.path);
+  tiles.stages().begin(source_of(points), options_of(4), 1);
+  check_refused([&] { tiles.stages().close(); }, another.path.string(), "task 0 of");
+  fs::copy_file(folder.path / "state" / "tiling", another.path / "state" / "tiling");
+  check_refused([&] { tiles.begin(source_of(points), options_of(4)); }, another.path.string(),
+                "belongs to another run");
 
   const fs::path tiling = folder.path / "state" / "tiling";
   const auto size = fs::file_size(tiling);
