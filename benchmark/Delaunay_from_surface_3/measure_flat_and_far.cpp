@@ -7,9 +7,9 @@
 // the predicates decided. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
-#include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/write_measured.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
 
@@ -21,8 +21,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <stdexcept>
@@ -127,13 +125,8 @@ Options read_options(int argc, char** argv)
   return o;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
-try {
-  const Options options = read_options(argc, argv);
-  Json report = comparison::begin_report("measure_flat_and_far", argc, argv,
-                                         DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
+void measure_into(const Options& options, Json& report)
+{
   report["flat_and_far_repetitions"] = options.repetitions;
   report["results"] = Json::array();
   for (const std::size_t n : options.sizes)
@@ -145,8 +138,11 @@ try {
         report["results"].push_back(std::move(result));
       }
     }
-  comparison::write_report(options.output, report);
-} catch (const std::exception& e) {
-  std::cerr << "measure_flat_and_far: " << e.what() << "\n";
-  return EXIT_FAILURE;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return comparison::write_measured("measure_flat_and_far", argc, argv, read_options, measure_into);
 }

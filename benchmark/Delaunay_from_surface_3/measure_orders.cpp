@@ -8,10 +8,10 @@
 // turn, and counts. Or only counts, of nets drawn by other rules. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
-#include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_comparison/walk_cases.h>
+#include <Delaunay_from_surface_3_comparison/write_measured.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
@@ -38,8 +38,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <stdexcept>
@@ -259,13 +257,8 @@ Options read_options(int argc, char** argv)
   return o;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
-try {
-  const Options options = read_options(argc, argv);
-  Json report = comparison::begin_report("measure_orders", argc, argv,
-                                         DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
+void measure_into(const Options& options, Json& report)
+{
   if (options.blocks.empty())
     report["repetitions"] = options.repetitions;
   else
@@ -292,8 +285,11 @@ try {
       measure({"scan", "refined", roundings[0],
                surfaces::densified(surfaces::read_mesh(options.scan), n, 0.05, seed)});
   }
-  comparison::write_report(options.output, report);
-} catch (const std::exception& e) {
-  std::cerr << "measure_orders: " << e.what() << "\n";
-  return EXIT_FAILURE;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return comparison::write_measured("measure_orders", argc, argv, read_options, measure_into);
 }

@@ -6,8 +6,8 @@
 // kinds of cut, degrees beside their bounds on surfaces of all kinds, trees of nearly minimum degree,
 // and what a user would otherwise take. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/write_measured.h>
 #include <Delaunay_from_surface_3_subgraphs/heap_peak.h>
 #include <Delaunay_from_surface_3_subgraphs/measure_bounds.h>
 #include <Delaunay_from_surface_3_subgraphs/measure_near_minimum.h>
@@ -27,9 +27,7 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <ctime>
-#include <exception>
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
@@ -266,16 +264,14 @@ Options read_options(int argc, char** argv)
   return o;
 }
 
+void measure_into(const Options& options, ordered_json& report)
+{
+  report.update(measure_all(options));
+}
+
 } // namespace
 
 int main(int argc, char** argv)
-try {
-  const Options options = read_options(argc, argv);
-  ordered_json result = comparison::begin_report("measure_subgraphs", argc, argv,
-                                                 DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
-  result.update(measure_all(options));
-  comparison::write_report(options.output, result);
-} catch (const std::exception& e) {
-  std::cerr << "measure_subgraphs: " << e.what() << "\n";
-  return EXIT_FAILURE;
+{
+  return comparison::write_measured("measure_subgraphs", argc, argv, read_options, measure_into);
 }

@@ -13,6 +13,7 @@
 #include <Delaunay_from_surface_3_comparison/peers.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
+#include <Delaunay_from_surface_3_comparison/write_measured.h>
 #include <Delaunay_from_surface_3_surfaces/clusters.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_threads/simulate_workers.h>
@@ -31,8 +32,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -317,16 +316,11 @@ Options read_options(int argc, char** argv)
   return o;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
-try {
-  const Options options = read_options(argc, argv);
+void measure_into(const Options& options, Json& report)
+{
   std::optional<comparison::Launcher> launcher;
   if (!options.peers.empty())
     launcher.emplace(); // before anything large is in memory
-  Json report = comparison::begin_report("measure_threads", argc, argv,
-                                         DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
   report["repetitions"] = options.repetitions;
   report["results"] = Json::array();
   for (const std::size_t n : options.sizes)
@@ -347,8 +341,11 @@ try {
       report["results"].push_back(std::move(result));
     }
   report["machine"]["load_after"] = comparison::load_average();
-  comparison::write_report(options.output, report);
-} catch (const std::exception& e) {
-  std::cerr << "measure_threads: " << e.what() << "\n";
-  return EXIT_FAILURE;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return comparison::write_measured("measure_threads", argc, argv, read_options, measure_into);
 }

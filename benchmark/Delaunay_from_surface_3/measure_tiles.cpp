@@ -5,10 +5,10 @@
 // Counts what tiles tell each other and keep, on surfaces, solids, spheres, planes and cubes; and takes
 // the time of the sequential call of arrays beside it. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_comparison/walk_cases.h>
+#include <Delaunay_from_surface_3_comparison/write_measured.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 
 #include <CGAL/delaunay_3_arrays.h>
@@ -21,9 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <ctime>
-#include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -223,13 +221,8 @@ surfaces::Indexed_surface tilted_planes(std::size_t n)
   return points;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
-try {
-  const Options options = read_options(argc, argv);
-  Json report =
-      comparison::begin_report("measure_tiles", argc, argv, DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
+void measure_into(const Options& options, Json& report)
+{
   report["results"] = Json::array();
   auto inputs = comparison::named_surfaces(options.data);
   for (const char* name : {"dragon", "cheese"}) {
@@ -251,8 +244,11 @@ try {
       if (options.only.empty() ||
           std::find(options.only.begin(), options.only.end(), input.name) != options.only.end())
         report["results"].push_back(measure(input.name, input.make(n, seed), options));
-  comparison::write_report(options.output, report);
-} catch (const std::exception& e) {
-  std::cerr << "measure_tiles: " << e.what() << "\n";
-  return EXIT_FAILURE;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return comparison::write_measured("measure_tiles", argc, argv, read_options, measure_into);
 }

@@ -7,9 +7,9 @@
 // cells destroyed, beside nets of the surface and random rounds. Only counts. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
-#include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/write_measured.h>
 #include <Delaunay_from_surface_3_uniform/Hilbert_sorted_nets.h>
 #include <Delaunay_from_surface_3_uniform/Uniform_rounds.h>
 #include <Delaunay_from_surface_3_uniform/samples.h>
@@ -30,8 +30,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <iterator>
@@ -157,13 +155,8 @@ Options read_options(int argc, char** argv)
   return o;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
-try {
-  const Options options = read_options(argc, argv);
-  Json report = comparison::begin_report("measure_uniform_samples", argc, argv,
-                                         DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
+void measure_into(const Options& options, Json& report)
+{
   report["samples"] = report["levels"] = Json::array();
   for (const std::size_t n : options.sizes)
     for (const uniform::Sample& sample : uniform::samples(n, seed)) {
@@ -174,8 +167,12 @@ try {
     report["levels"].push_back(measure_levels(name, surface));
     std::cerr << report["levels"].back().dump() << "\n";
   }
-  comparison::write_report(options.output, report);
-} catch (const std::exception& e) {
-  std::cerr << "measure_uniform_samples: " << e.what() << "\n";
-  return EXIT_FAILURE;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return comparison::write_measured("measure_uniform_samples", argc, argv, read_options,
+                                    measure_into);
 }

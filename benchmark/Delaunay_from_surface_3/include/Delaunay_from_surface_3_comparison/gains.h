@@ -8,15 +8,13 @@
 // What a program does that measures what kinds of users gain: work with plain CGAL and with the
 // package in turn, a line of JSON for each kind.
 
-#include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/write_measured.h>
 
 #include <boost/program_options.hpp>
 
 #include <cstddef>
-#include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -80,29 +78,31 @@ int write_gains(const std::string& program, const std::string& purpose, int argc
                 const Measure& measure,
                 const boost::program_options::options_description& own_options = {})
 {
-  namespace po = boost::program_options;
-  try {
+  struct Options
+  {
     std::size_t n = 200000, repetitions = 5;
-    std::string output = program.substr(program.find('_') + 1) + ".json";
+    std::string output;
+  };
+  const auto read_options = [&](int count, char** words) {
+    namespace po = boost::program_options;
+    Options o;
+    o.output = program.substr(program.find('_') + 1) + ".json";
     po::options_description options(purpose + "\n\nOptions");
     auto add = options.add_options();
     add("help,h", "say this and stop");
-    add("points,n", po::value(&n)->value_name("N"), "number of points");
-    add("repetitions,r", po::value(&repetitions)->value_name("N"), "of each, in turn");
-    add("output,o", po::value(&output)->value_name("FILE"), "where the JSON goes");
+    add("points,n", po::value(&o.n)->value_name("N"), "number of points");
+    add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn");
+    add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
     options.add(own_options);
-    read_command_line(argc, argv, options);
-    Json report = begin_report(program, argc, argv, DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
-    report["repetitions"] = repetitions;
-    Gains gains(repetitions);
-    measure(n, gains);
+    read_command_line(count, words, options);
+    return o;
+  };
+  return write_measured(program, argc, argv, read_options, [&](const Options& o, Json& report) {
+    report["repetitions"] = o.repetitions;
+    Gains gains(o.repetitions);
+    measure(o.n, gains);
     report["results"] = gains.lines();
-    write_report(output, report);
-    return EXIT_SUCCESS;
-  } catch (const std::exception& e) {
-    std::cerr << program << ": " << e.what() << "\n";
-    return EXIT_FAILURE;
-  }
+  });
 }
 
 } // namespace comparison
