@@ -25,7 +25,7 @@ class Mpi(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             program = Path(folder) / "test"
             subprocess.run([compiler, "-std=c++17", "-O1", "-frounding-math", "-Wall", "-Wextra", "-Werror",
-                            "-DOMPI_SKIP_MPICXX", "-DMPICH_SKIP_MPICXX", f"-I{ROOT / 'include'}",
+                            "-DOMPI_SKIP_MPICXX", "-DMPICH_SKIP_MPICXX", f"-I{ROOT / 'include'}", f"-I{HERE / 'include'}",
                             HERE / "test_tiles_by_mpi.cpp", "-o", program, "-pthread"], check=True)
             for ranks in (1, 2, 4):
                 # Where there are fewer cores, those that wait keep the others from their work.
