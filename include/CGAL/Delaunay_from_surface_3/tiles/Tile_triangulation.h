@@ -107,11 +107,13 @@ public:
     return {m_ids[cell.v[0]], m_ids[cell.v[1]], m_ids[cell.v[2]], m_ids[cell.v[3]]};
   }
 
-  // Whose vertex has the smallest id.
+  // Whose vertex has the smallest id. Branches would be foreseen badly.
   std::uint32_t owner_of(const Cell& cell) const
   {
-    return m_owners[*std::min_element(cell.v, cell.v + 4,
-                                      [&](Id v, Id w) { return m_ids[v] < m_ids[w]; })];
+    Id first = cell.v[0];
+    for (unsigned k = 1; k < 4; ++k)
+      first = m_ids[cell.v[k]] < m_ids[first] ? cell.v[k] : first;
+    return m_owners[first];
   }
 
   template <class Visit>
