@@ -104,7 +104,7 @@ class ByDask(unittest.TestCase):
         tiles = dfs.delaunay3_dask(self.file, self.client, self.folder / "tiles", memory="1M")
         self.assertGreater(len(tiles), 10)
         np.save(self.file, torus(20000))  # begins again more than once
-        tiles = dfs.delaunay3_dask(self.file, self.client, self.folder / "torus", memory="2M")
+        tiles = dfs.delaunay3_dask(self.file, self.client, self.folder / "torus", memory=1250000)
         self.assertGreater(len(tiles), 60)
         with self.assertRaisesRegex(MemoryError, "tiles would do"):
             dfs.delaunay3_dask(self.file, self.client, self.folder / "given", tiles=2, memory="1M")

@@ -42,9 +42,9 @@ others.
 The header is empty where the compiler does not find `mpi.h`. CMake's target
 `Delaunay_from_surface_3::mpi` knows where it is.
 
-<b>Memory</b>: about 480 bytes for each point that a tile keeps. <b>Messages</b>: per rank and round
-at most one to each other rank, of less than 1 GB, or several of 512 MB; 32 bytes for each point
-that is told.
+<b>Memory</b>: about 300 bytes for each point that a tile keeps, and half as much again for the tile
+that `sink` is given. <b>Messages</b>: per rank and round at most one to each other rank, of less
+than 1 GB, or several of 512 MB; 32 bytes for each point that is told.
 */
 using Tiles_by_mpi_3 = Delaunay_from_surface_3::internal::Tiles_by_mpi;
 

@@ -52,7 +52,7 @@ points for each, in about six rounds; the worst tile measured kept four times it
 twenty times where two planes met. One vertex with n neighbors is kept with all of these by one
 tile.
 
-<b>Memory</b>, with `Tiles_in_files_3`: about 480 bytes for each point that a tile keeps, for each
+<b>Memory</b>, with `Tiles_in_files_3`: about 300 bytes for each point that a tile keeps, for each
 thread.
 <b>Disk</b>: the points (32 bytes each), 32 bytes for each that is kept, twice, and 16 for each cell
 of a tile.

@@ -13,6 +13,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -151,6 +153,34 @@ BOOST_AUTO_TEST_CASE(points_on_a_surface)
   BOOST_TEST(peak < 300);
 }
 
+// Of one tile: while it is made, and while its cells are written.
+BOOST_AUTO_TEST_CASE(tile_out_of_core)
+{
+  if (!forget_peak())
+    return;
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("memory-" + std::to_string(std::random_device()()));
+  const auto surface = surfaces::genus_surface(1, 1200000, 0.05);
+  std::vector<double> coordinates;
+  for (const auto& p : surface.points)
+    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  const CGAL::Tile_array_source_3 source(coordinates.data(), surface.points.size());
+  CGAL::Tiles_options options;
+  options.number_of_tiles = 1;
+  options.points_at_once = 100000;
+  Tiles_to_files tiles(folder, 1, false);
+  while (const std::size_t n = tiles.next(source, options))
+    for (std::size_t k = 0; k < n; ++k) {
+      BOOST_TEST_REQUIRE(forget_peak());
+      const double peak =
+          bytes_per_point(surface.points.size(), [&] { tiles.do_task(source, options, k); });
+      if (k == 0)
+        BOOST_TEST_MESSAGE(tiles.name() << ": peak " << peak << " bytes per point");
+      BOOST_TEST(peak < 250);
+    }
+  std::filesystem::remove_all(folder);
+}
+
 BOOST_AUTO_TEST_CASE(points_in_a_cube)
 {
   if (!forget_peak()) {
@@ -267,7 +297,7 @@ BOOST_AUTO_TEST_CASE(large_pages_for_large_arrays_alone)
     Triangulation tr;
     Visitor_at_export visitor;
     CGAL::insert_points_3(tr, surface.points, surface.faces,
-                                  CGAL::parameters::visitor(std::ref(visitor)));
+                          CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST_MESSAGE(n << " points: " << visitor.advised << " arrays in large pages");
     BOOST_TEST(visitor.advised <= (n < 100000 ? 0u : 2u));
     for (const std::string& name : in_large_pages())

@@ -73,7 +73,7 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
         folder, on a cluster one of a file system that is shared.
     memory
         What one tile may have: bytes, or a text such as "8G"; the memory of a worker over the number of its threads. It
-        decides how many tiles there are, at about 480 bytes for a point that a tile keeps; a tile keeps up to five times
+        decides how many tiles there are, at about 300 bytes for a point that a tile keeps; a tile keeps up to five times
         its own points.
     tiles
         How many tiles there are, if `memory` shall not decide.

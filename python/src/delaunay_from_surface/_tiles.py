@@ -96,7 +96,7 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
         The folder for the tiles, and for the state of the work. It is made if need be.
     memory
         What the tiles that are in memory at once may have: bytes, or a text such as "8G". It decides how many tiles
-        there are, at about 480 bytes for a point that a tile keeps; a tile keeps up to five times its own points.
+        there are, at about 300 bytes for a point that a tile keeps; a tile keeps up to five times its own points.
     tiles
         How many tiles there are, if `memory` shall not decide.
     workers

@@ -87,9 +87,12 @@ public:
     larger.m_data = Large_page_allocator<T>().allocate_untouched(n);
     larger.m_capacity = n;
     larger.m_pages = Large_pages(n * sizeof(T));
-    if (used > 0) {
-      larger.touch(0, used);
-      std::memcpy(static_cast<void*>(larger.m_data), m_data, used * sizeof(T));
+    for (std::size_t i = 0; i < used;) { // those that were moved take no memory twice
+      const std::size_t end = (std::min)(used, larger.end_of_page(i));
+      larger.touch(i, end);
+      std::memcpy(static_cast<void*>(larger.m_data + i), m_data + i, (end - i) * sizeof(T));
+      release(i, end);
+      i = end;
     }
     larger.swap(*this);
   }

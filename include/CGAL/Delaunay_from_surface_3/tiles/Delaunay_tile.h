@@ -69,7 +69,7 @@ public:
     const bool is_new = state.kept.empty() && m_known.empty();
     state = {};
     insert(
-        own, [] { return true; },
+        std::move(own), [] { return true; },
         [&](Id, std::uint64_t p, std::uint64_t q) {
           if (p != q)
             m_equal.push_back({(std::max)(p, q), (std::min)(p, q)});
@@ -89,12 +89,12 @@ public:
   const std::vector<std::array<std::uint64_t, 2>>& equal_points() const { return m_equal; }
 
   // Offers what is new to the tile, answers questions, and returns what there is to tell now.
-  std::vector<Tile_message> absorb(const Tile_news& news)
+  std::vector<Tile_message> absorb(Tile_news news)
   {
     const bool is_first = m_first_untold == 0;
     note_known(news.offers);
     insert(
-        news.offers, [&] { return wants(); },
+        std::move(news.offers), [&] { return wants(); },
         [](Id, std::uint64_t, std::uint64_t) { return true; });
     std::vector<Tile_message> messages = tell(is_first);
     answer(news.questions, messages);
@@ -117,9 +117,10 @@ public:
     return messages;
   }
 
-  Tile_state state() const
+  // At the end.
+  Tile_state state() &&
   {
-    Tile_state state{{}, m_known, m_told};
+    Tile_state state{{}, std::move(m_known), std::move(m_told)};
     for (std::size_t v = 5; v < m_triangulation.vertices_end(); ++v) // after those all tiles keep
       if (!is_own(Id(v)))
         state.kept.push_back(m_triangulation.point(Id(v)));
@@ -128,10 +129,10 @@ public:
 
 private:
   template <class Wants, class Equal>
-  void insert(const std::vector<Tile_point>& points, const Wants& wants, const Equal& equal)
+  void insert(std::vector<Tile_point>&& points, const Wants& wants, const Equal& equal)
   {
     try {
-      m_triangulation.insert(points, m_number, wants, equal);
+      m_triangulation.insert(std::move(points), m_number, wants, equal);
     } catch (const Too_few_ids&) { // for cells: a hub has many
       throw too_large((std::min)(m_limit, number_of_points_kept()));
     }

@@ -181,6 +181,14 @@ public:
     put(std::uint64_t(items.size()));
     m_bytes.write(items.data(), items.size() * sizeof(T));
   }
+
+  // So many items, which give(put) gives to put() one after the other.
+  template <class Give>
+  void put_each(std::uint64_t n, const Give& give)
+  {
+    put(n);
+    give([&](const auto& item) { put(item); });
+  }
   void finish() { m_bytes.finish(); }
 
 private:

@@ -27,9 +27,10 @@
 // one component, and by (c) it has all points. Equal points are one vertex, which has the smallest
 // of their ids, and one owner.
 //
-// Cells are compared by sums of hashes of 128 bits of their vertices' ids and coordinates, keyed by
-// a seed that is drawn when no cell changes any more: "up to a collision" of probability 2^-128;
-// or, if asked for, by their ids, too.
+// Cells are compared by sums of hashes of 128 bits, keyed by a seed that is drawn when no cell
+// changes any more: "up to a collision" of probability 2^-128; or, if asked for, by their ids, too.
+// A vertex has a key of 128 bits, of its id and coordinates; a cell's hash is that of the sum of
+// four, in which their order is nothing.
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -43,6 +44,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,6 +57,13 @@ struct Cell_sum
 {
   std::uint64_t number = 0, hash[2] = {0, 0};
 
+  Cell_sum& operator+=(const Cell_sum& other)
+  {
+    number += other.number;
+    hash[0] += other.hash[0];
+    hash[1] += other.hash[1];
+    return *this;
+  }
   friend bool operator==(const Cell_sum& s, const Cell_sum& t)
   {
     return s.number == t.number && s.hash[0] == t.hash[0] && s.hash[1] == t.hash[1];
@@ -65,44 +74,61 @@ struct Cell_sum
 // number.
 using Sorted_cell = std::array<std::uint64_t, 4>;
 
-// A key of each vertex.
-struct Vertex_keys
+// Keyed hashes of cells: a cell's is that of the sum of the keys of its vertices.
+class Cell_hashes
 {
-  std::vector<std::array<std::uint64_t, 2>> keys;
-
-  Vertex_keys(const Tile_triangulation& tr, std::uint64_t seed)
+public:
+  Cell_hashes(const Tile_triangulation& tr, std::uint64_t seed)
+    : m_tr(tr)
+    , m_seeds{Split_mix(seed)(), Split_mix(seed + 1)()}
+    , m_keys(tr.vertices_end())
   {
-    keys.reserve(tr.vertices_end());
-    for (std::size_t v = 0; v < tr.vertices_end(); ++v) {
-      const auto vertex = Tile_triangulation::Id(v);
-      Tile_point point{Tile_triangulation::infinite_id, {0, 0, 0}};
-      if (v != 0)
-        point = tr.point(vertex);
-      keys.emplace_back();
-      for (std::uint64_t half = 0; half < 2; ++half) {
-        std::uint64_t h = Split_mix(Split_mix(seed + half)() ^ point.id)();
-        for (const double x : point.coordinates) {
-          const double of_any_zero = x + 0.; // 0 and -0 are one place
-          std::uint64_t bits;
-          std::memcpy(&bits, &of_any_zero, sizeof(bits));
-          h = Split_mix(h ^ bits)();
-        }
-        keys.back()[half] = h;
-      }
-    }
   }
 
-  // Of vertices in the order of their ids.
-  void add(Cell_sum& sum, const std::array<Tile_triangulation::Id, 4>& sorted) const
+  Cell_sum operator()(const Tile_triangulation::Cell& cell)
   {
-    ++sum.number;
+    std::uint64_t first = 0, second = 0;
+    for (const auto v : cell.v) {
+      const Key& of_vertex = key(v);
+      first += of_vertex[0];
+      second += of_vertex[1];
+    }
+    return {1, {Split_mix(first)(), Split_mix(second)()}};
+  }
+
+private:
+  using Key = std::array<std::uint64_t, 2>;
+
+  // Most vertices are in no cell that is asked for.
+  const Key& key(Tile_triangulation::Id v)
+  {
+    if (m_keys[v][0] == 0)
+      m_keys[v] = make_key(v);
+    return m_keys[v];
+  }
+
+  Key make_key(Tile_triangulation::Id v) const
+  {
+    Tile_point point{Tile_triangulation::infinite_id, {0, 0, 0}};
+    if (v != 0)
+      point = m_tr.point(v);
+    Key key;
     for (std::size_t half = 0; half < 2; ++half) {
-      std::uint64_t h = 0;
-      for (const auto v : sorted)
-        h = Split_mix(h ^ keys[v][half])();
-      sum.hash[half] += h;
+      std::uint64_t h = Split_mix(m_seeds[half] ^ point.id)();
+      for (const double x : point.coordinates) {
+        const double of_any_zero = x + 0.; // 0 and -0 are one place
+        std::uint64_t bits;
+        std::memcpy(&bits, &of_any_zero, sizeof(bits));
+        h = Split_mix(h ^ bits)();
+      }
+      key[half] = h;
     }
+    return key;
   }
+
+  const Tile_triangulation& m_tr;
+  const std::uint64_t m_seeds[2];
+  std::vector<Key> m_keys; // by vertex; 0: not made yet
 };
 
 struct Tile_certificate
@@ -139,13 +165,19 @@ inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t 
                           tile.number_of_points_kept(),
                           0,
                           0};
-  const Vertex_keys keys(tr, seed);
+  Cell_hashes hash_of(tr, seed);
+  std::vector<std::uint64_t> hashes_of_ids(tr.vertices_end());
+  for (std::size_t v = 0; v < hashes_of_ids.size(); ++v)
+    hashes_of_ids[v] = Split_mix(tr.id(Tile_triangulation::Id(v)))();
   std::vector<char> is_on_hull(tr.vertices_end());
+  std::pair<const std::uint32_t, Cell_sum>* last = nullptr; // what a cell was added to
   tr.for_each_cell([&](const Tile_triangulation::Cell& cell) {
-    std::array<std::uint32_t, 4> owners;
-    for (unsigned k = 0; k < 4; ++k)
+    std::uint32_t owners[4];
+    unsigned own = 0;
+    for (unsigned k = 0; k < 4; ++k) {
       owners[k] = tr.owner(cell.v[k]);
-    const auto own = std::count(owners.begin(), owners.end(), tile.number());
+      own += owners[k] == tile.number();
+    }
     if (own == 0)
       return;
     const bool is_infinite = Tile_triangulation::Complex::is_infinite(cell);
@@ -159,22 +191,27 @@ inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t 
       ++result.owned_cells;
       std::uint64_t h = 0;
       for (const auto v : cell.v)
-        h += Split_mix(tr.id(v))();
+        h += hashes_of_ids[v];
       result.hash += Split_mix(h)();
     }
     if (own == 4) // nearly always
       return;
-    std::array<Tile_triangulation::Id, 4> sorted = {cell.v[0], cell.v[1], cell.v[2], cell.v[3]};
-    std::sort(sorted.begin(), sorted.end(), [&](auto v, auto w) { return tr.id(v) < tr.id(w); });
-    std::sort(owners.begin(), owners.end());
-    for (unsigned k = 0; k < 4; ++k)
-      if (owners[k] != tile.number() && owners[k] != Tile_triangulation::nobody &&
-          (k == 0 || owners[k] != owners[k - 1])) {
-        keys.add(result.common[owners[k]], sorted);
-        if (with_cells)
-          result.cells[owners[k]].push_back(
-              {tr.id(sorted[0]), tr.id(sorted[1]), tr.id(sorted[2]), tr.id(sorted[3])});
+    const Cell_sum sum = hash_of(cell);
+    for (unsigned k = 0; k < 4; ++k) {
+      bool is_partner = owners[k] != tile.number() && owners[k] != Tile_triangulation::nobody;
+      for (unsigned j = 0; j < k; ++j)
+        is_partner &= owners[j] != owners[k];
+      if (!is_partner)
+        continue;
+      if (last == nullptr || last->first != owners[k]) // often the same one
+        last = &*result.common.try_emplace(owners[k]).first;
+      last->second += sum;
+      if (with_cells) {
+        auto& cells = result.cells[owners[k]];
+        cells.push_back(tr.ids_of(cell));
+        std::sort(cells.back().begin(), cells.back().end());
       }
+    }
   });
   for (auto& [partner, cells] : result.cells)
     std::sort(cells.begin(), cells.end());

@@ -25,6 +25,7 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_tree.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/piece_of_tile.h>
 
 #include <array>
 #include <cstddef>
@@ -220,12 +221,21 @@ public:
     return c;
   }
 
-  void write_piece(const Delaunay_3_tile& piece) const
+  void write_piece(const Piece_of_tile& piece) const
   {
-    write(file("piece", piece.number), "piece", piece.ids, piece.points,
-          std::uint64_t(piece.number_of_own_vertices), piece.cells,
-          std::uint64_t(piece.number_of_owned_cells),
-          std::uint64_t(piece.number_of_owned_finite_cells), piece.equal_points);
+    Record_writer to(file("piece", piece.number()), "piece", m_run);
+    to.put_each(piece.number_of_vertices(), [&](const auto& put) {
+      piece.for_each_vertex([&](const Tile_point& p) { put(p.id); });
+    });
+    to.put_each(piece.number_of_vertices(), [&](const auto& put) {
+      piece.for_each_vertex([&](const Tile_point& p) { put(p.coordinates); });
+    });
+    to.put(std::uint64_t(piece.number_of_own_vertices()));
+    to.put_each(piece.number_of_cells(), [&](const auto& put) { piece.for_each_cell(put); });
+    to.put(std::uint64_t(piece.number_of_owned_cells()));
+    to.put(std::uint64_t(piece.number_of_owned_finite_cells()));
+    to.put(piece.equal_points());
+    to.finish();
   }
   Delaunay_3_tile read_piece(std::uint32_t t) const
   {

@@ -87,25 +87,26 @@ struct Tile_tasks
     Tile_state state;
     if (round > 0)
       state = folder.read_state(t, before.last_rounds[t]);
-    const Tile_news news = news_of(inbox(t, tiling, round, before), tiling, t, state.known);
+    Tile_news news = news_of(inbox(t, tiling, round, before), tiling, t, state.known);
     const std::vector<std::uint32_t> partners = partners_of(t, shown);
     if (round > 0 && news.empty() && partners.empty()) // nothing is new
       return folder.write_state(t, round, state);
     Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit);
-    std::vector<Tile_message> messages = tile.absorb(news);
+    std::vector<Tile_message> messages = tile.absorb(std::move(news));
     for (Tile_message& message : tile.witnesses(partners))
       messages.push_back(std::move(message));
     if (!messages.empty())
       folder.write_post(t, round, messages);
-    folder.write_state(t, round, tile.state());
+    std::vector<Tile_message>().swap(messages);
+    folder.write_state(t, round, std::move(tile).state());
   }
 
   // What a tile has when all is done.
   void finish_tile(std::uint32_t t, const Tiling& tiling, const Closed_round& last) const
   {
-    const Delaunay_tile tile(tiling, t, own_points(t), folder.read_state(t, last.last_rounds[t]),
-                             limit);
-    folder.write_piece(piece_of(tile));
+    Tile_state state{folder.read_state(t, last.last_rounds[t]).kept, {}, {}}; // nothing is told now
+    const Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit);
+    folder.write_piece(Piece_of_tile(tile));
     folder.write_certificate(certificate_of(tile, last.seed, input.compares_cells != 0));
   }
 

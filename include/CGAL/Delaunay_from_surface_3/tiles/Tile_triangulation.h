@@ -53,9 +53,6 @@ public:
     m_owners.push_back(nobody);
     for (const Tile_point& p : tiling.start)
       note_vertex(p);
-    if (!m_scaled.is_exact())
-      for (const Tile_point& p : tiling.start)
-        m_complex.add_own_coordinates({p.coordinates[0], p.coordinates[1], p.coordinates[2]});
     m_complex.start({1, 2, 3, 4});
     m_complex.make_room_for_vertices(number_of_points + 5);
     m_complex.make_room(8 * number_of_points + 64);
@@ -66,14 +63,20 @@ public:
   // halves, and each point from the one before. If p has the place of vertex v, equal(v, id of p,
   // id of v) says whether the smaller id is that of v then.
   template <class Wants, class Equal>
-  void insert(const std::vector<Tile_point>& points, unsigned int seed, const Wants& wants,
+  void insert(std::vector<Tile_point> points, unsigned int seed, const Wants& wants,
               const Equal& equal)
   {
-    const std::vector<std::size_t> order = order_of(points, seed);
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      prefetch(&points[order[(std::min)(k + 8, order.size() - 1)]]);
-      insert(points[order[k]], wants, equal);
+    add_vertices(points, order_of(points, seed));
+    std::vector<Tile_point>().swap(points);
+    const std::size_t end = m_ids.size();
+    for (std::size_t v = m_vertices_end; v < end; ++v) {
+      const auto p = Id(m_vertices_end); // those before are in cells
+      renumber_vertex(Id(v), p);
+      m_vertices_end += insert(p, wants, equal);
     }
+    m_complex.drop_vertices(m_vertices_end);
+    m_ids.resize(m_vertices_end);
+    m_owners.resize(m_vertices_end);
   }
 
   // While wants() is asked: the corners of the zone, each more than once, until visit(v) is true.
@@ -89,7 +92,7 @@ public:
   }
 
   // The number of vertices, the infinite one, which is 0, included.
-  std::size_t vertices_end() const { return m_ids.size(); }
+  std::size_t vertices_end() const { return m_vertices_end; }
   std::uint64_t id(Id v) const { return m_ids[v]; }
   std::uint32_t owner(Id v) const { return m_owners[v]; }
   Tile_point point(Id v) const
@@ -104,11 +107,13 @@ public:
     return {m_ids[cell.v[0]], m_ids[cell.v[1]], m_ids[cell.v[2]], m_ids[cell.v[3]]};
   }
 
-  // Whose vertex has the smallest id.
+  // Whose vertex has the smallest id. Branches would be foreseen badly.
   std::uint32_t owner_of(const Cell& cell) const
   {
-    return m_owners[*std::min_element(cell.v, cell.v + 4,
-                                      [&](Id v, Id w) { return m_ids[v] < m_ids[w]; })];
+    Id first = cell.v[0];
+    for (unsigned k = 1; k < 4; ++k)
+      first = m_ids[cell.v[k]] < m_ids[first] ? cell.v[k] : first;
+    return m_owners[first];
   }
 
   template <class Visit>
@@ -129,38 +134,54 @@ private:
     return geometric_rounds(Point_array(coordinates.data(), points.size()), seed, 0.125, 64).order;
   }
 
-  template <class Wants, class Equal>
-  void insert(const Tile_point& point, const Wants& wants, const Equal& equal)
+  // In this order; they are in no cell yet.
+  void add_vertices(const std::vector<Tile_point>& points, const std::vector<std::size_t>& order)
   {
-    const double* const c = point.coordinates;
-    const Id p = m_complex.add_vertex(m_scaled(c));
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      prefetch(&points[order[(std::min)(k + 8, order.size() - 1)]]);
+      const double* const c = points[order[k]].coordinates;
+      m_complex.add_vertex(m_scaled(c));
+      note_vertex(points[order[k]]);
+    }
+  }
+
+  // Of a point that the complex has; beside its place there.
+  void note_vertex(const Tile_point& p)
+  {
     if (!m_scaled.is_exact())
-      m_complex.add_own_coordinates({c[0], c[1], c[2]});
+      m_complex.add_own_coordinates({p.coordinates[0], p.coordinates[1], p.coordinates[2]});
+    m_ids.push_back(p.id);
+    m_owners.push_back(m_tiling.tree.owner(p.coordinates));
+  }
+
+  void renumber_vertex(Id v, Id number)
+  {
+    m_complex.renumber_vertex(v, number);
+    m_ids[number] = m_ids[v];
+    m_owners[number] = m_owners[v];
+  }
+
+  // Whether p is in cells now.
+  template <class Wants, class Equal>
+  bool insert(Id p, const Wants& wants, const Equal& equal)
+  {
     const auto location = m_inserter.walk(p, m_complex.vertex(m_previous).cell, Read_alone());
     if (location.vertex != 0) { // of equal points the smallest number stands for all
-      m_complex.drop_last_vertex();
       m_previous = location.vertex;
       std::uint64_t& id = m_ids[location.vertex];
-      if (equal(location.vertex, point.id, id))
-        id = (std::min)(id, point.id);
-      return;
+      if (equal(location.vertex, m_ids[p], id))
+        id = (std::min)(id, m_ids[p]);
+      return false;
     }
     m_inserter.dig(p, location.cell);
     if (!wants()) {
       m_inserter.zone.revive(m_complex);
-      m_complex.drop_last_vertex();
       m_previous = Complex::first_vertex(m_complex.cell(location.cell)); // the infinite one is last
-      return;
+      return false;
     }
     m_inserter.fill(p);
-    note_vertex(point);
     m_previous = p;
-  }
-
-  void note_vertex(const Tile_point& p)
-  {
-    m_ids.push_back(p.id);
-    m_owners.push_back(m_tiling.tree.owner(p.coordinates));
+    return true;
   }
 
   const Tiling& m_tiling;
@@ -168,6 +189,7 @@ private:
   Complex m_complex;
   Inserter<Alone_with_complex<Id>> m_inserter;
   Id m_previous = 1;
+  std::size_t m_vertices_end = 5;   // those from here on are in no cell yet
   std::vector<std::uint64_t> m_ids; // by vertex; the smallest of those of equal points
   std::vector<std::uint32_t> m_owners;
 };

@@ -32,7 +32,7 @@ struct Tiles_options
   std::uint32_t least_points = 64;
 
   /// How many bytes the tiles that are in memory at once may have, roughly; 0: any number. A tile
-  /// has 480 bytes for each point that it keeps, and the worst one keeps up to five times its own.
+  /// has 300 bytes for each point that it keeps, and the worst one keeps up to five times its own.
   /// Where all tiles are in memory, it is one that may have so much.
   std::uint64_t memory = 0;
 

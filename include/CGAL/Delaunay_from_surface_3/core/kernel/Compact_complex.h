@@ -74,7 +74,7 @@ public:
                    });
   }
 
-  // One more vertex, in no cell yet; and back, if it is in none still. Vertices may move.
+  // One more vertex, in no cell yet. Vertices may move.
   Id add_vertex(const std::array<double, 3>& p)
   {
     if (m_number_of_vertices == max_vertices)
@@ -85,12 +85,22 @@ public:
     m_vertices[m_number_of_vertices] = {{p[0], p[1], p[2]}, 0, 0};
     return Id(m_number_of_vertices++);
   }
-  void drop_last_vertex()
-  {
-    --m_number_of_vertices;
-    m_own_coordinates.resize((std::min)(m_own_coordinates.size(), m_number_of_vertices - 1));
-  }
   void add_own_coordinates(const std::array<double, 3>& p) { m_own_coordinates.push_back(p); }
+
+  // Vertex v gets another number, of a vertex before it that is not needed; both are in no cell.
+  void renumber_vertex(Id v, Id number)
+  {
+    m_vertices[number] = m_vertices[v];
+    if (is_rounded())
+      m_own_coordinates[point_of_vertex(number)] = own_coordinates(v);
+  }
+
+  // There are no vertices from this one on, which are in no cell.
+  void drop_vertices(std::size_t end)
+  {
+    m_number_of_vertices = end;
+    m_own_coordinates.resize((std::min)(m_own_coordinates.size(), end - 1));
+  }
   const std::array<double, 3>& own_coordinates(Id v) const
   {
     return m_own_coordinates[point_of_vertex(v)];
