@@ -27,7 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -39,8 +39,6 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 template <class Cells>
 class Regions
 {
-  static constexpr std::int32_t none = (std::numeric_limits<std::int32_t>::max)();
-
 public:
   // Of positively oriented cells, whose neighbors_of(c) are numbers, and those at the hull none of
   // theirs. The triangles less those that close them are closed.
@@ -48,7 +46,6 @@ public:
           const std::vector<Triangle_3d>& closing, const Executor& executor)
     : m_cells(cells)
     , m_jumps(cells.number, Jumps{0, 0, 0, 0})
-    , m_numbers(cells.number, none)
   {
     std::vector<Cutting_triangle> cutting =
         cross_facets(Triangle_table(triangles, cells.points.size()), executor);
@@ -62,32 +59,36 @@ public:
   template <class Ask>
   std::vector<std::int32_t> numbers(const Ask& ask)
   {
-    std::vector<std::uint32_t> reached;
-    for (std::uint32_t c = 0; c < m_numbers.size(); ++c) {
-      const auto neighbors = m_cells.neighbors_of(c);
-      for (std::size_t k = 0; k < 4; ++k)
-        if (std::size_t(neighbors[k]) >= m_numbers.size() && m_jumps[c][k] != unknown_jump) {
-          m_numbers[c] = -m_jumps[c][k];
-          reached.push_back(c);
-          break;
-        }
+    join();
+    const std::size_t m = m_cells.number;
+    std::vector<std::int32_t> numbers(m);
+    const Place outside = place(std::uint32_t(m));
+    std::map<std::uint32_t, std::uint32_t> roundest; // of the regions not reached, by their roots
+    for (std::uint32_t c = 0; c < m; ++c) {
+      const Place p = place(c);
+      numbers[c] = p.number - outside.number;
+      if (p.root == outside.root)
+        continue;
+      std::uint32_t& best = roundest.emplace(p.root, c).first->second;
+      if (inradius(m_cells(c)) > inradius(m_cells(best)))
+        best = c;
     }
-    spread(reached, false);
-    for (std::uint32_t c = 0; c < m_numbers.size(); ++c)
-      if (m_numbers[c] == none) {
-        m_numbers[c] = 0;
-        reached.assign(1, c);
-        spread(reached, true);
-        const std::uint32_t round = roundest(reached);
-        const std::int32_t shift = std::int32_t(std::lround(ask(round))) - m_numbers[round];
-        for (const std::uint32_t d : reached)
-          m_numbers[d] += shift;
-      }
-    return std::move(m_numbers);
+    if (roundest.empty())
+      return numbers;
+    std::map<std::uint32_t, std::int32_t> shifts;
+    for (const auto& [root, c] : roundest)
+      shifts[root] = std::int32_t(std::lround(ask(c))) - numbers[c];
+    for (std::uint32_t c = 0; c < m; ++c) {
+      const auto shift = shifts.find(place(c).root);
+      if (shift != shifts.end())
+        numbers[c] += shift->second;
+    }
+    return numbers;
   }
 
 private:
-  // Counts facets that are triangles, between two tetrahedra at the first one; returns the triangles that are none.
+  // Counts facets that are triangles, between two tetrahedra at the first one; returns the
+  // triangles that are none.
   std::vector<Cutting_triangle> cross_facets(const Triangle_table& table, const Executor& executor)
   {
     std::vector<char> is_facet(table.size(), 0);
@@ -139,45 +140,67 @@ private:
                    });
   }
 
-  // From the tetrahedra that are reached, to all that can be; these are kept, or used up.
-  void spread(std::vector<std::uint32_t>& reached, bool are_kept)
+  // A tetrahedron as one of a set; the number is its own less that of the root.
+  struct Place
   {
-    for (std::size_t next = 0; next < reached.size();) {
-      const std::uint32_t c = reached[are_kept ? next++ : reached.size() - 1];
-      if (!are_kept)
-        reached.pop_back();
+    std::uint32_t root;
+    std::int32_t number;
+  };
+
+  // Tetrahedra between which a way is known, and what is outside, the last one.
+  void join()
+  {
+    const std::size_t m = m_cells.number;
+    m_places.reserve(m + 1);
+    for (std::uint32_t c = 0; c <= m; ++c)
+      m_places.push_back({c, 0});
+    for (std::size_t c = 0; c < m; ++c) {
       const auto neighbors = m_cells.neighbors_of(c);
       for (std::size_t k = 0; k < 4; ++k) {
-        const auto d = std::size_t(neighbors[k]);
-        if (d >= m_numbers.size() || m_numbers[d] != none || m_jumps[c][k] == unknown_jump)
+        const std::size_t d = (std::min)(std::size_t(neighbors[k]), m);
+        if (d < c || m_jumps[c][k] == unknown_jump)
           continue;
-        const int back = jump_to(d, c);
-        if (back == unknown_jump)
-          continue;
-        m_numbers[d] = m_numbers[c] + m_jumps[c][k] - back;
-        reached.push_back(std::uint32_t(d));
+        const int back = d < m ? jump_to(d, c) : 0;
+        if (back != unknown_jump)
+          join(std::uint32_t(c), std::uint32_t(d), m_jumps[c][k] - back);
       }
     }
+  }
+
+  // The number of d is larger by the difference than that of c.
+  void join(std::uint32_t c, std::uint32_t d, int difference)
+  {
+    const Place p = place(c), q = place(d);
+    if (p.root < q.root) // and so they are no deep trees
+      m_places[q.root] = {p.root, p.number + difference - q.number};
+    else if (p.root > q.root)
+      m_places[p.root] = {q.root, q.number - difference - p.number};
+  }
+
+  // Halves the path to the root; a root has the number 0.
+  Place place(std::uint32_t c)
+  {
+    std::int32_t number = 0;
+    while (m_places[c].root != c) {
+      Place& p = m_places[c];
+      const Place& next = m_places[p.root];
+      p = {next.root, p.number + next.number};
+      number += p.number;
+      c = p.root;
+    }
+    return {c, number};
   }
 
   int jump_to(std::size_t d, std::size_t c) const
   {
     const Jumps& jumps = m_jumps[d];
-    if (jumps == Jumps{0, 0, 0, 0})
+    if ((jumps[0] | jumps[1] | jumps[2] | jumps[3]) == 0)
       return 0;
     const auto neighbors = m_cells.neighbors_of(d);
     std::size_t k = 0;
     while (std::size_t(neighbors[k]) != c)
       ++k;
     return jumps[k];
-  }
-
-  // The first of those that are equally round.
-  std::uint32_t roundest(const std::vector<std::uint32_t>& some) const
-  {
-    return *std::max_element(some.begin(), some.end(), [&](std::uint32_t c, std::uint32_t d) {
-      return inradius(m_cells(c)) < inradius(m_cells(d));
-    });
   }
 
   static double inradius(const std::array<Vector_3d, 4>& p)
@@ -193,7 +216,7 @@ private:
 
   const Cells& m_cells;
   std::vector<Jumps> m_jumps;
-  std::vector<std::int32_t> m_numbers;
+  std::vector<Place> m_places;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
