@@ -82,8 +82,6 @@ public:
       build(0, m_triangles.size());
   }
 
-  bool empty() const { return m_triangles.empty(); }
-
   // Calls visit(t) for each triangle that stands in a leaf whose box meets this one.
   template <class Visit>
   void visit(const Box_3d& box, const Visit& visit) const
