@@ -82,6 +82,21 @@ Soup box(std::size_t n, double size = 1, double x = 0)
   return soup;
 }
 
+// Two cones with a wavy rim in common: few of their long triangles are Delaunay.
+Soup cones(std::size_t n)
+{
+  Soup soup;
+  soup.points = {{0, 0, 2}, {0, 0, -1}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = 2 * pi * double(i) / double(n);
+    soup.add_point(std::cos(t), std::sin(t), .3 * std::sin(7 * t));
+    const std::size_t a = 2 + i, b = 2 + (i + 1) % n;
+    soup.faces.push_back({0, a, b});
+    soup.faces.push_back({1, b, a});
+  }
+  return soup;
+}
+
 // Their points are numbered one after the other.
 Soup both(Soup first, const Soup& second)
 {
@@ -210,7 +225,8 @@ BOOST_AUTO_TEST_CASE(test_regions)
                              box(9),
                              both(turned(box(4)), box(8, 3, -1)),
                              both(box(8, 2), box(8, 2, 1)),
-                             both(box(3), box(3))};
+                             both(box(3), box(3)),
+                             cones(300)};
   soups.push_back(box(12));
   soups.back().faces.erase(soups.back().faces.begin() + 100, soups.back().faces.begin() + 120);
   std::swap(soups.back().faces[700][0], soups.back().faces[700][1]);

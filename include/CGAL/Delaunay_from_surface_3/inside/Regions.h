@@ -5,19 +5,19 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_REGIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_REGIONS_H
 
-// Tetrahedra between which there is no triangle of a surface. The winding number of a closed
-// surface is the same in all of a region, so one of them is asked.
+// The winding numbers of a closed surface at the centres of tetrahedra: whole numbers, 0 outside
+// the hull, which change from one tetrahedron to the next by the triangles that the way crosses. Most
+// triangles of a dense sample are facets; the ways cross them there. The others are searched for.
 //
-// Most triangles of a dense sample are facets. Those that are not, and those that close the
-// openings, cut tetrahedra: these are regions of their own.
-// Invariant: from the centre of a tetrahedron to that of another of its region a path through
-// facets meets no triangle. Expected linear, but for what is cut.
+// Where no way is known a region remains without a number, and one of its tetrahedra is asked: that
+// with the largest inscribed sphere, as the centre of a flat one may lie on the wrong side.
+// Expected linear, but for what is no facet.
 
 #include <CGAL/Delaunay_from_surface_3/inside/Box_tree.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Crossings.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
-#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Triangle_table.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -35,69 +36,173 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-using Corners = std::array<std::uint32_t, 3>;
-
-// Three vertices in ascending order.
-inline Corners ascending(Corners corners)
-{
-  if (corners[0] > corners[1])
-    std::swap(corners[0], corners[1]);
-  if (corners[1] > corners[2])
-    std::swap(corners[1], corners[2]);
-  if (corners[0] > corners[1])
-    std::swap(corners[0], corners[1]);
-  return corners;
-}
-
+template <class Cells>
 class Regions
 {
 public:
-  // Of cells, whose neighbors_of(c) are numbers, and those at the hull none of theirs; and of
-  // triangles in ascending order, on n points.
-  template <class Cells>
-  Regions(const Cells& cells, std::size_t n, const std::vector<Corners>& triangles,
-          const Executor& executor)
-    : m_sets(cells.number)
-    , m_is_cut(cells.number, 0)
-    , m_walls(cells.number, 0)
+  // Of positively oriented cells, whose neighbors_of(c) are numbers, and those at the hull none of
+  // theirs. The triangles less those that close them are closed.
+  Regions(const Cells& cells, const std::vector<Corners>& triangles,
+          const std::vector<Triangle_3d>& closing, const Executor& executor)
+    : m_cells(cells)
+    , m_jumps(cells.number, Jumps{0, 0, 0, 0})
   {
-    find_facets(cells, n, triangles, executor);
+    std::vector<Cutting_triangle> cutting =
+        cross_facets(Triangle_table(triangles, cells.points.size()), executor);
+    for (const Triangle_3d& t : closing)
+      cutting.emplace_back(t, -1);
+    if (!cutting.empty())
+      cross_others(Box_tree(std::move(cutting)), executor);
   }
 
-  // Triangles that are no facets.
-  const std::vector<Corners>& missing() const { return m_missing; }
-
-  // Cuts what meets the triangles of the tree, and unites the others.
-  template <class Cells>
-  void cut(const Box_tree& tree, const Cells& cells, const Executor& executor)
+  // ask(c) is the number of tetrahedron c.
+  template <class Ask>
+  std::vector<std::int32_t> numbers(const Ask& ask)
   {
-    const std::size_t m = m_is_cut.size();
-    std::vector<float> radii(m);
-    for_each_block(executor, m, number_of_blocks(executor, m, 1024),
-                   [&](std::size_t first, std::size_t last, std::size_t) {
-                     for (std::size_t c = first; c < last; ++c) {
-                       const std::array<Vector_3d, 4> corners = cells(c);
-                       m_is_cut[c] = char(tree.meets(corners));
-                       radii[c] = float(inradius(corners));
-                     }
-                   });
-    for (std::size_t c = 0; c < m; ++c) {
-      const auto neighbors = cells.neighbors_of(c);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto d = std::size_t(neighbors[k]);
-        if (c < d && d < m && (m_walls[c] >> k & 1) == 0 && !m_is_cut[c] && !m_is_cut[d])
-          m_sets.unite(std::uint32_t(c), std::uint32_t(d));
-      }
+    join();
+    const std::size_t m = m_cells.number;
+    std::vector<std::int32_t> numbers(m);
+    const Place outside = place(std::uint32_t(m));
+    std::map<std::uint32_t, std::uint32_t> roundest; // of the regions not reached, by their roots
+    for (std::uint32_t c = 0; c < m; ++c) {
+      const Place p = place(c);
+      numbers[c] = p.number - outside.number;
+      if (p.root == outside.root)
+        continue;
+      std::uint32_t& best = roundest.emplace(p.root, c).first->second;
+      if (inradius(m_cells(c)) > inradius(m_cells(best)))
+        best = c;
     }
-    find_largest(radii);
+    if (roundest.empty())
+      return numbers;
+    std::map<std::uint32_t, std::int32_t> shifts;
+    for (const auto& [root, c] : roundest)
+      shifts[root] = std::int32_t(std::lround(ask(c))) - numbers[c];
+    for (std::uint32_t c = 0; c < m; ++c) {
+      const auto shift = shifts.find(place(c).root);
+      if (shift != shifts.end())
+        numbers[c] += shift->second;
+    }
+    return numbers;
   }
-
-  // One tetrahedron for each region, that with the largest inscribed sphere: the center of a flat
-  // one may lie on the wrong side of the surface.
-  std::uint32_t largest(std::uint32_t c) { return m_largest[m_sets.root(c)]; }
-  bool is_cut(std::size_t c) const { return m_is_cut[c] != 0; }
 
 private:
+  // Counts facets that are triangles, between two tetrahedra at the first one; returns the
+  // triangles that are none.
+  std::vector<Cutting_triangle> cross_facets(const Triangle_table& table, const Executor& executor)
+  {
+    std::vector<char> is_facet(table.size(), 0);
+    for_each_block(executor, m_cells.number, number_of_blocks(executor, m_cells.number, 4096),
+                   [&](std::size_t first, std::size_t last, std::size_t) {
+                     for (std::size_t c = first; c < last; ++c)
+                       cross_facets_of(c, table, is_facet);
+                   });
+    std::vector<Cutting_triangle> others;
+    table.for_each([&](std::uint32_t v, std::uint32_t r) {
+      if (!is_facet[r] && table[r].number != 0)
+        others.emplace_back(Triangle_3d{m_cells.points[v], m_cells.points[table[r].middle],
+                                        m_cells.points[table[r].greatest]},
+                            table[r].number);
+    });
+    return others;
+  }
+
+  void cross_facets_of(std::size_t c, const Triangle_table& table, std::vector<char>& is_facet)
+  {
+    const auto neighbors = m_cells.neighbors_of(c);
+    const auto v = m_cells.vertices_of(c);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (std::size_t(neighbors[k]) < c)
+        continue;
+      const auto at = [&](std::size_t i) { return std::uint32_t(v[(k + i) % 4]); };
+      const Corners facet = {at(1), at(2), at(3)};
+      const std::uint32_t r = table.find(ascending(facet));
+      if (r == Triangle_table::none)
+        continue;
+      is_facet[r] = 1;
+      const bool is_inward = is_turned(facet) != (k % 2 == 1); // if its vertices ascend
+      m_jumps[c][k] = as_jump(is_inward ? table[r].number : -table[r].number);
+    }
+  }
+
+  void cross_others(const Box_tree& tree, const Executor& executor)
+  {
+    for_each_block(executor, m_cells.number, number_of_blocks(executor, m_cells.number, 1024),
+                   [&](std::size_t first, std::size_t last, std::size_t) {
+                     for (std::size_t c = first; c < last; ++c) {
+                       const Jumps crossings = Crossings::of(tree, m_cells, c);
+                       for (std::size_t k = 0; k < 4; ++k)
+                         m_jumps[c][k] =
+                             crossings[k] == unknown_jump || m_jumps[c][k] == unknown_jump
+                                 ? std::int8_t(unknown_jump)
+                                 : as_jump(crossings[k] + m_jumps[c][k]);
+                     }
+                   });
+  }
+
+  // A tetrahedron as one of a set; the number is its own less that of the root.
+  struct Place
+  {
+    std::uint32_t root;
+    std::int32_t number;
+  };
+
+  // Tetrahedra between which a way is known, and what is outside, the last one.
+  void join()
+  {
+    const std::size_t m = m_cells.number;
+    m_places.reserve(m + 1);
+    for (std::uint32_t c = 0; c <= m; ++c)
+      m_places.push_back({c, 0});
+    for (std::size_t c = 0; c < m; ++c) {
+      const auto neighbors = m_cells.neighbors_of(c);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t d = (std::min)(std::size_t(neighbors[k]), m);
+        if (d < c || m_jumps[c][k] == unknown_jump)
+          continue;
+        const int back = d < m ? jump_to(d, c) : 0;
+        if (back != unknown_jump)
+          join(std::uint32_t(c), std::uint32_t(d), m_jumps[c][k] - back);
+      }
+    }
+  }
+
+  // The number of d is larger by the difference than that of c.
+  void join(std::uint32_t c, std::uint32_t d, int difference)
+  {
+    const Place p = place(c), q = place(d);
+    if (p.root < q.root) // and so they are no deep trees
+      m_places[q.root] = {p.root, p.number + difference - q.number};
+    else if (p.root > q.root)
+      m_places[p.root] = {q.root, q.number - difference - p.number};
+  }
+
+  // Halves the path to the root; a root has the number 0.
+  Place place(std::uint32_t c)
+  {
+    std::int32_t number = 0;
+    while (m_places[c].root != c) {
+      Place& p = m_places[c];
+      const Place& next = m_places[p.root];
+      p = {next.root, p.number + next.number};
+      number += p.number;
+      c = p.root;
+    }
+    return {c, number};
+  }
+
+  int jump_to(std::size_t d, std::size_t c) const
+  {
+    const Jumps& jumps = m_jumps[d];
+    if ((jumps[0] | jumps[1] | jumps[2] | jumps[3]) == 0)
+      return 0;
+    const auto neighbors = m_cells.neighbors_of(d);
+    std::size_t k = 0;
+    while (std::size_t(neighbors[k]) != c)
+      ++k;
+    return jumps[k];
+  }
+
   static double inradius(const std::array<Vector_3d, 4>& p)
   {
     const Vector_3d a = minus(p[1], p[0]), b = minus(p[2], p[0]), c = minus(p[3], p[0]);
@@ -109,77 +214,9 @@ private:
     return areas > 0 ? std::abs(dot(a, cross(b, c))) / areas : 0;
   }
 
-  // The first of those that are equally large.
-  void find_largest(const std::vector<float>& radii)
-  {
-    constexpr auto none = std::uint32_t(-1);
-    m_largest.assign(radii.size(), none);
-    for (std::uint32_t c = 0; c < radii.size(); ++c) {
-      std::uint32_t& largest = m_largest[m_sets.root(c)];
-      if (largest == none || radii[c] > radii[largest])
-        largest = c;
-    }
-  }
-
-  // Looks each facet up among the triangles with the same least vertex.
-  template <class Cells>
-  void find_facets(const Cells& cells, std::size_t n, const std::vector<Corners>& triangles,
-                   const Executor& executor)
-  {
-    const auto lists = in_lists<std::uint32_t>(
-        n,
-        Listed_items(
-            triangles.size(), [&](std::size_t t) { return std::size_t(triangles[t][0]); },
-            [](std::size_t t) { return std::uint32_t(t); }),
-        executor);
-    std::vector<Corners> listed;
-    listed.reserve(triangles.size());
-    for (const std::uint32_t t : lists.items)
-      listed.push_back(triangles[t]);
-    for (std::size_t v = 0; v < n; ++v)
-      std::sort(listed.begin() + std::ptrdiff_t(lists.first[v]),
-                listed.begin() + std::ptrdiff_t(lists.first[v + 1]));
-    std::vector<char> is_facet(listed.size(), 0);
-    for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 4096),
-                   [&](std::size_t first, std::size_t last, std::size_t) {
-                     for (std::size_t c = first; c < last; ++c)
-                       m_walls[c] = walls_of(cells, c, lists, listed, is_facet);
-                   });
-    for (std::size_t t = 0; t < listed.size(); ++t)
-      if (!is_facet[t])
-        m_missing.push_back(listed[t]);
-    m_missing.erase(std::unique(m_missing.begin(), m_missing.end()), m_missing.end());
-  }
-
-  // Which facets of tetrahedron c are triangles, by their bits; between two the first one is asked.
-  template <class Cells>
-  static unsigned char walls_of(const Cells& cells, std::size_t c,
-                                const Lists<std::uint32_t>& lists,
-                                const std::vector<Corners>& listed, std::vector<char>& is_facet)
-  {
-    unsigned walls = 0;
-    const auto neighbors = cells.neighbors_of(c);
-    const auto v = cells.vertices_of(c);
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (std::size_t(neighbors[k]) < c)
-        continue;
-      const auto at = [&](std::size_t i) { return std::uint32_t(v[(k + i) % 4]); };
-      const Corners facet = ascending({at(1), at(2), at(3)});
-      const auto found =
-          std::equal_range(listed.begin() + std::ptrdiff_t(lists.first[facet[0]]),
-                           listed.begin() + std::ptrdiff_t(lists.first[facet[0] + 1]), facet);
-      for (auto t = found.first; t != found.second; ++t)
-        is_facet[std::size_t(t - listed.begin())] = 1;
-      walls |= unsigned(found.first != found.second) << k;
-    }
-    return static_cast<unsigned char>(walls);
-  }
-
-  Disjoint_sets<std::uint32_t> m_sets;
-  std::vector<char> m_is_cut;
-  std::vector<unsigned char> m_walls;   // of each tetrahedron: bit k for the facet opposite to k
-  std::vector<std::uint32_t> m_largest; // of each set, at its root
-  std::vector<Corners> m_missing;
+  const Cells& m_cells;
+  std::vector<Jumps> m_jumps;
+  std::vector<Place> m_places;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -33,8 +33,6 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 class Winding_tree
 {
   static constexpr double four_pi = 12.566370614359172954;
-  static constexpr std::size_t leaf = 8; // triangles, at most
-
   // The distance, in radii, from which on a cluster is taken as a whole.
   static constexpr double far = 2;
 
@@ -49,18 +47,18 @@ class Winding_tree
   };
 
 public:
-  // Keeps the triangles.
-  explicit Winding_tree(std::vector<Triangle_3d>&& triangles)
+  // Keeps the triangles. What is so far away that all together would not change a number by `least`
+  // is left out.
+  explicit Winding_tree(std::vector<Triangle_3d>&& triangles, double least = 0)
     : m_triangles(std::move(triangles))
+    , m_leaf(least > 0 ? 2 : 8)
   {
     if (m_triangles.empty())
       return;
-    m_clusters.reserve(4 * m_triangles.size() / leaf + 1);
+    m_clusters.reserve(4 * m_triangles.size() / m_leaf + 1);
     build(0, m_triangles.size());
+    m_horizon = std::sqrt(m_clusters.front().area / (four_pi * least));
   }
-
-  // Of all triangles.
-  double area() const { return m_clusters.empty() ? 0 : m_clusters.front().area; }
 
   static constexpr std::size_t most = 16; // queries at a time
 
@@ -74,7 +72,8 @@ public:
       const Vector_3d r = minus(cluster.center, ball.center);
       const double reach = cluster.reach + ball.radius;
       if (dot(r, r) > reach * reach) {
-        for (std::size_t i = 0; i < n; ++i)
+        const double horizon = m_horizon + reach;
+        for (std::size_t i = 0; i < n && dot(r, r) < horizon * horizon; ++i)
           angles[i] += cluster.field.solid_angle(minus(cluster.center, q[i]));
         k = cluster.next;
         continue;
@@ -121,7 +120,7 @@ private:
   {
     const std::size_t k = m_clusters.size();
     m_clusters.emplace_back();
-    if (last - first <= leaf) {
+    if (last - first <= m_leaf) {
       m_clusters[k] = cluster_of(first, last);
     } else {
       const std::size_t middle = first + (last - first) / 2;
@@ -215,6 +214,8 @@ private:
 
   std::vector<Triangle_3d> m_triangles;
   std::vector<Cluster> m_clusters;
+  std::size_t m_leaf; // triangles, at most
+  double m_horizon = 0;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -11,9 +11,9 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/match_facets.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
-#include <CGAL/Delaunay_from_surface_3/inside/Box_tree.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Regions.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Triangle_table.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Unit_frame.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_tree.h>
@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -134,54 +135,43 @@ void find_numbers(const Winding_tree& tree, const Cells& cells,
                  });
 }
 
-// Those of all, by regions: there the number of the surface less that of the triangles that close
-// it is one whole number.
-template <class Cells>
-void find_numbers_by_regions(const Winding_tree& tree, const Cells& cells,
-                             const std::vector<Corners>& triangles,
-                             const std::vector<Triangle_3d>& closing, double* numbers,
-                             const Executor& executor)
+// Those of all: the number of the surface less that of the triangles that close it is a whole one.
+template <class Cells, class Ask>
+void find_numbers_by_regions(const Cells& cells, const std::vector<Corners>& triangles,
+                             const std::vector<Triangle_3d>& closing, const Ask& ask,
+                             double* numbers, const Executor& executor)
 {
-  Regions regions(cells, cells.points.size(), triangles, executor);
-  std::vector<Triangle_3d> cutting = closing;
-  for (const Corners& v : regions.missing())
-    cutting.push_back({cells.points[v[0]], cells.points[v[1]], cells.points[v[2]]});
-  regions.cut(Box_tree(std::move(cutting)), cells, executor);
-  std::vector<std::uint32_t> asked;
-  for (std::uint32_t c = 0; c < cells.number; ++c)
-    if (regions.is_cut(c) || regions.largest(c) == c)
-      asked.push_back(c);
-  find_numbers(tree, cells, asked, numbers, executor);
-
-  const Winding_tree closing_tree{std::vector<Triangle_3d>(closing)};
+  const Winding_tree closing_tree(std::vector<Triangle_3d>(closing), 0.002);
   const auto of_closing = [&](std::size_t c) {
     return closing.empty() ? 0 : closing_tree(cells.center(c));
   };
-  for (const std::uint32_t c : asked)
-    if (!regions.is_cut(c)) // of the largest ones the whole numbers first
-      numbers[c] = std::round(numbers[c] - of_closing(c));
-  for (std::uint32_t c = 0; c < cells.number; ++c)
-    if (!regions.is_cut(c) && regions.largest(c) != c)
-      numbers[c] = numbers[regions.largest(c)] + of_closing(c);
-  for (const std::uint32_t c : asked)
-    if (!regions.is_cut(c))
-      numbers[c] += of_closing(c);
+  const std::vector<std::int32_t> whole =
+      Regions<Cells>(cells, triangles, closing, executor).numbers([&](std::size_t c) {
+        return ask(c) - of_closing(c);
+      });
+  for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 1024),
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t c = first; c < last; ++c)
+                     numbers[c] = whole[c] + of_closing(c);
+                 });
 }
 
-// The triangles of faces, polygons as fans, by their vertices; not those with a vertex twice.
+// The triangles of faces, polygons as fans, by their vertices; not those with a vertex twice. Throws
+// if a face has an index that is not less than n.
 template <class FaceRange, class VertexOf>
-std::vector<Corners> corners_of(const FaceRange& faces, const VertexOf& vertex_of)
+std::vector<Corners> corners_of(const FaceRange& faces, std::size_t n, const VertexOf& vertex_of)
 {
   std::vector<Corners> triangles;
+  std::size_t f = 0;
   for (const auto& face : faces) {
+    check_face(face, f++, n);
     Corners corners = {0, 0, 0};
     std::size_t k = 0;
     for (const auto& index : face) {
       corners[k < 2 ? k : 2] = std::uint32_t(vertex_of(std::size_t(index)));
       if (++k > 2) {
-        const Corners sorted = ascending(corners);
-        if (sorted[0] != sorted[1] && sorted[1] != sorted[2])
-          triangles.push_back(sorted);
+        if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+          triangles.push_back(corners);
         corners[1] = corners[2];
       }
     }
@@ -217,29 +207,40 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
                      const VertexOf& vertex_of, const Executor& executor)
 {
   check_sizes(m, points.size());
-  const Winding_field field = winding_field(points, faces);
+  const std::vector<Corners> triangles = corners_of(faces, points.size(), vertex_of);
+  const Unit_frame frame(points);
   std::vector<Vector_3d> in_frame;
   in_frame.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    in_frame.push_back(field.frame(vector_of(points[i])));
+    in_frame.push_back(frame(vector_of(points[i])));
   const Tetrahedra<VerticesOf, NeighborsOf> cells = {in_frame, m, vertices_of, neighbors_of};
   const auto [closing, areas] = closing_triangles(open_edges(faces, points.size(), vertex_of),
                                                   [&](std::size_t v) { return in_frame[v]; });
   Inside_3 inside;
   inside.winding_numbers.resize(m);
-  const std::vector<Corners> triangles = corners_of(faces, vertex_of);
+  const auto tree_of_all = [&] { return Winding_tree(triangles_in(frame, faces, points)); };
   if (closing.size() <= triangles.size() / 8) {
-    find_numbers_by_regions(field.tree, cells, triangles, closing, inside.winding_numbers.data(),
+    std::optional<Winding_tree> tree; // rarely needed
+    const auto ask = [&](std::size_t c) {
+      if (!tree)
+        tree = tree_of_all();
+      return (*tree)(cells.center(c));
+    };
+    find_numbers_by_regions(cells, triangles, closing, ask, inside.winding_numbers.data(),
                             executor);
   } else {
     std::vector<std::uint32_t> all(m);
     std::iota(all.begin(), all.end(), std::uint32_t(0));
-    find_numbers(field.tree, cells, all, inside.winding_numbers.data(), executor);
+    find_numbers(tree_of_all(), cells, all, inside.winding_numbers.data(), executor);
   }
 
-  double share_of_largest = 0;
-  for (const double area : areas) {
-    const double share = field.tree.area() > 0 ? area / field.tree.area() : area;
+  double area = 0, share_of_largest = 0;
+  for (const Corners& t : triangles) {
+    const Vector_3d n = area_vector({in_frame[t[0]], in_frame[t[1]], in_frame[t[2]]});
+    area += std::sqrt(dot(n, n));
+  }
+  for (const double a : areas) {
+    const double share = area > 0 ? a / area : a;
     inside.share_of_openings += share;
     share_of_largest = (std::max)(share_of_largest, share);
   }
