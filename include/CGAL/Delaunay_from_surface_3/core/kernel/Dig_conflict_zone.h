@@ -37,24 +37,42 @@ struct Dig_conflict_zone
   bool operator()(Compact_complex<Id>& complex, Predicates& predicates, Zone& zone, Id p, Id first,
                   Explore explore = Explore()) const
   {
+    using Complex = Compact_complex<Id>;
+    auto* const cells = complex.cells();
+    auto* const vertices = complex.vertices();
+    const double* const coordinates = vertices[p].coordinates;
     zone.cells[0] = first;
-    zone.number_of_cells = 1;
-    zone.number_of_facets = 0;
-    explore.mark(complex.cells(), first);
-    for (std::size_t k = 0; k < zone.number_of_cells; ++k) {
-      if (!zone.has_room(zone.number_of_cells + 4)) {
-        if (!explore.is_still_true(complex.cells(), k))
+    explore.mark(cells, first);
+    Zone_ends<Id> ends = {zone.cells.data() + 1, zone.facets.data()};
+    const Id* full = last_with_room(zone);
+    for (const Id* next = zone.cells.data(); next != ends.cell; ++next) {
+      if (ends.cell > full) {
+        const std::size_t k = std::size_t(next - zone.cells.data());
+        set_ends(zone, ends);
+        if (!explore.is_still_true(cells, k))
           return false;
-        grow(zone);
+        zone.make_room(2 * zone.room());
+        next = zone.cells.data() + k;
+        ends = {zone.cells.data() + zone.number_of_cells,
+                zone.facets.data() + zone.number_of_facets};
+        full = last_with_room(zone);
       }
-      if (k + 1 < zone.number_of_cells)
-        for (const Id& link : complex.cell(zone.cells[k + 1]).links)
-          prefetch(&complex.cell(load_relaxed(link) >> 2)); // others may write it
-      look_around(complex, predicates, zone, p, explore.read(complex.cells(), zone.cells[k], k),
-                  explore);
+      if (next + 1 != ends.cell)
+        for (const Id& link : cells[next[1]].links) // others may write it
+          prefetch(&Complex::cell_of_link(cells, load_relaxed(link)));
+      const Compact_cell<Id>& cell =
+          explore.read(cells, *next, std::size_t(next - zone.cells.data()));
+      auto around = explore.around(cells, vertices, cell, coordinates);
+      if (around.undecided != 0)
+        around.inside |=
+            undecided_conflicts(complex, predicates, cell, around.undecided, p, explore);
+      ends = explore.note(cells, cell, around, ends);
       if (explore.is_torn())
-        return false;
+        break;
     }
+    set_ends(zone, ends);
+    if (explore.is_torn())
+      return false;
     zone.counts.sphere_tests += zone.number_of_cells - 1 + zone.number_of_facets;
     zone.counts.cells_destroyed += zone.number_of_cells;
     zone.counts.cells_created += zone.number_of_facets;
@@ -63,24 +81,14 @@ struct Dig_conflict_zone
 
 private:
   template <class Zone>
-  CGAL_DELAUNAY_FROM_SURFACE_3_APART static void grow(Zone& zone)
+  static auto last_with_room(const Zone& zone)
   {
-    zone.make_room(2 * zone.room());
+    return zone.cells.data() + zone.room() - 4;
   }
 
-  // Tests the neighbours of a cell in conflict.
-  template <class Id, class Predicates, class Zone>
-  static void look_around(Compact_complex<Id>& complex, Predicates& predicates, Zone& zone, Id p,
-                          const Compact_cell<Id>& cell, Explore& explore)
+  template <class Zone, class Id>
+  static void set_ends(Zone& zone, const Zone_ends<Id>& ends)
   {
-    Neighborhood around =
-        explore.around(complex.cells(), complex.vertices(), cell, complex.vertex(p).coordinates);
-    if (around.undecided != 0)
-      around.inside |= undecided_conflicts(complex, predicates, cell, around.undecided, p, explore);
-    const Zone_ends<Id> ends =
-        explore.note(complex.cells(), cell, around.inside, around.open & ~around.inside,
-                     Zone_ends<Id>{zone.cells.data() + zone.number_of_cells,
-                                   zone.facets.data() + zone.number_of_facets});
     zone.number_of_cells = std::size_t(ends.cell - zone.cells.data());
     zone.number_of_facets = std::size_t(ends.facet - zone.facets.data());
   }
