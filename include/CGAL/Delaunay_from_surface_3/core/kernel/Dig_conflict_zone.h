@@ -37,42 +37,24 @@ struct Dig_conflict_zone
   bool operator()(Compact_complex<Id>& complex, Predicates& predicates, Zone& zone, Id p, Id first,
                   Explore explore = Explore()) const
   {
-    using Complex = Compact_complex<Id>;
-    auto* const cells = complex.cells();
-    auto* const vertices = complex.vertices();
-    const double* const coordinates = vertices[p].coordinates;
     zone.cells[0] = first;
-    explore.mark(cells, first);
-    Zone_ends<Id> ends = {zone.cells.data() + 1, zone.facets.data()};
-    const Id* full = last_with_room(zone);
-    for (const Id* next = zone.cells.data(); next != ends.cell; ++next) {
-      if (ends.cell > full) {
-        const std::size_t k = std::size_t(next - zone.cells.data());
-        set_ends(zone, ends);
-        if (!explore.is_still_true(cells, k))
+    zone.number_of_cells = 1;
+    zone.number_of_facets = 0;
+    explore.mark(complex.cells(), first);
+    for (std::size_t k = 0; k < zone.number_of_cells; ++k) {
+      if (!zone.has_room(zone.number_of_cells + 4)) {
+        if (!explore.is_still_true(complex.cells(), k))
           return false;
-        zone.make_room(2 * zone.room());
-        next = zone.cells.data() + k;
-        ends = {zone.cells.data() + zone.number_of_cells,
-                zone.facets.data() + zone.number_of_facets};
-        full = last_with_room(zone);
+        grow(zone);
       }
-      if (next + 1 != ends.cell)
-        for (const Id& link : cells[next[1]].links) // others may write it
-          prefetch(&Complex::cell_of_link(cells, load_relaxed(link)));
-      const Compact_cell<Id>& cell =
-          explore.read(cells, *next, std::size_t(next - zone.cells.data()));
-      auto around = explore.around(cells, vertices, cell, coordinates);
-      if (around.undecided != 0)
-        around.inside |=
-            undecided_conflicts(complex, predicates, cell, around.undecided, p, explore);
-      ends = explore.note(cells, cell, around, ends);
+      if (k + 1 < zone.number_of_cells)
+        for (const Id& link : complex.cell(zone.cells[k + 1]).links)
+          prefetch(&complex.cell(load_relaxed(link) >> 2)); // others may write it
+      look_around(complex, predicates, zone, p, explore.read(complex.cells(), zone.cells[k], k),
+                  explore);
       if (explore.is_torn())
-        break;
+        return false;
     }
-    set_ends(zone, ends);
-    if (explore.is_torn())
-      return false;
     zone.counts.sphere_tests += zone.number_of_cells - 1 + zone.number_of_facets;
     zone.counts.cells_destroyed += zone.number_of_cells;
     zone.counts.cells_created += zone.number_of_facets;
@@ -81,14 +63,25 @@ struct Dig_conflict_zone
 
 private:
   template <class Zone>
-  static auto last_with_room(const Zone& zone)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART static void grow(Zone& zone)
   {
-    return zone.cells.data() + zone.room() - 4;
+    zone.make_room(2 * zone.room());
   }
 
-  template <class Zone, class Id>
-  static void set_ends(Zone& zone, const Zone_ends<Id>& ends)
+  // Tests the neighbours of a cell in conflict. The ends are kept in the zone: in registers, around a
+  // loop that holds all of this, they take 3 % off a call of one thread, and add 10 % with two.
+  template <class Id, class Predicates, class Zone>
+  static void look_around(Compact_complex<Id>& complex, Predicates& predicates, Zone& zone, Id p,
+                          const Compact_cell<Id>& cell, Explore& explore)
   {
+    auto around =
+        explore.around(complex.cells(), complex.vertices(), cell, complex.vertex(p).coordinates);
+    if (around.undecided != 0)
+      around.inside |= undecided_conflicts(complex, predicates, cell, around.undecided, p, explore);
+    const Zone_ends<Id> ends =
+        explore.note(complex.cells(), cell, around,
+                     Zone_ends<Id>{zone.cells.data() + zone.number_of_cells,
+                                   zone.facets.data() + zone.number_of_facets});
     zone.number_of_cells = std::size_t(ends.cell - zone.cells.data());
     zone.number_of_facets = std::size_t(ends.facet - zone.facets.data());
   }
