@@ -51,7 +51,7 @@ target_include_directories(Delaunay_from_surface_3 INTERFACE
 
 # The same with the core compiled once, in a static library: less to compile in every file that uses the package.
 # The core needs no CGAL, so that one library serves every version. What is said of arithmetic is added to the
-# project's own options: the filters are proved for operations that are rounded one by one.
+# project's own options; products may be fused into sums, as the proofs of the filters allow.
 add_library(Delaunay_from_surface_3_compiled STATIC EXCLUDE_FROM_ALL
   "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/core.cpp")
 add_library(Delaunay_from_surface_3::compiled ALIAS Delaunay_from_surface_3_compiled)
@@ -60,7 +60,7 @@ set_target_properties(Delaunay_from_surface_3_compiled PROPERTIES
   POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 target_compile_features(Delaunay_from_surface_3_compiled PRIVATE cxx_std_17)
 target_compile_options(Delaunay_from_surface_3_compiled PRIVATE
-  "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O3;-fno-fast-math;-ffp-contract=off>")
+  "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O3;-fno-fast-math;-ffp-contract=fast>")
 target_include_directories(Delaunay_from_surface_3_compiled PRIVATE "${DELAUNAY_FROM_SURFACE_3_ROOT}/include")
 target_compile_definitions(Delaunay_from_surface_3_compiled INTERFACE CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
 target_link_libraries(Delaunay_from_surface_3_compiled INTERFACE Delaunay_from_surface_3)

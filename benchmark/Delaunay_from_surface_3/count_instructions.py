@@ -9,7 +9,12 @@ short to be measured, and writes them as JSON. Needs valgrind and insert_once, t
 Valgrind rounds to nearest always. CGAL's interval arithmetic asks for other modes, and without them plain CGAL may not
 end where points are degenerate: a mesh that takes longer than the time limit is said not to be counted.
 
-  count_instructions.py DIR --program ./insert_once --most-vertices 2999 --output small_meshes.json"""
+  count_instructions.py DIR --program ./insert_once --most-vertices 2999 --output small_meshes.json
+
+Of one mesh, --phases counts those of the package's phases, per point. The program is then one with symbols (-g), which
+tell of what header an inlined function is:
+
+  count_instructions.py refined_elephant.off --phases --program ./insert_once --output phases.json"""
 
 import argparse
 import json
@@ -21,8 +26,19 @@ import sys
 import tempfile
 from pathlib import Path
 
+from one_record_per_line import text_of
+
 EXTENSIONS = {".off", ".ply", ".obj", ".stl"}
 FUNCTIONS = ["insert_once_by_plain_cgal", "insert_once_by_default"]
+PHASES = {  # a phase is all that is called from lines of the first within the second, by regular expressions
+    "read": ("door/Read_\\w+.h", ""),
+    "plan": ("core/order/Order_of_core.h", "::make"),
+    "permute": ("core/kernel/Ordered_complex.h", "::Ordered_complex"),
+    "walk": ("core/kernel/Walk_to_conflict.h", ""),
+    "dig": ("core/kernel/Inserter.h", "::dig_in_vectors"),
+    "fill": ("core/kernel/Fill_star.h", "Fill_star<.*operator"),
+    "export": ("door/Way_through_core.h", ""),
+}
 MOST_BYTES = 150  # of a file, for each of the vertices that it may have: larger ones are not tried
 
 
@@ -42,15 +58,39 @@ def instructions(program, mesh, time_limit):
         return {"vertices": int(run.stdout), "plain": total(Path(f"{out}.1")), "package": total(out)}
 
 
+def phases(program, mesh):
+    """The instructions of each phase per point, and of all."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "out"
+        run = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", f"--toggle-collect={FUNCTIONS[1]}",
+                              program, mesh], capture_output=True, text=True, check=True)
+        lines = subprocess.run(["callgrind_annotate", "--inclusive=yes", "--threshold=100", "--show-percs=no", "--auto=no", out],
+                               capture_output=True, text=True, check=True).stdout
+    counts = [(int(m[1].replace(",", "")), m[2]) for m in re.finditer(r"^ *([\d,]+) +(\S*:.*)$", lines, re.MULTILINE)]
+    most = lambda file, function: max((n for n, name in counts if re.search(f"{file}:.*{function}", name)), default=0)
+    found = {phase: most(*where) for phase, where in PHASES.items()}
+    whole = most("", FUNCTIONS[1])
+    found["rest"] = whole - sum(found.values())
+    points = int(run.stdout)
+    return points, [{"phase": name, "instructions": round(n / points, 1), "share": round(n / whole, 3)}
+                    for name, n in [*found.items(), ("all", whole)]]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path, metavar="DIR")
+    parser.add_argument("--phases", action="store_true", help="of one mesh, in place of a folder")
     parser.add_argument("--program", default="./insert_once", help="insert_once")
     parser.add_argument("--most-vertices", type=int, default=2999, metavar="N", help="larger meshes are left out")
     parser.add_argument("--time-limit", type=float, default=60, metavar="SECONDS", help="for each (default 60)")
     parser.add_argument("--output", type=Path, default=Path("small_meshes.json"), metavar="FILE")
     options = parser.parse_args()
     command = " ".join(["count_instructions.py", *map(shlex.quote, sys.argv[1:])])
+    if options.phases:
+        points, counts = phases(options.program, options.folder)
+        options.output.write_text(text_of({"command": command, "points": points, "phases": counts}))
+        print(*(f"{c['phase']}: {c['instructions']}" for c in counts), sep="\n")
+        return
     results, not_counted = [], []
     for mesh in sorted(p for p in options.folder.rglob("*") if p.suffix.lower() in EXTENSIONS and p.is_file()):
         if os.path.getsize(mesh) > MOST_BYTES * options.most_vertices:

@@ -48,6 +48,7 @@ SHOWS = {
     "gaussians_10M": "the same",
     "moved": "rebuilds of points that move a little, beside plain CGAL and Geogram",
     "history": "instructions, page faults and bytes of a call, revision by revision",
+    "phases": "where the instructions of a call are, phase by phase",
     "compile_time": "a file with one call, by g++ and clang, time and memory",
     "parts": "the parts of openfoam-examples: inside or not, and why not",
     "tiles": "what tiles keep, tell and take",

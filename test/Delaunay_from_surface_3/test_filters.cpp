@@ -149,8 +149,10 @@ Sphere_signs signs_of(Sphere_filter, const double* const* v, const double* const
 }
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-__attribute__((target("avx2"))) Sphere_signs
-signs_of(Wide_sphere_filter, const double* const* v, const double* const* opposite, const double* p)
+CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Sphere_signs signs_of(Wide_sphere_filter,
+                                                              const double* const* v,
+                                                              const double* const* opposite,
+                                                              const double* p)
 {
   return Wide_sphere_filter::signs(v, opposite, p);
 }

@@ -126,7 +126,7 @@ inline void check_neighbors(const std::string& name, const Sphere_signs& said,
 }
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-__attribute__((target("avx2"))) inline Sphere_signs wide_signs(const Quintuple& q)
+CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS inline Sphere_signs wide_signs(const Quintuple& q)
 {
   const Pointers v = Quintuple::pointers(q.v), opposite = Quintuple::pointers(q.opposite);
   return Wide_sphere_filter::signs(v.data(), opposite.data(), q.p.data());

@@ -6,7 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_VECTORS_H
 
 // Functions in vector instructions that the user need not compile for: they are marked with their
-// target, and called where the machine has it. The target has no fma, so that no product is fused.
+// target, and called where the machine has it. It fuses products into sums if the compiler's options
+// allow it (-ffp-contract), and filters are proved for either.
 
 #if defined(__GNUC__) && defined(__x86_64__)
 
@@ -17,11 +18,12 @@
 #include <type_traits>
 
 #define CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-#define CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS __attribute__((target("avx2,popcnt")))
+#define CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS __attribute__((target("avx2,fma,popcnt")))
 // A function for vectors is never inlined into one without; so all that it calls goes into it.
-#define CGAL_DELAUNAY_FROM_SURFACE_3_ALL_IN_VECTORS __attribute__((target("avx2,popcnt"), flatten))
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ALL_IN_VECTORS                                                \
+  __attribute__((target("avx2,fma,popcnt"), flatten))
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS                                             \
-  __attribute__((target("avx2,popcnt"), always_inline)) inline
+  __attribute__((target("avx2,fma,popcnt"), always_inline)) inline
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -30,13 +32,15 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 inline bool machine_has_vectors()
 {
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+         __builtin_cpu_supports("popcnt");
 }
 
 // Vectors of four, with the operators that GCC and clang give them.
 using Four_doubles = double __attribute__((vector_size(32)));
 using Four_longs = long long __attribute__((vector_size(32)));
 using Four_words = unsigned __attribute__((vector_size(16)));
+using Eight_words = unsigned __attribute__((vector_size(32)));
 
 // The lanes with these numbers of a, 0 to 3, and b, 4 to 7.
 template <int i, int j, int k, int l, class Vector>
@@ -81,6 +85,15 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles sqrt_of(Four_doubles
 #else
   return __builtin_ia32_sqrtpd256(v);
 #endif
+}
+
+// Those of eight words that `which` numbers.
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Eight_words words_of(Eight_words v,
+                                                                    Eight_words which)
+{
+  using Eight_ints = int __attribute__((vector_size(32)));
+  return reinterpret_cast<Eight_words>(__builtin_ia32_permvarsi256(
+      reinterpret_cast<Eight_ints>(v), reinterpret_cast<Eight_ints>(which)));
 }
 
 // Bit i: what a comparison says of lane i.

@@ -50,6 +50,10 @@ public:
   using Numbers::point_of_vertex;
   using Numbers::vertex_of_point;
 
+  // Where the infinite vertex lies: so far away that the filter of spheres leaves undecided what it
+  // belongs to. All lies within 2^59, so a determinant is less than 2^600, and its bound 2^700.
+  static constexpr double far = 0x1p150;
+
   static constexpr std::size_t cells_of_gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
 
   // Without vertices.
@@ -64,7 +68,7 @@ public:
     if (m_number_of_vertices > max_vertices)
       throw Too_few_ids(std::numeric_limits<Id>::digits);
     m_vertices.allocate(m_number_of_vertices);
-    m_vertices[infinite] = Vertex();
+    m_vertices[infinite] = {{far, 0, 0}, 0, 0};
     for_each_block(executor, n, number_of_blocks(executor, n, 4096),
                    [&](std::size_t first, std::size_t last, std::size_t) {
                      for (std::size_t i = first; i < last; ++i) {

@@ -68,17 +68,18 @@ private:
     zone.make_room(2 * zone.room());
   }
 
-  // Tests the neighbours of a cell in conflict.
+  // Tests the neighbours of a cell in conflict. The ends are kept in the zone: in registers, around a
+  // loop that holds all of this, they take 3 % off a call of one thread, and add 10 % with two.
   template <class Id, class Predicates, class Zone>
   static void look_around(Compact_complex<Id>& complex, Predicates& predicates, Zone& zone, Id p,
                           const Compact_cell<Id>& cell, Explore& explore)
   {
-    Neighborhood around =
+    auto around =
         explore.around(complex.cells(), complex.vertices(), cell, complex.vertex(p).coordinates);
     if (around.undecided != 0)
       around.inside |= undecided_conflicts(complex, predicates, cell, around.undecided, p, explore);
     const Zone_ends<Id> ends =
-        explore.note(complex.cells(), cell, around.inside, around.open & ~around.inside,
+        explore.note(complex.cells(), cell, around,
                      Zone_ends<Id>{zone.cells.data() + zone.number_of_cells,
                                    zone.facets.data() + zone.number_of_facets});
     zone.number_of_cells = std::size_t(ends.cell - zone.cells.data());

@@ -40,6 +40,8 @@ struct Neighborhood
   unsigned open;      // not known to be in conflict before
   unsigned inside;    // of these: in conflict
   unsigned undecided; // of these: the filter cannot tell
+
+  unsigned bounding() const { return open & ~inside; } // when all is decided
 };
 
 // By the signs of the filter, which was asked about those `filtered`.
@@ -104,20 +106,20 @@ struct Explore_neighbors : Explore_alone
     return neighborhood(open, filtered, signs);
   }
 
-  // Writes down the neighbours `inside`, and the facets `bounding`.
+  // Writes down the neighbours inside, and the facets that bound.
   template <class Id>
-  static Zone_ends<Id> note(Compact_cell<Id>* cells, const Compact_cell<Id>& cell, unsigned inside,
-                            unsigned bounding, Zone_ends<Id> ends)
+  static Zone_ends<Id> note(Compact_cell<Id>* cells, const Compact_cell<Id>& cell,
+                            const Neighborhood& around, Zone_ends<Id> ends)
   {
     const Id v[4] = {Compact_complex<Id>::first_vertex(cell), cell.v[1], cell.v[2], cell.v[3]};
     for (unsigned k = 0; k < 4; ++k) {
-      const Id link = cell.links[k], joins = Id(inside >> k & 1);
+      const Id link = cell.links[k], joins = Id(around.inside >> k & 1);
       cells[link >> 2].v[0] |= Id(joins << (std::numeric_limits<Id>::digits - 1));
       *ends.cell = link >> 2;
       ends.cell += joins;
       *ends.facet = {link,
                      {v[facet_corners[k][0]], v[facet_corners[k][1]], v[facet_corners[k][2]]}};
-      ends.facet += bounding >> k & 1;
+      ends.facet += around.bounding() >> k & 1;
     }
     return ends;
   }

@@ -52,9 +52,10 @@ struct Write_alone
   static void open(Cell& cell, Id p, const Zone_facet<Id>& facet)
   {
     static_assert(sizeof(cell.v) == sizeof(facet), "a facet is a cell without its first vertex");
+    const Id outside = facet.outside;
     std::memcpy(cell.v, &facet, sizeof(facet));
     cell.v[0] = p;
-    cell.links[0] = facet.outside;
+    cell.links[0] = outside;
   }
   static void set_outer_link(Id& link, Id to) { link = to; }
   static void set_link(Id& link, Id to) { link = to; }
@@ -118,10 +119,12 @@ private:
       table[a * Side + b] = Complex::link(c, 3);
     });
     typename Complex::Cell* const cells = complex.cells();
-    for (std::size_t i = 0; i < zone.number_of_facets; ++i) {
-      const Id* const corners = zone.facets[i].corners;
+    const Zone_facet<Id>* const facets = zone.facets.data();
+    const Id* const of_star = zone.cells.data();
+    for (std::size_t i = 0, n = zone.number_of_facets; i < n; ++i) {
+      const Id* const corners = facets[i].corners;
       const std::size_t a = corners[0], b = corners[1], d = corners[2];
-      typename Complex::Cell& cell = cells[zone.cells[i]];
+      typename Complex::Cell& cell = cells[of_star[i]];
       m_write.set_link(cell.links[1], table[d * Side + b]);
       m_write.set_link(cell.links[2], table[a * Side + d]);
       m_write.set_link(cell.links[3], table[b * Side + a]);
@@ -138,16 +141,20 @@ private:
     typename Complex::Vertex* const vertices = complex.vertices();
     const Id base = m_base;
     Id count = 0;
+    Zone_facet<Id>* const facets = zone.facets.data();
+    const Id* const of_star = zone.cells.data();
     for (std::size_t i = 0, n = zone.number_of_facets; i < n; ++i) {
-      Zone_facet<Id>& f = zone.facets[i];
-      const Id c = zone.cells[i];
-      const Id outside = f.outside;
-      m_write.open(cells[c], p, f);
-      m_write.set_outer_link(cells[outside >> 2].links[outside & 3], Complex::link(c, 0));
+      const Zone_facet<Id> f = facets[i]; // a copy: what is written might be it
+      const Id c = of_star[i];
+      m_write.open(cells[c], p, facets[i]);
+      m_write.set_outer_link(Complex::cell_of_link(cells, f.outside).links[f.outside & 3],
+                             Complex::link(c, 0));
       m_write.set_cell_of_corners(vertices, f.corners, c);
-      for (Id& corner : f.corners)
-        corner = label(m_write.label(vertices, corner), base, count);
-      then(f.corners[0], f.corners[1], f.corners[2], c);
+      const Id a = label(m_write.label(vertices, f.corners[0]), base, count);
+      const Id b = label(m_write.label(vertices, f.corners[1]), base, count);
+      const Id d = label(m_write.label(vertices, f.corners[2]), base, count);
+      facets[i].corners[0] = a, facets[i].corners[1] = b, facets[i].corners[2] = d;
+      then(a, b, d, c);
     }
     m_base = Id(base + count);
   }
@@ -157,10 +164,8 @@ private:
   // predicted.
   static Id label(Id& kept, Id base, Id& count)
   {
-    Id l = Id(kept - base);
-    const bool is_new = l >= count;
-    l = is_new ? count : l;
-    count = Id(count + is_new);
+    const Id old = Id(kept - base), l = old < count ? old : count;
+    count = Id(count + 1 - (old < count));
     kept = Id(base + l);
     return l;
   }

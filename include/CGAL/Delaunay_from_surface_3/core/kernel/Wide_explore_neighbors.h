@@ -22,50 +22,52 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
+// With the cells themselves, and their first vertices.
+struct Wide_neighborhood : Neighborhood
+{
+  Compact_cell<std::uint32_t>* cells[4];
+  __m128i first;
+};
+
 struct Wide_explore_neighbors : Explore_alone
 {
   using Id = std::uint32_t;
   using Complex = Compact_complex<Id>;
   using Cell = Compact_cell<Id>;
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Neighborhood
-  around(const Cell* cells, const Compact_vertex<Id>* vertices, const Cell& cell, const double* p)
+  // Infinite cells are left undecided: their vertex is far.
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Wide_neighborhood
+  around(Cell* cells, const Compact_vertex<Id>* vertices, const Cell& cell, const double* p)
   {
     const Id l0 = cell.links[0], l1 = cell.links[1], l2 = cell.links[2], l3 = cell.links[3];
-    const Cell &n0 = cells[l0 >> 2], &n1 = cells[l1 >> 2], &n2 = cells[l2 >> 2],
-               &n3 = cells[l3 >> 2];
+    Cell &n0 = Complex::cell_of_link(cells, l0), &n1 = Complex::cell_of_link(cells, l1),
+         &n2 = Complex::cell_of_link(cells, l2), &n3 = Complex::cell_of_link(cells, l3);
     const Id unmarked = Id(~Complex::dead);
     const Id e0 = n0.v[l0 & 3] & unmarked, e1 = n1.v[l1 & 3] & unmarked,
              e2 = n2.v[l2 & 3] & unmarked, e3 = n3.v[l3 & 3] & unmarked;
-    const unsigned open =
-        15 & ~signs_of(_mm_setr_epi32(int(n0.v[0]), int(n1.v[0]), int(n2.v[0]), int(n3.v[0])));
-    const unsigned infinite =
-        Complex::is_infinite(cell)
-            ? 15
-            : signs_of(_mm_cmpeq_epi32(_mm_setr_epi32(int(e0), int(e1), int(e2), int(e3)),
-                                       _mm_setzero_si128()));
-    const unsigned filtered = open & ~infinite;
-    if (filtered == 0)
-      return {open, 0, open};
+    const __m128i first = _mm_setr_epi32(int(n0.v[0]), int(n1.v[0]), int(n2.v[0]), int(n3.v[0]));
+    const unsigned open = 15 & ~signs_of(first);
     const double* const v[4] = {vertices[cell.v[0] & unmarked].coordinates,
                                 vertices[cell.v[1]].coordinates, vertices[cell.v[2]].coordinates,
                                 vertices[cell.v[3]].coordinates};
     const double* const opposite[4] = {vertices[e0].coordinates, vertices[e1].coordinates,
                                        vertices[e2].coordinates, vertices[e3].coordinates};
     const Sphere_signs signs = Wide_sphere_filter::signs(v, opposite, p);
-    return neighborhood(open, filtered, signs);
+    return {neighborhood(open, open, signs), {&n0, &n1, &n2, &n3}, first};
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Zone_ends<Id>
-  note(Cell* cells, const Cell& cell, unsigned inside, unsigned bounding, Zone_ends<Id> ends)
+  note(Cell*, const Cell& cell, const Wide_neighborhood& around, Zone_ends<Id> ends)
   {
-    const __m128i links = load(cell.links);
-    store(ends.cell, pack(_mm_srli_epi32(links, 2), inside));
-    ends.cell += __builtin_popcount(inside);
+    const auto first = reinterpret_cast<Four_words>(
+        _mm_or_si128(around.first, load(of_masks[around.inside].dead)));
     for (unsigned k = 0; k < 4; ++k)
-      cells[cell.links[k] >> 2].v[0] |= inside << (31 - k) & Complex::dead;
-    const __m128i v = _mm_and_si128(load(cell.v), _mm_setr_epi32(int(~Complex::dead), -1, -1, -1));
-    ends.facet = write_facets(ends.facet, bounding, v, links);
+      around.cells[k]->v[0] = first[k];
+    store(ends.cell, pack(_mm_srli_epi32(load(cell.links), 2), around.inside));
+    ends.cell += __builtin_popcount(around.inside);
+    ends.facet = write_facets(ends.facet, around.bounding(),
+                              load_eight(cell.v) &
+                                  Eight_words{~Complex::dead, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u});
     return ends;
   }
 
@@ -85,43 +87,60 @@ struct Wide_explore_neighbors : Explore_alone
   // Those of four ids that `wanted` names, to the front.
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static __m128i pack(__m128i ids, unsigned wanted)
   {
-    return _mm_shuffle_epi8(ids, load(packed[wanted]));
+    return _mm_shuffle_epi8(ids, load(of_masks[wanted].packed));
   }
 
-  // Lane 0 of `first`, the others of `rest`.
-  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static __m128i with_first_of(__m128i first,
-                                                                              __m128i rest)
+  // Vertices and links of a cell.
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Eight_words load_eight(const Id* words)
   {
-    return reinterpret_cast<__m128i>(lanes_of<4, 1, 2, 3>(reinterpret_cast<Four_words>(rest),
-                                                          reinterpret_cast<Four_words>(first)));
+    Eight_words v;
+    __builtin_memcpy(&v, words, sizeof v);
+    return v;
   }
 
-  // The facets `bounding` of the cell with these vertices and links. Returns where the next one
-  // goes. Lane 0: the link; lanes 1, 2, 3: the facet_corners.
+  // The facets `bounding` of a cell. Returns where the next one goes.
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Zone_facet<Id>*
-  write_facets(Zone_facet<Id>* to, unsigned bounding, __m128i v, __m128i links)
+  write_facets(Zone_facet<Id>* to, unsigned bounding, Eight_words cell)
   {
-    store(to, with_first_of(links, v));
-    to += bounding & 1;
-    store(to, with_first_of(_mm_shuffle_epi32(links, 1),
-                            _mm_shuffle_epi32(v, _MM_SHUFFLE(3, 0, 2, 0))));
-    to += bounding >> 1 & 1;
-    store(to, with_first_of(_mm_shuffle_epi32(links, 2),
-                            _mm_shuffle_epi32(v, _MM_SHUFFLE(3, 1, 0, 0))));
-    to += bounding >> 2 & 1;
-    store(to, with_first_of(_mm_shuffle_epi32(links, 3),
-                            _mm_shuffle_epi32(v, _MM_SHUFFLE(0, 1, 2, 0))));
-    return to + (bounding >> 3 & 1);
+    for (unsigned half = 0; half < 2; ++half) {
+      const Eight_words two = words_of(cell, load_eight(of_masks[bounding].facets[half]));
+      __builtin_memcpy(static_cast<void*>(to + 2 * half), &two, sizeof two);
+    }
+    return to + __builtin_popcount(bounding);
   }
 
 private:
-  // packed[m] moves the ids of the bits of m to the front.
-  static constexpr std::uint32_t i0 = 0x03020100, i1 = 0x07060504, i2 = 0x0b0a0908, i3 = 0x0f0e0d0c;
-  static constexpr std::uint32_t packed[16][4] = {
-      {},       {i0},         {i1},         {i0, i1},        {i2},     {i0, i2},
-      {i1, i2}, {i0, i1, i2}, {i3},         {i0, i3},        {i1, i3}, {i0, i1, i3},
-      {i2, i3}, {i0, i2, i3}, {i1, i2, i3}, {i0, i1, i2, i3}};
+  // What to do with the neighbours of the bits of a mask.
+  struct Of_mask
+  {
+    Id packed[4];    // moves their ids to the front, and 0 behind them
+    Id dead[4];      // marks their first vertices
+    Id facets[2][8]; // which words of the cell the facets towards them are, one after the other
+  };
+
+  static constexpr Of_mask of_mask(unsigned mask)
+  {
+    constexpr Id none = 0x80808080;
+    Of_mask of = {{none, none, none, none}, {}, {}};
+    for (unsigned k = 0, n = 0; k < 4; ++k)
+      if (mask >> k & 1) {
+        of.packed[n] = 0x03020100 + 0x04040404 * k;
+        of.dead[k] = Complex::dead;
+        Id* const facet = of.facets[n / 2] + n % 2 * 4;
+        facet[0] = 4 + k;
+        for (unsigned i = 0; i < 3; ++i)
+          facet[1 + i] = facet_corners[k][i];
+        ++n;
+      }
+    return of;
+  }
+  static const Of_mask of_masks[16];
 };
+
+inline constexpr Wide_explore_neighbors::Of_mask Wide_explore_neighbors::of_masks[16] = {
+    of_mask(0),  of_mask(1),  of_mask(2),  of_mask(3), of_mask(4),  of_mask(5),
+    of_mask(6),  of_mask(7),  of_mask(8),  of_mask(9), of_mask(10), of_mask(11),
+    of_mask(12), of_mask(13), of_mask(14), of_mask(15)};
 
 // The widest search for these ids, where the machine has vectors.
 template <class Id>

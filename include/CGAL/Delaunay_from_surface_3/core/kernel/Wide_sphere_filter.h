@@ -9,7 +9,7 @@
 // vertices of lane i are i^1, i^2 and i^3: an even permutation, and three cheap shuffles.
 //
 // Only code marked with its target uses the wide instructions, so that the user need not compile
-// for them; the caller asks the machine first. The target has no fma.
+// for them; the caller asks the machine first.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>

@@ -114,11 +114,10 @@ public:
     return m_neighbor;
   }
 
-  Zone_ends<Id> note(Cell*, const Cell& cell, unsigned inside, unsigned bounding,
-                     Zone_ends<Id> ends)
+  Zone_ends<Id> note(Cell*, const Cell& cell, const Neighborhood& around, Zone_ends<Id> ends)
   {
     for (unsigned k = 0; k < 4; ++k) {
-      const Id link = cell.links[k], joins = Id(inside >> k & 1);
+      const Id link = cell.links[k], joins = Id(around.inside >> k & 1);
       std::uint8_t& own = lane(link >> 2);
       store_relaxed(own, std::uint8_t(load_relaxed(own) | joins));
       m_zone.words[ends.cell - m_zone.cells.data()] = m_words[k];
@@ -128,7 +127,7 @@ public:
       *ends.facet = {
           link,
           {cell.v[facet_corners[k][0]], cell.v[facet_corners[k][1]], cell.v[facet_corners[k][2]]}};
-      ends.facet += bounding >> k & 1;
+      ends.facet += around.bounding() >> k & 1;
     }
     return ends;
   }

@@ -68,36 +68,30 @@ public:
                   std::uint32_t(this->lane(l3 >> 2)) << 24;
     const unsigned open = 15 & ~bits_of_bytes(m_own_lanes);
     m_is_torn |= Protocol::heeds_busy && Wide::signs_of(words) != 0;
-    const unsigned infinite =
-        Complex::is_infinite(cell)
-            ? 15
-            : Wide::signs_of(_mm_cmpeq_epi32(_mm_setr_epi32(int(e0), int(e1), int(e2), int(e3)),
-                                             _mm_setzero_si128()));
-    const unsigned filtered = open & ~infinite;
-    if (m_is_torn || filtered == 0)
+    if (m_is_torn)
       return {open, 0, open};
     const double* const v[4] = {vertices[cell.v[0]].coordinates, vertices[cell.v[1]].coordinates,
                                 vertices[cell.v[2]].coordinates, vertices[cell.v[3]].coordinates};
     const double* const opposite[4] = {vertices[e0].coordinates, vertices[e1].coordinates,
                                        vertices[e2].coordinates, vertices[e3].coordinates};
     const Sphere_signs signs = Wide_sphere_filter::signs(v, opposite, p);
-    return neighborhood(open, filtered, signs);
+    return neighborhood(open, open, signs);
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Zone_ends<Id>
-  note(Cell*, const Cell& cell, unsigned inside, unsigned bounding, Zone_ends<Id> ends)
+  note(Cell*, const Cell& cell, const Neighborhood& around, Zone_ends<Id> ends)
   {
-    const __m128i links = Wide::load(cell.links), v = Wide::load(cell.v);
+    const unsigned inside = around.inside, bounding = around.bounding();
     const std::uint32_t own_lanes = m_own_lanes | bytes_of_bits(inside);
     for (unsigned k = 0; k < 4; ++k)
       this->lane(cell.links[k] >> 2) = std::uint8_t(own_lanes >> 8 * k);
     const __m128i words = Wide::load(m_words);
     Wide::store(m_zone.words.data() + (ends.cell - m_zone.cells.data()), Wide::pack(words, inside));
-    Wide::store(ends.cell, Wide::pack(_mm_srli_epi32(links, 2), inside));
+    Wide::store(ends.cell, Wide::pack(_mm_srli_epi32(Wide::load(cell.links), 2), inside));
     ends.cell += __builtin_popcount(inside);
     Wide::store(m_zone.outside_words.data() + (ends.facet - m_zone.facets.data()),
                 Wide::pack(words, bounding));
-    ends.facet = Wide::write_facets(ends.facet, bounding, v, links);
+    ends.facet = Wide::write_facets(ends.facet, bounding, Wide::load_eight(cell.v));
     return ends;
   }
 
