@@ -383,6 +383,8 @@ class AsScipy(unittest.TestCase):
             self.ours.find_simplex(np.ma.masked_array(np.zeros((2, 3)), mask=True))
         with self.assertRaisesRegex(ValueError, "threads: expected"):
             self.ours.find_simplex([[0, 0, 0]], threads=0)
+        with self.assertRaisesRegex(ValueError, "barycentric: 1 simplices for 2 points"):
+            self.ours.barycentric([[0, 0, 0], [1, 1, 1]], [0])
         with self.assertRaisesRegex(ValueError, "find_simplex: there are no tetrahedra, the points have dimension 2"):
             dfs.delaunay3(self.grid * [1, 1, 0]).find_simplex([[0, 0, 0]])
 
@@ -460,6 +462,8 @@ class AsScipy(unittest.TestCase):
         self.assertEqual(len(found.triangles), (4 * ours.nsimplex + len(ours.convex_hull)) // 2)
         with self.assertRaisesRegex(ValueError, "alpha_complex: expected a radius, got nan"):
             ours.alpha_complex(np.nan)
+        with self.assertRaisesRegex(ValueError, "alpha_complex: expected a radius, got 'x'"):
+            ours.alpha_complex("x")
 
     def test_minimum_spanning_tree(self):
         for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [1, 0, 0], self.grid[:1], []):
@@ -670,7 +674,9 @@ class Refusals(unittest.TestCase):
         for threads in (0, -1):
             self.refuses(ValueError, f"threads: expected a whole number from 1 on, or None for all, got {threads}",
                          random_points(5), threads=threads)
-        self.refuses(TypeError, "", random_points(5), threads=1.5)
+        self.refuses(TypeError, "threads: expected a whole number from 1 on, or None for all, got 1.5", random_points(5),
+                     threads=1.5)
+        self.refuses(TypeError, "order: expected an InsertionOrder, got int", random_points(5), order=3)
         for seed in (-1, 2 ** 32):
             self.refuses(ValueError, "seed: expected a whole number from 0 to 4294967295", random_points(5), seed=seed)
         self.refuses(TypeError, "", random_points(5), seed="one")

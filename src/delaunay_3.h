@@ -50,8 +50,8 @@ typedef struct delaunay_3_cells
   const int32_t* vertex_of_point;
 } delaunay_3_cells;
 
-/* Of n points, three coordinates each. Triangles of a surface on the points, three indices each, make it
- * faster and never change the result; there may be none. The points are read again by the last two
+/* Of n points, three coordinates each. Triangles of a surface on the points, three indices each, may make
+ * it faster and never change the result; there may be none. The points are read again by the last two
  * functions, so they stay where they are. Where something is refused, *where is the point or the
  * triangle, if anybody wants to know; *result is null then. */
 delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t* triangles,

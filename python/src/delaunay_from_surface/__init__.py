@@ -106,6 +106,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         raise ValueError("inside: there are no faces")
     if inside and not isinstance(faces, np.ndarray):
         faces = [tuple(face) for face in faces]  # they are read twice
+    if order is not None and not isinstance(order, InsertionOrder):
+        raise TypeError(f"order: expected an InsertionOrder, got {type(order).__name__}")
     result = Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number, order), threads=number)
     if inside:
         across = result.neighbors if neighbors else _core.neighbors(result.simplices, len(array), number)

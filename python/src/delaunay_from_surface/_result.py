@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import numbers
 import operator
 import os
 from functools import cached_property
@@ -23,8 +24,11 @@ def number_of_threads(threads: Optional[int]) -> int:
     """The number that is meant by None, or refused."""
     if threads is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    expected = f"threads: expected a whole number from 1 on, or None for all, got {threads!r}"
+    if not hasattr(threads, "__index__"):
+        raise TypeError(expected)
     if operator.index(threads) <= 0:
-        raise ValueError(f"threads: expected a whole number from 1 on, or None for all, got {threads}")
+        raise ValueError(expected)
     return operator.index(threads)
 
 
@@ -208,6 +212,8 @@ class Delaunay3:
             simplex = self.find_simplex(xi, threads=threads)
         xi, shape = self._rows_of(xi)
         simplex = np.asarray(simplex).reshape(-1)
+        if len(simplex) != len(xi):
+            raise ValueError(f"barycentric: {len(simplex)} simplices for {len(xi)} points")
         result = np.full((len(xi), 4), np.nan)
         inside = simplex >= 0
         transform = self._transform(simplex[inside])
@@ -252,8 +258,8 @@ class Delaunay3:
         Its tetrahedra are those with a circumradius of at most `alpha`. `alpha` is a radius, not a square.
         """
         self._needs_space("alpha_complex")
-        if not alpha >= 0:
-            raise ValueError(f"alpha_complex: expected a radius, got {alpha}")
+        if not isinstance(alpha, numbers.Real) or not alpha >= 0:
+            raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
         points = np.asarray(self.points, dtype=float)
         triangles, radii_of_triangles = self._triangles(points)
         edges, radii_of_edges = self._edges(points, triangles, radii_of_triangles)
