@@ -54,7 +54,7 @@ struct Ordered_complex
     complex = Complex(
         vertex_of.size(), [&](std::size_t k) { return scaled(point(k)); }, executor);
     CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(std::all_of(
-        complex.vertices(), complex.vertices() + complex.vertices_end(), [](const auto& v) {
+        complex.vertices() + 1, complex.vertices() + complex.vertices_end(), [](const auto& v) {
           return std::all_of(v.coordinates, v.coordinates + 3,
                              [](double x) { return std::abs(x) <= 0x1p58; });
         }));
