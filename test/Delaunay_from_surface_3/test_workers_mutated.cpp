@@ -12,7 +12,7 @@
 // eight, up to 3,000 points, with and without threads that were interrupted every 100 or 300
 // microseconds.
 //
-// Arguments after `--`: seconds per part (8 by default; it ends at the first failure).
+// Arguments after `--`: seconds per part (30 by default; it ends at the first failure, after 1 as a rule).
 
 #define BOOST_TEST_MODULE test_workers_mutated
 #include <boost/test/included/unit_test.hpp>
@@ -48,7 +48,7 @@ struct Without_busy : Handshake
 double seconds_per_part()
 {
   const auto& suite = boost::unit_test::framework::master_test_suite();
-  return suite.argc > 1 ? std::atof(suite.argv[1]) : 8;
+  return suite.argc > 1 ? std::atof(suite.argv[1]) : 30;
 }
 
 // Dense sets in which workers meet often: few points in many small chunks.
