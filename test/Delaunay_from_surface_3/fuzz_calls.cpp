@@ -50,14 +50,12 @@
 #define __GLIBC_PREREQ(major, minor) 0
 #endif
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__clang__)
 // CGAL's Compact_container loses a block when its list of blocks cannot grow.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions()
 {
   return "leak:allocate_new_block\n";
 }
-#endif
 
 namespace {
 

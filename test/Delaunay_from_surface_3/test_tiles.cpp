@@ -350,7 +350,7 @@ BOOST_AUTO_TEST_CASE(a_hub_is_to_blame)
     points.push_back({std::cos(k * 0.0104719), std::sin(k * 0.0104719), 0});
   CGAL::Tiles_here_3 engine;
   CGAL::Tiles_options options = options_of(4);
-  options.memory = 250 * 300; // a tile may keep 250 points
+  options.memory = 250 * core::bytes_per_point_kept; // a tile may keep 250 points
   const auto ignore = [](const CGAL::Delaunay_3_tile&) {};
   BOOST_CHECK_EXCEPTION(CGAL::delaunay_3_tiles(engine, source_of(points), ignore, options),
                         core::Tile_too_large, [](const core::Tile_too_large& error) {
@@ -362,14 +362,14 @@ BOOST_AUTO_TEST_CASE(a_hub_is_to_blame)
 
   // Others only need more tiles, and get them.
   const Points surface = points_of(tests::ordinary_surfaces(3000)[0]);
-  options.memory = 300 * 2000;
+  options.memory = core::bytes_per_point_kept * 2000;
   options.number_of_tiles = 1;
   const auto report = CGAL::delaunay_3_tiles(engine, source_of(surface), ignore, options);
   BOOST_TEST(report.tiles > 1u);
   BOOST_TEST(report.is_certified);
 
   // But not more than there may be.
-  options.memory = 300 * 200;
+  options.memory = core::bytes_per_point_kept * 200;
   options.least_points = surface.size() / 7 + 1;
   BOOST_CHECK_EXCEPTION(CGAL::delaunay_3_tiles(engine, source_of(surface), ignore, options),
                         core::Tile_too_large, [](const core::Tile_too_large& error) {

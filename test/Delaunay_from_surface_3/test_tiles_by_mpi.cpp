@@ -436,7 +436,7 @@ BOOST_AUTO_TEST_CASE(begins_again_with_more_tiles)
 {
   const Points points = random_points(3000, 1, 100000);
   CGAL::Tiles_options options = options_of(2);
-  options.memory = 1000 * 300;
+  options.memory = 1000 * core::bytes_per_point_kept;
   options.starts_again = false;
   const auto run = [&] {
     CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD);

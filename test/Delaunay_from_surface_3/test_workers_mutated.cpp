@@ -12,7 +12,8 @@
 // eight, up to 3,000 points, with and without threads that were interrupted every 100 or 300
 // microseconds.
 //
-// Arguments after `--`: seconds per part (30 by default; it ends at the first failure, after 1 as a rule).
+// Arguments after `--`: seconds per part (30 by default; it ends at the first failure, after one as
+// a rule).
 
 #define BOOST_TEST_MODULE test_workers_mutated
 #include <boost/test/included/unit_test.hpp>

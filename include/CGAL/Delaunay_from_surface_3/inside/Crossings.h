@@ -6,8 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_CROSSINGS_H
 
 // By how much a winding number changes on the way from the centre of a tetrahedron to those of
-// its facets, where these ways cross triangles. A way that comes so near to the border of a triangle, or
-// ends so near to its plane, that rounding might decide is not known: another one will do.
+// its facets, where these ways cross triangles. A way that comes so near to the border of a
+// triangle, or ends so near to its plane, that rounding might decide is not known: another will do.
 
 #include <CGAL/Delaunay_from_surface_3/inside/Box_tree.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>

@@ -6,8 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_REGIONS_H
 
 // The winding numbers of a closed surface at the centres of tetrahedra: whole numbers, 0 outside
-// the hull, which change from one tetrahedron to the next by the triangles that the way crosses. Most
-// triangles of a dense sample are facets; the ways cross them there. The others are searched for.
+// the hull, which change from one tetrahedron to the next by the triangles that the way crosses.
+// Most triangles of a dense sample are facets; ways cross them there. The others are searched for.
 //
 // Where no way is known a region remains without a number, and one of its tetrahedra is asked: that
 // with the largest inscribed sphere, as the centre of a flat one may lie on the wrong side.

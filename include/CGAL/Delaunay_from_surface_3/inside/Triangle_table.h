@@ -9,7 +9,6 @@
 // taken off. Most facets of a triangulation are none, as a word for each vertex tells.
 
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
-#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>

@@ -141,7 +141,8 @@ void find_numbers_by_regions(const Cells& cells, const std::vector<Corners>& tri
                              const std::vector<Triangle_3d>& closing, const Ask& ask,
                              double* numbers, const Executor& executor)
 {
-  const Winding_tree closing_tree(std::vector<Triangle_3d>(closing), 0.002);
+  constexpr double unseen = 0.002; // of a number that is compared with one half
+  const Winding_tree closing_tree(std::vector<Triangle_3d>(closing), unseen);
   const auto of_closing = [&](std::size_t c) {
     return closing.empty() ? 0 : closing_tree(cells.center(c));
   };
@@ -156,8 +157,8 @@ void find_numbers_by_regions(const Cells& cells, const std::vector<Corners>& tri
                  });
 }
 
-// The triangles of faces, polygons as fans, by their vertices; not those with a vertex twice. Throws
-// if a face has an index that is not less than n.
+// The triangles of faces, polygons as fans, by their vertices; not those with a vertex twice.
+// Throws if a face has an index that is not less than n.
 template <class FaceRange, class VertexOf>
 std::vector<Corners> corners_of(const FaceRange& faces, std::size_t n, const VertexOf& vertex_of)
 {

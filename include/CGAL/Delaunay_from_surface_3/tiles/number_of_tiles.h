@@ -20,7 +20,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-constexpr std::uint64_t bytes_per_point_kept = 300; // 250 of them for its triangulation
+// Out of core, 250 of them for the triangulation. In memory a tile keeps its piece beside it, and
+// takes half as much again.
+constexpr std::uint64_t bytes_per_point_kept = 300;
 constexpr std::uint64_t most_points_of_tile = std::uint64_t(1) << 27; // 30 bits for its cells
 
 // How many points a tile may keep, of so many that are in memory at once.

@@ -68,8 +68,8 @@ private:
     zone.make_room(2 * zone.room());
   }
 
-  // Tests the neighbours of a cell in conflict. The ends are kept in the zone: in registers, around a
-  // loop that holds all of this, they take 3 % off a call of one thread, and add 10 % with two.
+  // Tests the neighbours of a cell in conflict. The ends are kept in the zone: in registers, around
+  // a loop that holds all of this, one thread gains a little, and two lose more.
   template <class Id, class Predicates, class Zone>
   static void look_around(Compact_complex<Id>& complex, Predicates& predicates, Zone& zone, Id p,
                           const Compact_cell<Id>& cell, Explore& explore)
