@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -58,6 +59,7 @@ public:
   double operator()(const Point& p) const
   {
     using namespace Delaunay_from_surface_3::internal;
+    const Rounding_to_nearest rounding; // to denormal numbers, too
     const auto q = get(Coordinates_map<Point>(), p);
     return m_field.tree(m_field.frame({q.x(), q.y(), q.z()}));
   }
@@ -70,6 +72,7 @@ private:
     using namespace Delaunay_from_surface_3::internal;
     using No_parameters = decltype(parameters::default_values());
     const auto& np = parameters::default_values();
+    const Rounding_to_nearest rounding;
     Read_coordinates<PointRange, No_parameters> read(points, np);
     return winding_field(read.points(), faces);
   }

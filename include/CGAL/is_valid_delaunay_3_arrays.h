@@ -9,6 +9,7 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -53,6 +54,7 @@ bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const Po
     throw std::invalid_argument("the infinite cells of the arrays have been dropped");
   const auto& np = parameters::default_values();
   Read_coordinates<PointRange, No_parameters> read(points, np);
+  const Rounding_to_nearest rounding; // as the bounds of the filters need it
   return is_valid(arrays, read.points(), level);
 }
 

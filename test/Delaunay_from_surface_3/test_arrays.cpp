@@ -9,6 +9,7 @@
 
 #include "check_arrays.h"
 #include "named_surfaces.h"
+#include "rounding_modes.h"
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -382,6 +383,24 @@ BOOST_AUTO_TEST_CASE(what_only_the_last_level_sees)
         v = turned[v];
   BOOST_TEST(CGAL::is_valid_delaunay_3_arrays(arrays, square, Level::ORIENTATION));
   BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(arrays, square));
+}
+
+// The points of the last ones differ by denormal numbers.
+BOOST_AUTO_TEST_CASE(validity_in_every_rounding_mode)
+{
+  for (const double size : {1., 0.1, 0x1p-1060}) {
+    std::vector<Point> points;
+    for (const Point& p : grid(5, 5, 5))
+      points.push_back(Point(size * p.x(), size * p.y(), size * p.z()));
+    const Arrays_of_points arrays = delaunay_3_arrays(points);
+    for (const fuzz::Rounding_mode& mode : fuzz::rounding_modes) {
+      const fuzz::Rounding rounding(mode);
+      const bool is_valid = CGAL::is_valid_delaunay_3_arrays(arrays, points);
+      const bool is_kept = rounding.is_kept();
+      BOOST_TEST(is_valid, mode.name);
+      BOOST_TEST(is_kept, mode.name);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(visitors_are_called_in_the_rounding_mode_of_the_caller)
