@@ -298,6 +298,20 @@ BOOST_AUTO_TEST_CASE(test_volumes)
   }
 }
 
+BOOST_AUTO_TEST_CASE(test_far_away)
+{
+  surfaces::Indexed_surface open = surfaces::sphere(200);
+  open.faces.resize(open.faces.size() / 2);
+  for (const Soup& soup : {soup_of(open), box(1)}) {
+    const CGAL::Winding_number_3 number(soup.points, soup.faces);
+    for (int exponent = 4; exponent < 309; ++exponent) {
+      const double far = std::pow(10., exponent);
+      for (const Coordinates& q : {Coordinates{far, 0, 0}, Coordinates{far, -far, far / 3}})
+        BOOST_TEST(std::abs(number(q)) < 1e-6, "at a distance of " << far);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(test_sizes)
 {
   for (const double size : {1e-300, 1e-150, 1e150, 1e300}) {

@@ -57,7 +57,9 @@ public:
       return;
     m_clusters.reserve(4 * m_triangles.size() / m_leaf + 1);
     build(0, m_triangles.size());
-    m_horizon = std::sqrt(m_clusters.front().area / (four_pi * least));
+    // No number shows less than `faint`; much farther away powers of the distance would overflow.
+    constexpr double faint = 1e-30;
+    m_horizon = std::sqrt(m_clusters.front().area / (four_pi * (std::max)(least, faint)));
   }
 
   static constexpr std::size_t most = 16; // queries at a time
