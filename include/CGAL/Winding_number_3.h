@@ -77,7 +77,7 @@ private:
     return winding_field(read.points(), faces);
   }
 
-  const Delaunay_from_surface_3::internal::Winding_field m_field;
+  Delaunay_from_surface_3::internal::Winding_field m_field;
 };
 
 /// \cond SKIP_IN_MANUAL

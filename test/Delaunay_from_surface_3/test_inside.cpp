@@ -276,6 +276,9 @@ BOOST_AUTO_TEST_CASE(test_kinds_of_input)
   BOOST_CHECK_CLOSE(number(Coordinates{1, .5, .5}), .5, 1e-9);
   const CGAL::Winding_number_3 nothing(points, std::vector<std::vector<int>>());
   BOOST_CHECK_EQUAL(nothing(points[0]), 0);
+  CGAL::Winding_number_3 other = nothing;
+  other = number;
+  BOOST_CHECK_EQUAL(other(Coordinates{.5, .3, .8}), number(Coordinates{.5, .3, .8}));
   BOOST_CHECK_THROW(CGAL::Winding_number_3(points, std::vector<std::vector<int>>{{0, 1, 8}}),
                     CGAL::Surface_input_error);
   BOOST_CHECK_THROW(CGAL::Winding_number_3(std::vector<Coordinates>{{0, 0, NAN}}, sides),
