@@ -35,6 +35,7 @@
 #include <functional>
 #include <limits>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -165,6 +166,23 @@ BOOST_AUTO_TEST_CASE(every_dimension)
         BOOST_TEST(arrays.number_of_simplices() == simplices[k]);
       BOOST_TEST(visitor.replaced.empty());
     }
+}
+
+// The segments of a line, and one beyond each end: 127 with numbers of seven bits.
+BOOST_AUTO_TEST_CASE(too_many_points_on_a_line)
+{
+  const std::vector<double> zeros(3 * 127);
+  const auto number_of_cells = [](const std::vector<double>& coordinates, std::size_t n) {
+    return DFS::internal::arrays_on_line<std::int8_t>(
+               DFS::internal::Point_array(coordinates.data(), n))
+        .number_of_cells();
+  };
+  std::vector<double> line = zeros;
+  for (std::size_t i = 0; i < 127; ++i)
+    line[3 * i] = double(i);
+  BOOST_TEST(number_of_cells(zeros, 126) == 2u);
+  BOOST_TEST(number_of_cells(line, 126) == 127u);
+  BOOST_CHECK_THROW(number_of_cells(line, 127), std::length_error);
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_of_too_different_size)
