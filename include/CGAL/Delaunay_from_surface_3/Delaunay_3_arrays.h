@@ -40,7 +40,7 @@ the vertex.
 
 If all points lie in a plane, on a line, or coincide, the dimension d is 2, 1 or 0. A cell then has
 d + 1 vertices and neighbours; the entries that are left over are `none`. In a plane the triangles
-have one orientation, in dimension 0 there are no neighbours.
+have one orientation.
 
 \tparam Index a signed integer type of 32 or 64 bits
 
