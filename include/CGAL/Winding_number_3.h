@@ -6,11 +6,10 @@
 #define CGAL_WINDING_NUMBER_3_H
 
 #include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 namespace CGAL {
 
@@ -60,7 +59,7 @@ public:
   {
     using namespace Delaunay_from_surface_3::internal;
     const Rounding_to_nearest rounding; // to denormal numbers, too
-    const auto q = get(Coordinates_map<Point>(), p);
+    const auto q = converted_point<Point_of_doubles>(p);
     return m_field.tree(m_field.frame({q.x(), q.y(), q.z()}));
   }
 
@@ -70,10 +69,8 @@ private:
                                                                const FaceRange& faces)
   {
     using namespace Delaunay_from_surface_3::internal;
-    using No_parameters = decltype(parameters::default_values());
-    const auto& np = parameters::default_values();
     const Rounding_to_nearest rounding;
-    Read_coordinates<PointRange, No_parameters> read(points, np);
+    Read_coordinates<PointRange> read(points);
     return winding_field(read.points(), faces);
   }
 
