@@ -9,8 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/door/Doubles_of_points.h>
 #include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -83,8 +82,8 @@ std::string obstacle_to_core(const Triangulation& tr,
 {
   if (!serves_geom_traits<Triangulation>())
     return "the predicates of the geometric traits are not the exact ones of a kernel";
-  if (obstacle_of_compiler() != nullptr)
-    return obstacle_of_compiler();
+  if (const char* const obstacle = obstacle_of_core())
+    return obstacle;
   if (tr.number_of_vertices() > 0)
     return "the triangulation is not empty";
   return points.obstacle();
