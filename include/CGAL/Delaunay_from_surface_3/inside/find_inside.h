@@ -157,26 +157,17 @@ void find_numbers_by_regions(const Cells& cells, const std::vector<Corners>& tri
                  });
 }
 
-// The triangles of faces, polygons as fans, by their vertices; not those with a vertex twice.
-// Throws if a face has an index that is not less than n.
+// The triangles of faces on n points by their vertices; not those with a vertex twice.
 template <class FaceRange, class VertexOf>
 std::vector<Corners> corners_of(const FaceRange& faces, std::size_t n, const VertexOf& vertex_of)
 {
   std::vector<Corners> triangles;
-  std::size_t f = 0;
-  for (const auto& face : faces) {
-    check_face(face, f++, n);
-    Corners corners = {0, 0, 0};
-    std::size_t k = 0;
-    for (const auto& index : face) {
-      corners[k < 2 ? k : 2] = std::uint32_t(vertex_of(std::size_t(index)));
-      if (++k > 2) {
-        if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
-          triangles.push_back(corners);
-        corners[1] = corners[2];
-      }
-    }
-  }
+  const auto at = [&](std::size_t i) { return std::uint32_t(vertex_of(i)); };
+  for_each_triangle(faces, n, [&](std::size_t i, std::size_t j, std::size_t k) {
+    const Corners t = {at(i), at(j), at(k)};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+      triangles.push_back(t);
+  });
   return triangles;
 }
 
