@@ -6,10 +6,10 @@
 #define CGAL_WINDING_NUMBER_3_H
 
 #include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 namespace CGAL {
 
@@ -58,7 +58,8 @@ public:
   double operator()(const Point& p) const
   {
     using namespace Delaunay_from_surface_3::internal;
-    const auto q = get(Coordinates_map<Point>(), p);
+    const Rounding_to_nearest rounding; // to denormal numbers, too
+    const auto q = converted_point<Point_of_doubles>(p);
     return m_field.tree(m_field.frame({q.x(), q.y(), q.z()}));
   }
 
@@ -68,13 +69,12 @@ private:
                                                                const FaceRange& faces)
   {
     using namespace Delaunay_from_surface_3::internal;
-    using No_parameters = decltype(parameters::default_values());
-    const auto& np = parameters::default_values();
-    Read_coordinates<PointRange, No_parameters> read(points, np);
+    const Rounding_to_nearest rounding;
+    Read_coordinates<PointRange> read(points);
     return winding_field(read.points(), faces);
   }
 
-  const Delaunay_from_surface_3::internal::Winding_field m_field;
+  Delaunay_from_surface_3::internal::Winding_field m_field;
 };
 
 /// \cond SKIP_IN_MANUAL

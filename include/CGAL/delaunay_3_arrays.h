@@ -20,7 +20,6 @@
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
@@ -56,7 +55,6 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using Point = Exact_predicates_inexact_constructions_kernel::Point_3;
   using Id = std::make_unsigned_t<Index>;
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
   static_assert(std::is_same<Id, std::uint32_t>::value || std::is_same<Id, std::uint64_t>::value,
@@ -68,11 +66,11 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
                                          get_parameter(np, internal_np::visitor)),
                                      points.points().size());
   using Visitor = std::remove_reference_t<decltype(visitor)>;
-  static_assert(!accepts_points<Visitor, Point>(),
+  static_assert(!accepts_points<Visitor, Point_of_doubles>(),
                 "delaunay_3_arrays() leaves no point out: its visitor has no accept()");
   const Rounding_to_nearest rounding;
-  const std::vector<Point> not_asked_for;
-  Visitor_watcher<Visitor, Point> watcher(visitor, rounding, not_asked_for);
+  const std::vector<Point_of_doubles> not_asked_for;
+  Visitor_watcher<Visitor, Point_of_doubles> watcher(visitor, rounding, not_asked_for);
   if (irregularity)
     watcher.surface_is_irregular(*irregularity);
   const Request request = {true, true};

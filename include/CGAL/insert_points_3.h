@@ -138,15 +138,7 @@ std::enable_if_t<Delaunay_from_surface_3::internal::is_iterator<InputIterator>, 
 insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator first,
                 InputIterator last, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using namespace Delaunay_from_surface_3::internal;
-  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
-  const Read_items<Triangulation, Iterator_range<InputIterator>, CGAL_NP_CLASS> read(
-      make_range(first, last), np);
-  const Lower_neighbor_graph no_graph;
-  const Insertion_input input{read.points(), no_graph,        Identity_index_map(),
-                              std::nullopt,  Identity_name(), read.infos()};
-  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t>(
-      tr, input, Point_insertion_traits_3(), np);
+  return insert_points_3<ConcurrencyTag>(tr, make_range(first, last), np);
 }
 
 /*!
@@ -194,19 +186,7 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                const PointRange& points, const FaceRange& faces,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using namespace Delaunay_from_surface_3::internal;
-  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
-  using Executor = Executor_by_tag<ConcurrencyTag, Triangulation>;
-  static_assert(are_faces<FaceRange>, "behind the points come faces, ranges of indices, or "
-                                      "named parameters");
-  if constexpr (are_faces<FaceRange>) {
-    const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
-        points, faces, np, Executor(), least_points_for_core<Surface_insertion_traits_3>(tr, np));
-    return insert_surface<Executor, internal_np::point_t>(tr, read.input(),
-                                                          Surface_insertion_traits_3(), np);
-  } else {
-    return 0;
-  }
+  return insert_points_3<ConcurrencyTag>(tr, points, faces, Surface_insertion_traits_3(), np);
 }
 
 /*!

@@ -110,11 +110,7 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
                                            const PointRange& points, const Graph& graph,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using namespace Delaunay_from_surface_3::internal;
-  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
-  const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(points, np);
-  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t,
-                        internal_np::vertex_index_t>(tr, input_along_graph(read, graph, np),
+  return insert_points_along_graph_3<ConcurrencyTag>(tr, points, graph,
                                                      Surface_insertion_traits_3(), np);
 }
 

@@ -123,12 +123,7 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
                                          const FaceGraph& mesh,
                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using namespace Delaunay_from_surface_3::internal;
-  using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
-  const Read_mesh<Triangulation, FaceGraph, CGAL_NP_CLASS> read(mesh, np);
-  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::vertex_point_t,
-                        internal_np::vertex_index_t>(tr, read.input(), Surface_insertion_traits_3(),
-                                                     np);
+  return insert_surface_vertices_3<ConcurrencyTag>(tr, mesh, Surface_insertion_traits_3(), np);
 }
 
 /*!

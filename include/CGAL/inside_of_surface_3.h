@@ -11,9 +11,9 @@
 #include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/inside/find_inside.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -62,9 +62,8 @@ Inside_3 inside_of_surface_3(const PointRange& points, const FaceRange& faces,
                              const Delaunay_3_arrays<Index>& arrays)
 {
   using namespace Delaunay_from_surface_3::internal;
-  using No_parameters = decltype(parameters::default_values());
-  const auto& np = parameters::default_values();
-  Read_coordinates<PointRange, No_parameters> read(points, np);
+  const Rounding_to_nearest rounding; // to denormal numbers, too
+  Read_coordinates<PointRange> read(points);
   const Point_array array = read.points();
   if (array.size() != arrays.number_of_points())
     throw Surface_input_error("the arrays are of " + std::to_string(arrays.number_of_points()) +

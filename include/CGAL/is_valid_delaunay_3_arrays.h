@@ -9,9 +9,8 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 #include <stdexcept>
 
@@ -46,13 +45,12 @@ bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const Po
                                 Delaunay_validity_level level = Delaunay_validity_level::DELAUNAY)
 {
   using namespace Delaunay_from_surface_3::internal;
-  using No_parameters = decltype(parameters::default_values());
   if (arrays.number_of_cells() > 0 && arrays.neighbors_data() == nullptr)
     throw std::invalid_argument("the neighbours of the arrays have been dropped");
   if (arrays.number_of_cells() > 0 && arrays.number_of_cells() == arrays.number_of_simplices())
     throw std::invalid_argument("the infinite cells of the arrays have been dropped");
-  const auto& np = parameters::default_values();
-  Read_coordinates<PointRange, No_parameters> read(points, np);
+  Read_coordinates<PointRange> read(points);
+  const Rounding_to_nearest rounding; // as the bounds of the filters need it
   return is_valid(arrays, read.points(), level);
 }
 

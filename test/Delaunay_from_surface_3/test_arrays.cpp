@@ -9,6 +9,7 @@
 
 #include "check_arrays.h"
 #include "named_surfaces.h"
+#include "rounding_modes.h"
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -34,6 +35,7 @@
 #include <functional>
 #include <limits>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -164,6 +166,23 @@ BOOST_AUTO_TEST_CASE(every_dimension)
         BOOST_TEST(arrays.number_of_simplices() == simplices[k]);
       BOOST_TEST(visitor.replaced.empty());
     }
+}
+
+// The segments of a line, and one beyond each end: 127 with numbers of seven bits.
+BOOST_AUTO_TEST_CASE(too_many_points_on_a_line)
+{
+  const std::vector<double> zeros(3 * 127);
+  const auto number_of_cells = [](const std::vector<double>& coordinates, std::size_t n) {
+    return DFS::internal::arrays_on_line<std::int8_t>(
+               DFS::internal::Point_array(coordinates.data(), n))
+        .number_of_cells();
+  };
+  std::vector<double> line = zeros;
+  for (std::size_t i = 0; i < 127; ++i)
+    line[3 * i] = double(i);
+  BOOST_TEST(number_of_cells(zeros, 126) == 2u);
+  BOOST_TEST(number_of_cells(line, 126) == 127u);
+  BOOST_CHECK_THROW(number_of_cells(line, 127), std::length_error);
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_of_too_different_size)
@@ -382,6 +401,24 @@ BOOST_AUTO_TEST_CASE(what_only_the_last_level_sees)
         v = turned[v];
   BOOST_TEST(CGAL::is_valid_delaunay_3_arrays(arrays, square, Level::ORIENTATION));
   BOOST_TEST(!CGAL::is_valid_delaunay_3_arrays(arrays, square));
+}
+
+// The points of the last ones differ by denormal numbers.
+BOOST_AUTO_TEST_CASE(validity_in_every_rounding_mode)
+{
+  for (const double size : {1., 0.1, 0x1p-1060}) {
+    std::vector<Point> points;
+    for (const Point& p : grid(5, 5, 5))
+      points.push_back(Point(size * p.x(), size * p.y(), size * p.z()));
+    const Arrays_of_points arrays = delaunay_3_arrays(points);
+    for (const fuzz::Rounding_mode& mode : fuzz::rounding_modes) {
+      const fuzz::Rounding rounding(mode);
+      const bool is_valid = CGAL::is_valid_delaunay_3_arrays(arrays, points);
+      const bool is_kept = rounding.is_kept();
+      BOOST_TEST(is_valid, mode.name);
+      BOOST_TEST(is_kept, mode.name);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(visitors_are_called_in_the_rounding_mode_of_the_caller)

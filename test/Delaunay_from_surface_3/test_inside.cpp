@@ -276,6 +276,9 @@ BOOST_AUTO_TEST_CASE(test_kinds_of_input)
   BOOST_CHECK_CLOSE(number(Coordinates{1, .5, .5}), .5, 1e-9);
   const CGAL::Winding_number_3 nothing(points, std::vector<std::vector<int>>());
   BOOST_CHECK_EQUAL(nothing(points[0]), 0);
+  CGAL::Winding_number_3 other = nothing;
+  other = number;
+  BOOST_CHECK_EQUAL(other(Coordinates{.5, .3, .8}), number(Coordinates{.5, .3, .8}));
   BOOST_CHECK_THROW(CGAL::Winding_number_3(points, std::vector<std::vector<int>>{{0, 1, 8}}),
                     CGAL::Surface_input_error);
   BOOST_CHECK_THROW(CGAL::Winding_number_3(std::vector<Coordinates>{{0, 0, NAN}}, sides),
@@ -295,6 +298,20 @@ BOOST_AUTO_TEST_CASE(test_volumes)
     BOOST_CHECK_CLOSE(found.volume, std::abs(volume_of(soup)),
                       0.1); // percent: not all triangles are Delaunay
     BOOST_CHECK_LT(found.inside.doubtful_share(), 1e-3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(test_far_away)
+{
+  surfaces::Indexed_surface open = surfaces::sphere(200);
+  open.faces.resize(open.faces.size() / 2);
+  for (const Soup& soup : {soup_of(open), box(1)}) {
+    const CGAL::Winding_number_3 number(soup.points, soup.faces);
+    for (int exponent = 4; exponent < 309; ++exponent) {
+      const double far = std::pow(10., exponent);
+      for (const Coordinates& q : {Coordinates{far, 0, 0}, Coordinates{far, -far, far / 3}})
+        BOOST_TEST(std::abs(number(q)) < 1e-6, "at a distance of " << far);
+    }
   }
 }
 

@@ -24,7 +24,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/rounded_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/paper/order_by_core.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -127,6 +127,24 @@ BOOST_AUTO_TEST_CASE(a_part_left_out_is_noticed)
   BOOST_CHECK_THROW(DFS::internal::permuted(order, order, executor), std::logic_error);
 }
 
+// An index of 8 bits stands for one of 32 that numbers the facets of too many simplices.
+BOOST_AUTO_TEST_CASE(too_many_items_for_their_numbers)
+{
+  using Index = unsigned char;
+  const auto lists_of = [](std::size_t size, const DFS::internal::Executor& executor) {
+    return DFS::internal::in_lists<Index>(
+        7,
+        DFS::internal::Listed_items(
+            size, [](std::size_t k) { return k % 7; }, [](std::size_t k) { return Index(k); }),
+        executor);
+  };
+  const auto most = lists_of(255, DFS::internal::Alone());
+  BOOST_TEST(most.items.size() == 255u);
+  BOOST_TEST(int(most.end(6)[-1]) == 251);
+  BOOST_CHECK_THROW(lists_of(256, DFS::internal::Alone()), std::length_error);
+  BOOST_CHECK_THROW(lists_of(40000, tests::Thread_executor(3)), std::length_error);
+}
+
 // In whatever mode a thread begins.
 BOOST_AUTO_TEST_CASE(every_part_rounds_to_nearest)
 {

@@ -40,7 +40,7 @@ inline void report_counts(const Insertion_counts& counts, std::size_t points, Re
 {
   static const char* const stages[] = {"integers of 30 bits",  "integers of 60 bits",
                                        "balanced doubles",     "double-double",
-                                       "integers of 120 bits", "kernel"};
+                                       "integers of 120 bits", "integers of any width"};
   const double n = double(points);
   report.title("What the insertions into the compact triangulation did, per point");
   report("cells until a conflict", double(counts.cells_tested_to_start) / n, 3);

@@ -40,7 +40,7 @@ the vertex.
 
 If all points lie in a plane, on a line, or coincide, the dimension d is 2, 1 or 0. A cell then has
 d + 1 vertices and neighbours; the entries that are left over are `none`. In a plane the triangles
-have one orientation, in dimension 0 there are no neighbours.
+have one orientation.
 
 \tparam Index a signed integer type of 32 or 64 bits
 
@@ -68,8 +68,7 @@ public:
     , m_number_of_cells(other.m_number_of_cells)
     , m_stride(other.m_stride)
     , m_vertices(copied(other.m_vertices, m_stride * m_number_of_cells))
-    , m_neighbors(copied(other.m_neighbors, other.has_own_neighbors() ? 4 * m_number_of_cells : 0))
-    , m_has_neighbors(other.m_has_neighbors)
+    , m_neighbors(copied(other.m_neighbors, other.m_neighbors.data() ? 4 * m_number_of_cells : 0))
     , m_vertices_of_points(other.m_vertices_of_points)
   {
   }
@@ -147,9 +146,7 @@ public:
   /// returns the neighbours of all cells; null if they have been dropped.
   const Index* neighbors_data() const
   {
-    return has_own_neighbors() ? m_neighbors.data()
-           : m_has_neighbors   ? m_vertices.data() + 4
-                               : nullptr;
+    return m_stride == 4 ? m_neighbors.data() : m_vertices.data() + 4;
   }
 
   /// returns 8 at first, since vertices and neighbours of a cell lie side by side; 4 after
@@ -182,7 +179,6 @@ public:
   {
     close_gaps();
     m_neighbors.deallocate();
-    m_has_neighbors = false;
   }
 
   /// makes vertices and neighbours two arrays without gaps. Needs 16 bytes per cell on the way.
@@ -214,12 +210,8 @@ private:
     std::swap(m_stride, other.m_stride);
     m_vertices.swap(other.m_vertices);
     m_neighbors.swap(other.m_neighbors);
-    std::swap(m_has_neighbors, other.m_has_neighbors);
     m_vertices_of_points.swap(other.m_vertices_of_points);
   }
-
-  // In an array of their own.
-  bool has_own_neighbors() const { return m_has_neighbors && m_stride == 4; }
 
   std::array<Index, 4> entries(const Index* data, std::size_t c) const
   {
@@ -239,8 +231,7 @@ private:
   int m_dimension = -1;
   std::size_t m_number_of_simplices = 0, m_number_of_cells = 0, m_stride = 8;
   Entries m_vertices;  // and neighbours, as long as the stride is 8
-  Entries m_neighbors; // if the stride is 4
-  bool m_has_neighbors = true;
+  Entries m_neighbors; // if the stride is 4; none if they have been dropped
   std::vector<Index> m_vertices_of_points;
 };
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/rounded_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/paper/order_by_core.h>
 
 #include <cstddef>
 #include <cstdint>

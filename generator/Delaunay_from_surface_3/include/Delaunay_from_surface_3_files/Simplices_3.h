@@ -6,11 +6,11 @@
 #define DELAUNAY_FROM_SURFACE_3_FILES_SIMPLICES_3_H
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 
 #include <CGAL/number_utils.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -67,7 +67,8 @@ Simplices_3 simplices_of(const PointRange& points, const CGAL::Delaunay_3_arrays
   for (std::size_t i = 0; i < point_numbers.size(); ++i, ++p)
     if (std::size_t(arrays.vertex_of_point(i)) == i) {
       point_numbers[i] = std::int64_t(result.points.size());
-      result.points.push_back({CGAL::to_double((*p)[0]), CGAL::to_double((*p)[1]), CGAL::to_double((*p)[2])});
+      result.points.push_back(
+          {CGAL::to_double((*p)[0]), CGAL::to_double((*p)[1]), CGAL::to_double((*p)[2])});
       result.input_indices.push_back(std::int64_t(i));
     }
 
@@ -101,24 +102,11 @@ inline Simplices_3::Data circumradii(const Simplices_3& s)
   Simplices_3::Data data = {"circumradius", {}};
   data.values.reserve(s.size());
   for (std::size_t c = 0; c < s.size(); ++c) {
-    const auto& p = s.points[std::size_t(s.simplices[4 * c + 3])];
-    double e[3][3], square[3]; // the edges from p
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < 3; ++k)
-        e[i][k] = s.points[std::size_t(s.simplices[4 * c + i])][k] - p[k];
-      square[i] = e[i][0] * e[i][0] + e[i][1] * e[i][1] + e[i][2] * e[i][2];
-    }
-    double volume = 0, sum[3] = {0, 0, 0};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double *const a = e[(i + 1) % 3], *const b = e[(i + 2) % 3];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double product = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-        sum[k] += square[i] * product;
-        volume += i == 0 ? e[0][k] * product : 0;
-      }
-    }
-    data.values.push_back(std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]) /
-                          (2 * std::abs(volume)));
+    std::array<double, 3> corners[4];
+    for (std::size_t k = 0; k < 4; ++k)
+      corners[k] = s.points[std::size_t(s.simplices[4 * c + k])];
+    data.values.push_back(CGAL::Delaunay_from_surface_3::internal::with_scaled_tetrahedron(
+        corners, [](const auto& tetrahedron) { return tetrahedron.radius(); }));
   }
   return data;
 }

@@ -6,6 +6,7 @@
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
+#include <Delaunay_from_surface_3_surfaces/renumber.h>
 
 #include <CGAL/bounding_box.h>
 
@@ -13,7 +14,6 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace surfaces {
@@ -78,21 +78,12 @@ inline void puncture(Indexed_surface& surface, std::size_t holes, std::uint64_t 
 inline void shuffle(Indexed_surface& surface, std::uint64_t seed)
 {
   Random random(seed);
-  const std::vector<std::size_t> old_point = random.permutation(surface.points.size());
-  const std::vector<std::size_t> old_face = random.permutation(surface.faces.size());
-  std::vector<std::size_t> new_number(old_point.size());
-  Indexed_surface result;
-  result.points.reserve(old_point.size());
-  result.faces.reserve(old_face.size());
-  for (std::size_t i = 0; i < old_point.size(); ++i) {
-    new_number[old_point[i]] = i;
-    result.points.push_back(surface.points[old_point[i]]);
-  }
-  for (std::size_t f : old_face) {
-    const Indexed_surface::Face& face = surface.faces[f];
-    result.faces.push_back({new_number[face[0]], new_number[face[1]], new_number[face[2]]});
-  }
-  surface = std::move(result);
+  renumber(surface, random.permutation(surface.points.size()));
+  std::vector<Indexed_surface::Face> faces;
+  faces.reserve(surface.faces.size());
+  for (const std::size_t f : random.permutation(surface.faces.size()))
+    faces.push_back(surface.faces[f]);
+  surface.faces.swap(faces);
 }
 
 } // namespace surfaces

@@ -18,7 +18,6 @@
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -120,12 +119,8 @@ Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& bui
   switch (built.outcome) {
   case Insertion_outcome::TOO_FEW_IDS:
     throw Too_few_ids(std::numeric_limits<std::make_unsigned_t<Index>>::digits);
-  case Insertion_outcome::FLAT: {
-    const Point_array points = source.points();
-    return arrays_on_line<Index>(points.size(), [&](std::size_t i) {
-      return std::array<double, 3>{points[i][0], points[i][1], points[i][2]};
-    });
-  }
+  case Insertion_outcome::FLAT:
+    return arrays_on_line<Index>(source.points());
   case Insertion_outcome::COMPLETE:
     return built.has_apex ? arrays_at_apex<Index>(built, executor)
                           : arrays_in_space<Index>(built, executor);

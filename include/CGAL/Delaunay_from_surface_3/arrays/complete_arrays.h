@@ -37,13 +37,15 @@ constexpr std::size_t corner_beyond(std::size_t k, std::size_t i)
 }
 
 template <std::size_t Corners, class Index>
-bool write_complete_rows(std::vector<std::array<Index, 4>>& cells, std::size_t number_of_points,
+void write_complete_rows(std::vector<std::array<Index, 4>>& cells, std::size_t number_of_points,
                          Page_array<Index>& rows, const Executor& executor)
 {
-  const auto view = [&] { return Corners_view<Index>{cells.data()->data(), 4, cells.size(), 1}; };
+  const auto view = [&] {
+    return Corners_view<Index>{cells.empty() ? nullptr : cells[0].data(), 4, cells.size(), 1};
+  };
   const std::size_t finite = cells.size();
   std::vector<char> has_neighbor(Corners * finite, 0);
-  bool is_right = match_facets<Corners>(
+  match_facets<Corners>(
       view(), number_of_points + 1,
       [&](std::size_t c, std::size_t k, std::size_t) { has_neighbor[Corners * c + k] = 1; },
       executor);
@@ -58,11 +60,10 @@ bool write_complete_rows(std::vector<std::array<Index, 4>>& cells, std::size_t n
   std::fill(rows.data(), rows.data() + 8 * cells.size(), Index(-1));
   for (std::size_t c = 0; c < cells.size(); ++c)
     std::copy_n(cells[c].data(), Corners, rows.data() + 8 * c);
-  is_right &= match_facets<Corners>(
+  match_facets<Corners>(
       view(), number_of_points + 1,
       [&](std::size_t c, std::size_t k, std::size_t d) { rows[8 * c + 4 + k] = Index(d); },
       executor);
-  return is_right;
 }
 
 // `simplices` are taken; entries beyond the dimension are -1, the others numbers of points. Where facets

@@ -14,15 +14,18 @@
 // the other four points of a test lie in one plane. So the kernel need not know of planes.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -32,8 +35,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The triangles at the apex, which is a vertex of `complex`, as rows of eight entries: three vertices by
-// `names`, three neighbours; the infinite ones last. Returns how many are finite, and how many there
+// The triangles at the apex, the last vertex of what was built, as rows of eight entries: three
+// vertices by `names`, three neighbours; the infinite ones last. Returns how many are finite, and how many there
 // are.
 template <class Index, class Id>
 std::pair<std::size_t, std::size_t>
@@ -89,20 +92,27 @@ Page_array<Index> segments_of(const std::vector<Index>& line)
   return rows;
 }
 
-// The arrays of n points on a line, or at one place; `point(i)` leads to the coordinates of the i-th.
-template <class Index, class PointOf>
-Delaunay_3_arrays<Index> arrays_on_line(std::size_t n, const PointOf& point)
+// The arrays of points on a line, or at one place. Throws if an Index cannot number their cells.
+template <class Index>
+Delaunay_3_arrays<Index> arrays_on_line(const Point_array& points)
 {
   using Arrays = Delaunay_3_arrays<Index>;
+  const std::size_t n = points.size();
+  if (n >= std::size_t((std::numeric_limits<Index>::max)()))
+    throw Too_few_ids(std::numeric_limits<Index>::digits);
+  const auto point = [&](Index i) {
+    const double* const p = points[std::size_t(i)];
+    return std::array<double, 3>{p[0], p[1], p[2]};
+  };
   std::vector<Index> sorted(n);
   std::iota(sorted.begin(), sorted.end(), Index(0));
   std::sort(sorted.begin(), sorted.end(), [&](Index i, Index j) {
-    const auto p = point(std::size_t(i)), q = point(std::size_t(j));
+    const auto p = point(i), q = point(j);
     return p != q ? p < q : i < j;
   });
   std::vector<Index> line, vertices_of_points(n);
   for (const Index i : sorted) {
-    if (line.empty() || point(std::size_t(line.back())) != point(std::size_t(i)))
+    if (line.empty() || point(line.back()) != point(i))
       line.push_back(i);
     vertices_of_points[std::size_t(i)] = line.back();
   }

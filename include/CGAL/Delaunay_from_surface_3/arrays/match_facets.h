@@ -113,7 +113,7 @@ private:
 
 // Calls set(c, k, d) for facet k of simplex c and the simplex d across, both ways; a facet that has no
 // partner is left out. Returns false if one has several: the simplices are those of no triangulation.
-// There are fewer than 2^30 simplices, and `set` is called by several threads. Expected linear; 16 bytes
+// Throws if there are 2^30 simplices; `set` is called by several threads. Expected linear; 16 bytes
 // for each simplex, and 4 for each of the n vertices.
 template <std::size_t Corners, class Index, class Set>
 bool match_facets(const Corners_view<Index>& simplices, std::size_t n, const Set& set,

@@ -41,6 +41,10 @@ struct Request
 // and then by random rounds; or by these at once. Keeps a reference.
 std::unique_ptr<Order_source> order_of_core(const Order_request& request, Edge_source& edges);
 
+// What the compiler of the core does to operations on doubles, so that integers decide everything,
+// which is slow; null if nothing is known.
+const char* obstacle_of_core();
+
 // The Delaunay triangulation of the points, whose coordinates are finite. The numbers in it are
 // places in its order. Exact, with CGAL's symbolic perturbation. Expected O(n log n) for n points
 // on surfaces like those measured, the order included; no more than what the budgets allow and an

@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/apex_of_plane.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
@@ -90,6 +91,11 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE std::unique_ptr<Order_source>
 order_of_core(const Order_request& request, Edge_source& edges)
 {
   return std::make_unique<Order_of_core>(request, edges);
+}
+
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE const char* obstacle_of_core()
+{
+  return obstacle_of_compiler();
 }
 
 template <class Id, class Crew>

@@ -14,8 +14,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
-
-#include <boost/property_map/property_map.hpp>
+#include <CGAL/property_map.h>
 
 #include <array>
 #include <cstddef>
@@ -29,39 +28,30 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A point of doubles, from anything with coordinates [0], [1] and [2] that are numbers of C++, or a
-// point of any kernel.
-template <class Item>
-struct Coordinates_map
-{
-  using value_type = Exact_predicates_inexact_constructions_kernel::Point_3;
-  using key_type = Item;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-
-  friend value_type get(const Coordinates_map&, const Item& item)
-  {
-    return converted_point<value_type>(item);
-  }
-};
+using Point_of_doubles = Exact_predicates_inexact_constructions_kernel::Point_3;
 
 // The coordinates of a range of points, checked, as doubles; those of a
 // std::vector<std::array<double, 3>> stay where they are.
-template <class PointRange, class NamedParameters>
+template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
 class Read_coordinates final : public Point_source
 {
   using Item = typename std::iterator_traits<decltype(std::begin(
       std::declval<const PointRange&>()))>::value_type;
-  using Point = typename Coordinates_map<Item>::value_type;
+  using Point_map =
+      typename internal_np::Lookup_named_param_def<internal_np::point_t, NamedParameters,
+                                                   Identity_property_map<const Item>>::type;
   static constexpr bool stays =
       std::is_same<PointRange, std::vector<std::array<double, 3>>>::value &&
       !is_given<NamedParameters, internal_np::point_t>;
 
 public:
-  // Keeps references.
-  Read_coordinates(const PointRange& points, const NamedParameters& np)
+  // Keeps a reference to the points.
+  explicit Read_coordinates(const PointRange& points,
+                            const NamedParameters& np = parameters::default_values())
     : m_points(points)
-    , m_np(np)
+    , m_point_map(
+          parameters::choose_parameter(parameters::get_parameter(np, internal_np::point_map),
+                                       Identity_property_map<const Item>()))
     , m_size(std::size_t(std::distance(std::begin(points), std::end(points))))
   {
     read();
@@ -85,12 +75,10 @@ private:
   void read()
   {
     const Rounding_to_nearest rounding; // reading twice gives the same numbers
-    const auto point_map = parameters::choose_parameter(
-        parameters::get_parameter(m_np, internal_np::point_map), Coordinates_map<Item>());
     m_copy.reserve(stays ? 0 : 3 * m_size);
     std::size_t i = 0;
     for (const auto& item : m_points) {
-      const Point p = converted_point<Point>(get(point_map, item));
+      const auto p = converted_point<Point_of_doubles>(get(m_point_map, item));
       check_point(p, i++);
       if constexpr (!stays)
         m_copy.insert(m_copy.end(), {p.x(), p.y(), p.z()});
@@ -98,7 +86,7 @@ private:
   }
 
   const PointRange& m_points;
-  const NamedParameters& m_np;
+  const Point_map m_point_map;
   const std::size_t m_size;
   Large_vector<double> m_copy;
 };

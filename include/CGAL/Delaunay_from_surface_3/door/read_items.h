@@ -63,20 +63,11 @@ using Category_of_iterator = typename std::iterator_traits<Iterator>::iterator_c
 template <class Iterator>
 constexpr bool is_iterator = is_detected<Category_of_iterator, Iterator>;
 
-// Reserves room for all items, if their number is known.
-template <class T, class Range>
-void reserve_for(const Range& items, std::vector<T>& into)
-{
-  using Iterator = decltype(std::begin(items));
-  using Category = typename std::iterator_traits<Iterator>::iterator_category;
-  if constexpr (std::is_convertible<Category, std::forward_iterator_tag>::value)
-    into.reserve(std::size_t(std::distance(std::begin(items), std::end(items))));
-}
-
 // The points of a range, checked, and the infos that came with them. A range is read once.
 template <class Triangulation, class Range, class NamedParameters>
 class Read_items
 {
+  using Point = typename Triangulation::Point;
   using Item =
       typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::value_type;
   static constexpr bool has_infos =
@@ -90,16 +81,15 @@ class Read_items
 public:
   Read_items(const Range& items, const NamedParameters& np)
   {
-    reserve_for(items, m_points);
     if constexpr (has_infos)
       read_pairs(items);
     else
-      read_points(
+      m_points = read_points<Point>(
           items, parameters::choose_parameter(parameters::get_parameter(np, internal_np::point_map),
                                               Identity_property_map<const Item>()));
   }
 
-  const std::vector<typename Triangulation::Point>& points() const { return m_points; }
+  const std::vector<Point>& points() const { return m_points; }
 
   // By the index of the point.
   auto infos() const
@@ -113,16 +103,10 @@ public:
 private:
   using Infos = Infos_in_order<typename std::vector<typename Read::Info>::const_iterator>;
 
-  template <class PointMap>
-  void read_points(const Range& items, const PointMap& point_map)
-  {
-    for (auto&& item : items)
-      append_checked(get(point_map, item), m_points);
-  }
-
   void read_pairs(const Range& items)
   {
     if constexpr (check_infos<typename Triangulation::Vertex, Infos>()) {
+      reserve_for(items, m_points);
       reserve_for(items, m_infos);
       for (auto&& item : items) {
         append_checked(Read::point(item), m_points);
@@ -131,7 +115,7 @@ private:
     }
   }
 
-  std::vector<typename Triangulation::Point> m_points;
+  std::vector<Point> m_points;
   std::vector<typename Read::Info> m_infos;
 };
 

@@ -112,13 +112,23 @@ void append_checked(const SourcePoint& p, std::vector<Point>& points)
   check_point(points.back(), points.size() - 1);
 }
 
-// The points of `items`, converted and checked.
+// Reserves room for all items, if their number is known.
+template <class T, class Range>
+void reserve_for(const Range& items, std::vector<T>& into)
+{
+  using Iterator = decltype(std::begin(items));
+  using Category = typename std::iterator_traits<Iterator>::iterator_category;
+  if constexpr (std::is_convertible<Category, std::forward_iterator_tag>::value)
+    into.reserve(std::size_t(std::distance(std::begin(items), std::end(items))));
+}
+
+// The points of `items`, converted and checked. A range is read once.
 template <class Point, class Range, class PointMap>
-std::vector<Point> read_points(const Range& items, PointMap point_map)
+std::vector<Point> read_points(const Range& items, const PointMap& point_map)
 {
   std::vector<Point> points;
-  points.reserve(std::size_t(std::distance(std::begin(items), std::end(items))));
-  for (const auto& item : items)
+  reserve_for(items, points);
+  for (auto&& item : items)
     append_checked(get(point_map, item), points);
   return points;
 }

@@ -9,16 +9,14 @@
 //
 // Invariant: as that of Winding_tree.
 
+#include <CGAL/Delaunay_from_surface_3/inside/Box_3d.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -26,28 +24,6 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-struct Box_3d
-{
-  Vector_3d low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-                   std::numeric_limits<double>::infinity()};
-  Vector_3d high = {-low[0], -low[0], -low[0]};
-
-  void add(const Vector_3d& p)
-  {
-    for (std::size_t j = 0; j < 3; ++j) {
-      low[j] = (std::min)(low[j], p[j]);
-      high[j] = (std::max)(high[j], p[j]);
-    }
-  }
-  bool meets(const Box_3d& other) const
-  {
-    for (std::size_t j = 0; j < 3; ++j)
-      if (low[j] > other.high[j] || high[j] < other.low[j])
-        return false;
-    return true;
-  }
-};
 
 // A triangle that counts `number` times. The normal is as long as twice its area.
 struct Cutting_triangle
@@ -106,10 +82,7 @@ private:
       for (const Vector_3d& p : m_triangles[t].corners)
         box.add(p);
     if (last - first > leaf) {
-      std::size_t longest = 0;
-      for (std::size_t j = 1; j < 3; ++j)
-        if (box.high[j] - box.low[j] > box.high[longest] - box.low[longest])
-          longest = j;
+      const std::size_t longest = box.longest_side();
       const std::size_t middle = first + (last - first) / 2;
       const auto at = [&](std::size_t t) { return m_triangles.begin() + std::ptrdiff_t(t); };
       std::nth_element(at(first), at(middle), at(last), [&](const auto& s, const auto& t) {

@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_UNIT_FRAME_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_UNIT_FRAME_H
 
+#include <CGAL/Delaunay_from_surface_3/inside/Box_3d.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -31,18 +32,13 @@ public:
   {
     if (points.size() == 0)
       return;
-    Vector_3d low = vector_of(points[0]), high = low;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const Vector_3d p = vector_of(points[i]);
-      for (std::size_t j = 0; j < 3; ++j) {
-        low[j] = (std::min)(low[j], p[j]);
-        high[j] = (std::max)(high[j], p[j]);
-      }
-    }
+    Box_3d box;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      box.add(vector_of(points[i]));
     double half = 0;
     for (std::size_t j = 0; j < 3; ++j) {
-      m_half_middle[j] = low[j] / 4 + high[j] / 4; // halves do not overflow
-      half = (std::max)(half, high[j] / 2 - low[j] / 2);
+      m_half_middle[j] = box.low[j] / 4 + box.high[j] / 4; // halves do not overflow
+      half = (std::max)(half, box.high[j] / 2 - box.low[j] / 2);
     }
     int exponent = 0;
     std::frexp(half, &exponent);

@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -28,25 +29,36 @@ struct Winding_field
   Winding_tree tree;
 };
 
-// The triangles of faces, polygons as fans, in the frame.
+// Calls visit(i, j, k) with the points of the triangles of faces; a polygon is a fan at its first
+// point. Throws Surface_input_error if a face has an index that is not less than n.
+template <class FaceRange, class Visit>
+void for_each_triangle(const FaceRange& faces, std::size_t n, const Visit& visit)
+{
+  std::size_t f = 0;
+  for (const auto& face : faces) {
+    check_face(face, f++, n);
+    std::array<std::size_t, 3> triangle = {0, 0, 0};
+    std::size_t k = 0;
+    for (const auto& index : face) {
+      triangle[k < 2 ? k : 2] = std::size_t(index);
+      if (++k > 2) {
+        visit(triangle[0], triangle[1], triangle[2]);
+        triangle[1] = triangle[2];
+      }
+    }
+  }
+}
+
+// The triangles of faces in the frame.
 template <class FaceRange>
 std::vector<Triangle_3d> triangles_in(const Unit_frame& frame, const FaceRange& faces,
                                       const Point_array& points)
 {
   std::vector<Triangle_3d> triangles;
-  std::size_t f = 0;
-  for (const auto& face : faces) {
-    check_face(face, f++, points.size());
-    Triangle_3d triangle;
-    std::size_t k = 0;
-    for (const auto& index : face) {
-      triangle[k < 2 ? k : 2] = frame(vector_of(points[std::size_t(index)]));
-      if (++k > 2) {
-        triangles.push_back(triangle);
-        triangle[1] = triangle[2];
-      }
-    }
-  }
+  const auto at = [&](std::size_t i) { return frame(vector_of(points[i])); };
+  for_each_triangle(faces, points.size(), [&](std::size_t i, std::size_t j, std::size_t k) {
+    triangles.push_back({at(i), at(j), at(k)});
+  });
   return triangles;
 }
 

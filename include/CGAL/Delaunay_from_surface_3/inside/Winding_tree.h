@@ -12,6 +12,7 @@
 // Invariant: the clusters stand in preorder, each before its two halves; `next` leads past these.
 // Cost: O(n log n) for n triangles; a query O(log n) clusters where these are spread evenly.
 
+#include <CGAL/Delaunay_from_surface_3/inside/Box_3d.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -21,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -57,7 +57,9 @@ public:
       return;
     m_clusters.reserve(4 * m_triangles.size() / m_leaf + 1);
     build(0, m_triangles.size());
-    m_horizon = std::sqrt(m_clusters.front().area / (four_pi * least));
+    // No number shows less than `faint`; much farther away powers of the distance would overflow.
+    constexpr double faint = 1e-30;
+    m_horizon = std::sqrt(m_clusters.front().area / (four_pi * (std::max)(least, faint)));
   }
 
   static constexpr std::size_t most = 16; // queries at a time
@@ -142,19 +144,10 @@ private:
   // By the longest side of the box of the centres.
   void split(std::size_t first, std::size_t middle, std::size_t last)
   {
-    std::size_t longest = 0;
-    double length = -1;
-    for (std::size_t j = 0; j < 3; ++j) {
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-      for (std::size_t t = first; t < last; ++t) {
-        low = (std::min)(low, sum(m_triangles[t], j));
-        high = (std::max)(high, sum(m_triangles[t], j));
-      }
-      if (high - low > length) {
-        length = high - low;
-        longest = j;
-      }
-    }
+    Box_3d sums;
+    for (std::size_t t = first; t < last; ++t)
+      sums.add({sum(m_triangles[t], 0), sum(m_triangles[t], 1), sum(m_triangles[t], 2)});
+    const std::size_t longest = sums.longest_side();
     const auto at = [&](std::size_t t) { return m_triangles.begin() + std::ptrdiff_t(t); };
     std::nth_element(at(first), at(middle), at(last), [&](const auto& s, const auto& t) {
       return sum(s, longest) < sum(t, longest);

@@ -101,21 +101,20 @@ struct Tetrahedra
   }
 };
 
-// Of these tetrahedra, in an order in which successive ones are near each other.
+// Those of all tetrahedra, in an order in which successive ones are near each other.
 template <class Cells>
-void find_numbers(const Winding_tree& tree, const Cells& cells,
-                  const std::vector<std::uint32_t>& asked, double* numbers,
+void find_numbers(const Winding_tree& tree, const Cells& cells, double* numbers,
                   const Executor& executor)
 {
   constexpr std::size_t most = Winding_tree::most;
   std::vector<double> centers;
-  centers.reserve(3 * asked.size());
-  for (const std::uint32_t c : asked) {
+  centers.reserve(3 * cells.number);
+  for (std::size_t c = 0; c < cells.number; ++c) {
     const Vector_3d x = cells.center(c);
     centers.insert(centers.end(), x.begin(), x.end());
   }
-  const Point_array queries(centers.data(), asked.size());
-  std::vector<std::size_t> order(asked.size());
+  const Point_array queries(centers.data(), cells.number);
+  std::vector<std::size_t> order(cells.number);
   std::iota(order.begin(), order.end(), std::size_t(0));
   Sort_by_halves()(queries, order.data(), order.data() + order.size());
   const std::size_t groups = (order.size() + most - 1) / most;
@@ -130,12 +129,12 @@ void find_numbers(const Winding_tree& tree, const Cells& cells,
                        q[i] = vector_of(queries[order[k + i]]);
                      tree(q, n, found);
                      for (std::size_t i = 0; i < n; ++i)
-                       numbers[asked[order[k + i]]] = found[i];
+                       numbers[order[k + i]] = found[i];
                    }
                  });
 }
 
-// Those of all: the number of the surface less that of the triangles that close it is a whole one.
+// The same by regions: the number of the surface less that of the triangles that close it is a whole one.
 template <class Cells, class Ask>
 void find_numbers_by_regions(const Cells& cells, const std::vector<Corners>& triangles,
                              const std::vector<Triangle_3d>& closing, const Ask& ask,
@@ -157,26 +156,17 @@ void find_numbers_by_regions(const Cells& cells, const std::vector<Corners>& tri
                  });
 }
 
-// The triangles of faces, polygons as fans, by their vertices; not those with a vertex twice.
-// Throws if a face has an index that is not less than n.
+// The triangles of faces on n points by their vertices; not those with a vertex twice.
 template <class FaceRange, class VertexOf>
 std::vector<Corners> corners_of(const FaceRange& faces, std::size_t n, const VertexOf& vertex_of)
 {
   std::vector<Corners> triangles;
-  std::size_t f = 0;
-  for (const auto& face : faces) {
-    check_face(face, f++, n);
-    Corners corners = {0, 0, 0};
-    std::size_t k = 0;
-    for (const auto& index : face) {
-      corners[k < 2 ? k : 2] = std::uint32_t(vertex_of(std::size_t(index)));
-      if (++k > 2) {
-        if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
-          triangles.push_back(corners);
-        corners[1] = corners[2];
-      }
-    }
-  }
+  const auto at = [&](std::size_t i) { return std::uint32_t(vertex_of(i)); };
+  for_each_triangle(faces, n, [&](std::size_t i, std::size_t j, std::size_t k) {
+    const Corners t = {at(i), at(j), at(k)};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+      triangles.push_back(t);
+  });
   return triangles;
 }
 
@@ -230,9 +220,7 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
     find_numbers_by_regions(cells, triangles, closing, ask, inside.winding_numbers.data(),
                             executor);
   } else {
-    std::vector<std::uint32_t> all(m);
-    std::iota(all.begin(), all.end(), std::uint32_t(0));
-    find_numbers(tree_of_all(), cells, all, inside.winding_numbers.data(), executor);
+    find_numbers(tree_of_all(), cells, inside.winding_numbers.data(), executor);
   }
 
   double area = 0, share_of_largest = 0;

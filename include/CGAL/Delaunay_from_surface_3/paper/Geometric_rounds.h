@@ -8,14 +8,9 @@
 // The public face of core/order/geometric_rounds.h.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/geometric_round_ends.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/rounded_coordinates.h>
-#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/paper/order_by_core.h>
 
 #include <CGAL/assertions.h>
 
@@ -65,11 +60,7 @@ public:
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&, const Graph&,
                              VertexIndexMap) const
   {
-    const auto coordinates = internal::rounded_coordinates(points);
-    const internal::Point_array array(coordinates.data(), points.size());
-    internal::Given_edges none;
-    return internal::copy_of(
-        internal::order_of_core(order_request(), none)->make(array, internal::Alone()));
+    return internal::order_by_core(points, order_request());
   }
 
   /// returns …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n; nothing for n = 0.

@@ -8,14 +8,11 @@
 // The public face of core/order/surface_net_rounds.h.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Edges_of_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/rounded_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/paper/order_by_core.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
 #include <cstddef>
 #include <vector>
@@ -100,10 +97,7 @@ public:
                              const internal::Executor& executor = internal::Alone()) const
   {
     internal::Edges_of_graph<Graph, VertexIndexMap> edges(graph, index_map, points.size());
-    const auto coordinates = internal::rounded_coordinates(points);
-    const internal::Point_array array(coordinates.data(), points.size());
-    return internal::copy_of(
-        internal::order_of_core(order_request(), edges)->make(array, executor));
+    return internal::order_by_core(points, order_request(), edges, executor);
   }
 
   /// returns the plan that serves when the budget is exceeded: the bound of \cgalCite{acr-icbr-03}

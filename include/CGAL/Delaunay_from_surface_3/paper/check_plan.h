@@ -20,7 +20,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A user's plan may be wrong; an insertion by it would lose points or read out of bounds.
 
-inline void refuse_plan(const std::string& what)
+[[noreturn]] inline void refuse_plan(const std::string& what)
 {
   throw std::invalid_argument("insertion plan: " + what);
 }

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -170,11 +172,16 @@ void place_items(const Items& items, Index* places, Index* all)
   }
 }
 
-// All items of these blocks.
+// All items of these blocks. Throws if an Index cannot number them.
 template <class Index, class Items>
 Lists<Index> in_lists(std::size_t n, const std::vector<Items>& blocks,
                       const Executor& executor = Alone())
 {
+  std::size_t size = 0;
+  for (const Items& block : blocks)
+    size += block.size();
+  if (size > (std::numeric_limits<Index>::max)())
+    throw std::length_error("lists have more items than an index can number");
   Sort_into_lists<Index> sort(n, blocks.size(), executor);
   sort.count([&](std::size_t b, Index* numbers) {
     for (std::size_t k = 0; k < blocks[b].size(); ++k)

@@ -11,6 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/assertions.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -80,6 +81,7 @@ public:
       forest.push_back(internal::measured_edge(std::size_t(get(index_map, source(*e, graph))),
                                                std::size_t(get(index_map, target(*e, graph))),
                                                all.size()));
+      CGAL_precondition(forest.back().ends[1] < points.size());
       all.push_back(*e);
     }
     internal::keep_minimum_spanning_forest(forest, points, typename Kernel_traits<Point>::Kernel());
