@@ -80,7 +80,8 @@ def seeds():
         ("off", text(["OFF", counts, *points, *faces]).replace(b"\n", b"\r")),
         ("obj", text(["v " + p for p in points])), ("xyz", text(["# comment", *(p + " 0 0 1" for p in points)])),
         ("pts", text([str(len(POINTS)), *(p + " -1200 255 0 0" for p in points), "2", *points[:2]])),
-        ("stl", stl_text()),
+        ("stl", stl_text()), ("stl", b"\xef\xbb\xbf" + stl_text().replace(b"\n", b" ")),
+        ("off", text(["OFF" + counts, *points, *(f.replace(" ", "\n") for f in faces)])),
         ("stl", b"binary".ljust(80) + struct.pack("<I", len(FACES)) + triangles)]
 
 

@@ -174,6 +174,35 @@ class Surfaces(ProgramCase):
         self.write("points.pts", "3", *corners)
         self.works("points.pts", notes=alone)
 
+    def test_texts_of_stl(self):
+        """In capital letters, behind a mark of UTF-8, a tab or nothing: CGAL's reader took some for binary first and kept
+        the points that it found so. A binary file may begin as a text does, and have more behind it."""
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        triangles = [[corners[i] for i in f] for f in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))]
+        facets = ["\tfacet normal nan 0 0\n\t\touter loop\n" + "".join(f"\t\t\tvertex {x} {y} {z:.1e}\n" for x, y, z in t)
+                  + "\t\tendloop\n\tendfacet\n" for t in triangles]
+        text = "solid\ta loop of facets\n" + "".join(facets) + "endsolid a\n"
+        binary = b"solid " + bytes(74) + struct.pack("<I", 4) + b"".join(
+            struct.pack("<12fH", *3 * [float("nan")], *(x for p in t for x in p), 0) for t in triangles)
+        for content in (text, text.upper(), "\ufeff" + text, text.replace("\n", "\r\n"), text.replace("\n", "\r"),
+                        text.replace("\n", " "), text.replace("nan 0 0", "1 0"), "\n \n" + text, "made by hand\n" + text,
+                        "\n".join(f"solid {k}\n{f}endsolid" for k, f in enumerate(facets)), binary, binary + b"more"):
+            with self.subTest(content[:40]):
+                self.write("part.stl", content if isinstance(content, bytes) else content.encode())
+                self.works("part.stl", "--output", "part.mesh", prints=[
+                    r"\nsurface: +triangle mesh\n", r"\nsurface vertices: +4\n", r"\nsurface faces: +4\n"])
+        for message, content in (
+                ("it is cut short: the keyword endsolid is missing", text[:-len("endsolid a\n")]),
+                ("line 8: 'facet' stands where endfacet should", text.replace("\tendfacet\n", "", 1)),
+                ("line 6: 'endloop' stands where vertex should", text.replace("\t\t\tvertex 1 0 0.0e+00\n", "", 1)),
+                ("line 7: 'vertex' stands where endloop should", text.replace("\t\tendloop", "\t\t\tvertex 1 1 1\n\t\tendloop", 1)),
+                ("triangle 1: a coordinate is not a finite number", text.replace("1.0e+00", "nan")),
+                ("line 4: the file ends too early", text[:75]),
+                ("it is damaged, cut short or in another format", binary.replace(b"solid ", b"binary")[:-1])):
+            with self.subTest(message):
+                self.write("part.stl", content if isinstance(content, bytes) else content.encode())
+                self.refuses(r"part.stl: cannot be read as .stl: (line \d+: )?" + message, "part.stl")
+
     def test_collapsed_triangles(self):
         """Rounding has put two corners of a triangle at one point, and all three of another."""
         corners = {"1": "0 0 0", "2": "1 0 0", "3": "0 1 0", "4": "0 0 1"}
@@ -224,8 +253,12 @@ class Surfaces(ProgramCase):
             vertices = [struct.pack(order + "Bffd", 1, *map(float, p.split())) for p in PLY_CORNERS]
             faces = [struct.pack(order + "H3I", 3, *f) for f in ((0, 2, 1), (0, 1, 3))]
             self.write(f"{name}.ply", header.encode() + b"".join(vertices + faces) + struct.pack(order + "i2f", 2, 0, 0))
+        # What other programs write: faces over several lines, no blank behind the keyword, carriage returns alone.
+        self.write("lines.off", "OFF4 2 0", *PLY_CORNERS, "3 0", "2 ", "1", "3", "0 1 3 255 0 0")
+        header, content = (self.folder / "little.ply").read_bytes().split(b"end_header\n")
+        self.write("mac.ply", header.replace(b"\n", b"\r") + b"end_header\r" + content)
         for name in ("tetrahedron.obj", "ascii.PLY", "tetrahedron.stl", "colors.off", "homogeneous.off", "little.ply",
-                     "big.ply"):
+                     "big.ply", "lines.off", "mac.ply"):
             with self.subTest(name):
                 self.works(name, "--compare", "--output", "tetrahedron.mesh", prints=[
                     r"\nsurface: +triangle mesh\n", r"\nvertices: +4\n", r"\nfinite cells: +1\n", r"\nequal: +yes\n"])
@@ -548,6 +581,7 @@ class Refusals(ProgramCase):
                 ("negative.off", "line 2: '-1' is not the number of vertices", "OFF", "-1 0 0"),
                 ("flat.off", "line 3: a vertex has too few coordinates", "OFF", "1 0 0", "0 0"),
                 ("colors.off", "line 3: 'x' is not a number", "COFF", "1 0 0", "0 0 x"),
+                ("corner.off", "line 7: a face has too few vertices", "OFF", "4 3 0", *PLY_CORNERS, "3 0 1", "3 0 1 2", "3 0 1 2"),
                 ("index.off", "face 0: it has a vertex that is not one of the 1", "OFF", "1 1 0", "0 0 0", "3 0 -1 0"),
                 ("property.ply", "line 3: a property comes before the first element", "ply", "format ascii 1.0",
                  "property int x", "element vertex 1", "end_header", "0 0 0"),
@@ -571,6 +605,8 @@ class Refusals(ProgramCase):
                 ("words.obj", "there are no vertices in it", "once upon a time"),
                 ("short.obj", "line 2: a vertex has too few coordinates", "# c", "v 1 2"),
                 ("words.xyz", "line 2: 'b' is not a number", "1 2 3", "1 b 3"),
+                ("zeros.xyz", "line 1: 'a??b' is not a number", b"a\0\1b 1 2\n"),
+                ("wide.obj", "it is in UTF-16", "\ufeffv 1 2 3\n".encode("utf-16-le")),
                 ("commas.xyz", "line 1: '1,2,3' is not a number: blanks separate numbers", "1,2,3"),
                 ("short.pts", "line 2: a vertex has too few coordinates", "1", "1 2"),
                 ("count.pts", "there are no vertices in it", big),

@@ -113,6 +113,19 @@ BOOST_AUTO_TEST_CASE(flat_sheets)
     BOOST_TEST((open.by_stages < .1 || !has_integers));
 }
 
+// (t, t^2, t^3), where every two points are joined: integers of few bits would decide nearly all tests,
+// and columns do so in less time.
+BOOST_AUTO_TEST_CASE(moment_curve_of_integers)
+{
+  surfaces::Indexed_surface surface;
+  for (double t = -250; t < 250; ++t)
+    surface.points.emplace_back(t, t * t, t * t * t);
+  for (std::size_t i = 0; i + 2 < surface.points.size(); ++i)
+    surface.faces.push_back({i, i + 1, i + 2});
+  for (const Left_open& open : insert_and_compare(surface))
+    BOOST_TEST((open.by_filters < 100 || !has_integers)); // of 750 sphere tests
+}
+
 // Flat boxes next to others, along each axis: what is asked first in the one is of no use in the
 // other.
 BOOST_AUTO_TEST_CASE(sheets_beside_a_sphere)

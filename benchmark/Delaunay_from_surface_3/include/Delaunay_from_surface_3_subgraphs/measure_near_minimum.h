@@ -8,6 +8,8 @@
 // Trees of nearly minimum degree: on triangulations made to need a large degree or to mislead, on
 // the meshes of a folder, and what the exchanges cost.
 
+#include <Delaunay_from_surface_3_files/one_line.h>
+#include <Delaunay_from_surface_3_files/read_polygon_soup.h>
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
 #include <Delaunay_from_surface_3_triangle_lists/stacked_complete_graph.h>
@@ -21,7 +23,6 @@
 #include <CGAL/surface_of.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
 #include <nlohmann/json.hpp>
@@ -211,15 +212,19 @@ inline nlohmann::ordered_json time_stacked(int n, std::size_t vertices, std::siz
                            CGAL::surface_of(std::size_t(s.n), s.triangles), repetitions);
 }
 
-// What is found on the triangles of a file, or why they are refused. STL repeats points: they are
-// merged.
+// What is found on the triangles of a file, or why they are refused. Points that are repeated are
+// merged. CGAL's reader of .ply crashes on some files.
 inline nlohmann::ordered_json measure_near_minimum_file(const std::filesystem::path& path,
                                                         const std::string& name)
 {
-  std::vector<CGAL::Epick::Point_3> points;
-  std::vector<std::vector<std::size_t>> faces;
-  if (!CGAL::IO::read_polygon_soup(path.string(), points, faces))
-    return {{"file", name}, {"refused", "no polygon soup"}};
+  files::Polygon_soup soup;
+  try {
+    soup = files::read_polygon_soup(path.string());
+  } catch (const std::runtime_error& error) {
+    return {{"file", name}, {"refused", files::one_line(error.what())}};
+  }
+  auto& points = soup.points;
+  auto& faces = soup.faces;
   CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points, faces);
   const auto surface = CGAL::surface_of(points.size(), faces);
   std::vector<std::pair<std::size_t, std::size_t>> tree, near_minimum;

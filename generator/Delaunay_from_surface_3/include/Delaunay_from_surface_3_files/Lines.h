@@ -30,6 +30,8 @@ public:
   {
     if (m_rest.substr(0, 3) == "\xEF\xBB\xBF") // some editors put this before a text in UTF-8
       m_rest.remove_prefix(3);
+    if (m_rest.substr(0, 2) == "\xFF\xFE" || m_rest.substr(0, 2) == "\xFE\xFF")
+      throw Bad_content("it is in UTF-16, and only text in UTF-8 or ASCII is read");
   }
 
   // Goes to the next such line; returns whether there is one.

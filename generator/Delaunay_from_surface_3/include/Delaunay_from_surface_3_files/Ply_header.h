@@ -42,13 +42,15 @@ struct Ply_element
   std::vector<Ply_property> properties;
 };
 
-// The header of a file in the format PLY, line by line.
+// The header of a file in the format PLY, line by line. Lines end with a line feed or, if the first
+// one does, with a carriage return alone, as Rhinoceros writes them before binary content.
 class Ply_header
 {
 public:
   // Takes the header off the front of `text`.
   explicit Ply_header(std::string_view& text)
     : m_text(text)
+    , m_end(text.substr(0, 4) == "ply\r" && text.substr(4, 1) != "\n" ? '\r' : '\n')
   {
     try {
       if (next_line() != "ply")
@@ -68,7 +70,7 @@ public:
 private:
   std::string_view next_line()
   {
-    const std::size_t end = m_text.find('\n');
+    const std::size_t end = m_text.find(m_end);
     ++m_number;
     if (end == std::string_view::npos)
       throw Bad_content("the header has no end");
@@ -149,6 +151,7 @@ private:
   }
 
   std::string_view m_text, m_rest;
+  const char m_end; // of a line
   std::size_t m_number = 0;
   Ply_format m_format = Ply_format::ASCII;
   std::vector<Ply_element> m_elements;

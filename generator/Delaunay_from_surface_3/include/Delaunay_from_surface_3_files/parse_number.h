@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_PARSE_NUMBER_H
 
 #include <Delaunay_from_surface_3_files/Polygon_soup.h>
+#include <Delaunay_from_surface_3_files/one_line.h>
 
 #include <algorithm>
 #include <charconv>
@@ -20,10 +21,10 @@ namespace files {
 
 constexpr std::size_t no_index = std::size_t(-1);
 
-// For messages: what a file holds may be long.
+// For messages: what a file holds may be long, and a zero byte would end them.
 inline std::string excerpt(std::string_view word)
 {
-  return "'" + std::string(word.substr(0, 30)) + (word.size() > 30 ? "…'" : "'");
+  return "'" + one_line(std::string(word.substr(0, 30))) + (word.size() > 30 ? "…'" : "'");
 }
 
 // The next word of `text`, which is cut off there; empty at the end.

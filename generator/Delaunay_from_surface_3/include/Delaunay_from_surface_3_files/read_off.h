@@ -13,13 +13,15 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace files {
 
 // Reads text in the format OFF: Geomview's, a line for each vertex and each face. Colors, normals
-// and textures are passed over. CGAL's reader believes the numbers that it finds: it makes room
-// for as many vertices as the header and for as many corners as a face claims, and looks up colors
-// where a line has none.
+// and textures are passed over. The vertices of a face may go on in the next lines, and the keyword
+// may have no blank behind it, as in files of ModelNet. CGAL's reader believes the numbers that it
+// finds: it makes room for as many vertices as the header and for as many corners as a face claims,
+// and looks up colors where a line has none.
 class Off_reader
 {
 public:
@@ -32,7 +34,7 @@ public:
   try {
     const std::size_t room = m_lines.rest().size() / 2; // a number and a separator
     next_line();
-    read_keyword(std::string(m_lines.word()));
+    read_keyword(m_lines.word());
     const std::size_t vertices = parse_count(word_of_header(), room / 3 + 1, "vertices");
     const std::size_t faces = parse_count(word_of_header(), room + 1, "faces");
     Polygon_soup soup;
@@ -44,7 +46,9 @@ public:
       read_face(soup);
     return soup;
   } catch (const Bad_content& error) {
-    throw Bad_content(m_lines.place() + error.what());
+    throw Bad_content(m_first_break.empty()
+                          ? m_lines.place() + error.what()
+                          : m_first_break + "a face has too few vertices, also with what follows");
   }
 
 private:
@@ -55,11 +59,11 @@ private:
   }
 
   // [ST][C][N][4][n]OFF, where 4 stands for homogeneous coordinates.
-  void read_keyword(std::string keyword)
+  void read_keyword(std::string_view keyword)
   {
-    const auto skip = [&](const std::string& prefix) {
-      const bool found = keyword.compare(0, prefix.size(), prefix) == 0;
-      keyword.erase(0, found ? prefix.size() : 0);
+    const auto skip = [&](std::string_view prefix) {
+      const bool found = keyword.substr(0, prefix.size()) == prefix;
+      keyword.remove_prefix(found ? prefix.size() : 0);
       return found;
     };
     skip("ST");
@@ -67,8 +71,9 @@ private:
     skip("N");
     m_is_homogeneous = skip("4");
     const bool has_dimension = skip("n");
-    if (keyword != "OFF")
+    if (!skip("OFF") || (!keyword.empty() && !(keyword[0] >= '0' && keyword[0] <= '9')))
       throw Bad_content("the keyword OFF is missing");
+    m_behind_keyword = keyword;
     if (std::string_view rest = m_lines.line(); next_word(rest) == "BINARY")
       throw Bad_content("binary OFF is not read");
     if (has_dimension && word_of_header() != "3")
@@ -77,7 +82,10 @@ private:
 
   std::string_view word_of_header()
   {
-    std::string_view word = m_lines.word();
+    std::string_view word;
+    std::swap(word, m_behind_keyword);
+    if (word.empty())
+      word = m_lines.word();
     if (word.empty()) {
       next_line();
       word = m_lines.word();
@@ -104,17 +112,28 @@ private:
   void read_face(Polygon_soup& soup)
   {
     next_line();
-    const std::size_t room = m_lines.line().size() / 2;
+    const std::size_t room = (m_lines.line().size() + m_lines.rest().size()) / 2;
     soup.faces.emplace_back(parse_count(m_lines.word(), room, "vertices of a face"));
-    for (std::size_t& vertex : soup.faces.back()) {
-      const std::string_view word = m_lines.word();
-      if (word.empty())
-        throw Bad_content("a face has too few vertices");
-      vertex = parse_index(word);
+    for (std::size_t& vertex : soup.faces.back())
+      vertex = parse_index(word_of_face());
+  }
+
+  // Where a line is too short because something is missing, the file ends too early.
+  std::string_view word_of_face()
+  {
+    std::string_view word = m_lines.word();
+    if (word.empty()) {
+      if (m_first_break.empty())
+        m_first_break = m_lines.place();
+      next_line();
+      word = m_lines.word();
     }
+    return word;
   }
 
   Lines m_lines;
+  std::string_view m_behind_keyword; // if no blank separates them
+  std::string m_first_break;         // where the first face is that goes on in the next line
   bool m_is_homogeneous = false;
 };
 

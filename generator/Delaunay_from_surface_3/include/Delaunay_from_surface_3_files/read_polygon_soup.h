@@ -11,23 +11,14 @@
 #include <Delaunay_from_surface_3_files/read_off.h>
 #include <Delaunay_from_surface_3_files/read_ply.h>
 #include <Delaunay_from_surface_3_files/read_points.h>
+#include <Delaunay_from_surface_3_files/read_stl.h>
 
-#include <CGAL/IO/STL.h>
-
-#include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <new>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -73,53 +64,6 @@ inline std::string content_of(const std::string& file_name)
   return content;
 }
 
-// What CGAL's reader of .stl does not see. It takes a file that is too short for any triangle in
-// binary for one that is complete. It unites equal points, and takes one with NaN for equal to any
-// other: NaN would be gone after it. In text the reader refuses NaN, so only binary content is
-// looked at: 84 bytes of which the last four are the number of triangles, and 50 for each triangle.
-inline void check_stl(const std::string& content)
-{
-  std::uint32_t size = 0;
-  if (content.size() < 84) {
-    if (content.find("endsolid") == std::string::npos)
-      throw Bad_content("it is cut short");
-    return;
-  }
-  std::memcpy(&size, content.data() + 80, sizeof(size));
-  if (content.size() != 84 + 50 * std::size_t(size))
-    return;
-  std::array<float, 9> coordinates; // after a normal vector, which often is NaN and not used
-  for (std::size_t t = 0; t < size; ++t) {
-    std::memcpy(coordinates.data(), content.data() + 84 + 50 * t + 12, sizeof(coordinates));
-    if (!std::all_of(coordinates.begin(), coordinates.end(),
-                     [](float x) { return std::isfinite(x); }))
-      throw Bad_content("triangle " + std::to_string(t) + ": a coordinate is not a finite number");
-  }
-}
-
-// A triangle that the rounding to float has made a segment or a point, as it does with small ones far
-// from the origin, bounds nothing: without it a closed surface is closed again.
-inline void leave_out_collapsed(Polygon_soup& soup)
-{
-  const auto first = std::remove_if(soup.faces.begin(), soup.faces.end(), [](const auto& f) {
-    return f[0] == f[1] || f[1] == f[2] || f[2] == f[0];
-  });
-  soup.collapsed_triangles = std::size_t(soup.faces.end() - first);
-  soup.faces.erase(first, soup.faces.end());
-}
-
-// This reader of CGAL's keeps no more than it has read.
-inline Polygon_soup read_stl(const std::string& content)
-{
-  check_stl(content);
-  Polygon_soup soup;
-  std::istringstream stream(content);
-  if (!CGAL::IO::read_STL(stream, soup.points, soup.faces))
-    throw Bad_content("it is damaged, cut short or in another format");
-  leave_out_collapsed(soup);
-  return soup;
-}
-
 inline Polygon_soup soup_in(const std::string& content, const std::string& format)
 {
   if (format == "off")
@@ -128,7 +72,7 @@ inline Polygon_soup soup_in(const std::string& content, const std::string& forma
     return Ply_reader(content).read();
   if (format == "obj")
     return read_obj(content);
-  return format == "stl" ? read_stl(content) : read_points(content);
+  return format == "stl" ? Stl_reader(content).read() : read_points(content);
 }
 
 inline void check_indices(const Polygon_soup& soup)
@@ -159,12 +103,8 @@ inline Polygon_soup read_polygon_soup(const std::string& file_name, std::string 
       throw Bad_content("there are no vertices in it");
     check_indices(soup);
     return soup;
-  } catch (const std::bad_alloc&) {
-    throw;
   } catch (const Bad_content& error) {
     throw std::runtime_error(file_name + ": cannot be read as ." + format + ": " + error.what());
-  } catch (const std::exception&) { // from within CGAL's reader
-    throw std::runtime_error(file_name + ": cannot be read as ." + format);
   }
 }
 

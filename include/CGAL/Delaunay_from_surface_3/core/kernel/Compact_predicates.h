@@ -145,8 +145,16 @@ private:
                                                     : exact_sphere_sign(v, q, m_is_fused);
     ++m_counts.sphere_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
-    m_is_flat = exact.is_flat;
+    m_is_flat = exact.is_flat || (exact.stage <= ONE_DIGIT && !exact.is_perturbed &&
+                                  (m_is_flat || ++m_integer_signs % 32 == 0) && is_flat(cell, p));
     return exact.sign > 0;
+  }
+
+  // Coordinates of few bits are integers before columns are asked, which take less time. (Of sheets
+  // and curves such as (t, t^2, t^3); one test in 32 shows whether there are any.)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART bool is_flat(const Cell& cell, Id p) const
+  {
+    return column_sizes(cell, coordinates(p)).are_flat();
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_APART bool is_in_flat_sphere(const Cell& cell, Id p)
@@ -192,7 +200,8 @@ private:
   const Complex& m_complex;
   Insertion_counts& m_counts;
   const bool m_is_fused = has_fused_products();
-  bool m_is_flat = false; // whether columns decided the last sphere test that integers left open
+  bool m_is_flat = false;       // whether columns decided, or might have, the last test left open
+  unsigned m_integer_signs = 0; // tests that integers of few bits decided
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
