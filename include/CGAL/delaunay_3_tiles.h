@@ -27,7 +27,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 \ingroup PkgDelaunayFromSurface3Tiles
 
 is an engine of `delaunay_3_tiles()`: all tiles are in memory. It is constructed from the number of
-its threads.
+its threads. Where there are fewer tiles to make than threads, several insert the points of one;
+then the order of its cells depends on chance.
 */
 using Tiles_here_3 = Delaunay_from_surface_3::internal::Tiles_here;
 
@@ -35,8 +36,9 @@ using Tiles_here_3 = Delaunay_from_surface_3::internal::Tiles_here;
 \ingroup PkgDelaunayFromSurface3Tiles
 
 is an engine of `delaunay_3_tiles()`, out of core: what tiles keep is in files, and one tile for
-each thread in memory. It is constructed from a folder and the number of its threads. A process may
-be killed at any moment; the next call goes on where it was. The folder is made if need be.
+each thread in memory. It is constructed from a folder and the number of its threads, which share
+tiles as those of `Tiles_here_3` do. A process may be killed at any moment; the next call goes on
+where it was. The folder is made if need be.
 */
 using Tiles_in_files_3 = Delaunay_from_surface_3::internal::Tiles_in_files;
 

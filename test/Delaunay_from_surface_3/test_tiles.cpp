@@ -279,6 +279,75 @@ BOOST_AUTO_TEST_CASE(mutations_of_the_protocol)
     BOOST_TEST(wrong[m] > 3, "mutation " << m << ": " << wrong[m]);
 }
 
+namespace {
+
+// By tile: the ids of its vertices, in their order.
+std::vector<std::vector<std::uint64_t>> vertices_of(const core::Tiles_here& engine)
+{
+  std::vector<std::vector<std::uint64_t>> ids;
+  for (const auto& tile : engine.tiles()) {
+    ids.emplace_back();
+    for (std::size_t v = 0; v < tile->triangulation().vertices_end(); ++v)
+      ids.back().push_back(tile->triangulation().id(std::uint32_t(v)));
+  }
+  return ids;
+}
+
+// Two layers of a grid, which kd leaves cut into flat ones, and points that are there two times and
+// more.
+Points layers_with_equal_points(std::size_t n, std::mt19937& random)
+{
+  Points points;
+  for (std::size_t i = 0; i < n; ++i)
+    points.push_back({double(i % 2) * 1000, double(i / 2 % 150), double(i / 300)});
+  for (std::size_t i = 0; i < n / 10; ++i)
+    points.push_back(points[random() % (n / 20)]);
+  std::shuffle(points.begin(), points.end(), random);
+  return points;
+}
+
+} // namespace
+
+// Whatever the number of threads, a tile has the same vertices with the same numbers, and the same
+// cells.
+BOOST_AUTO_TEST_CASE(threads_that_share_a_tile)
+{
+  std::mt19937 random(3);
+  for (const Points& points :
+       {points_of(tests::ordinary_surfaces(25000)[1]), layers_with_equal_points(25000, random)}) {
+    const Cells expected = cells_of(CGAL::delaunay_3_arrays(points));
+    for (const std::uint32_t tiles : {1u, 2u}) {
+      std::vector<std::vector<std::uint64_t>> vertices;
+      for (const std::size_t threads : {1, 2, 4})
+        BOOST_TEST_CONTEXT(tiles << " tiles, " << threads << " threads")
+        {
+          core::Tiles_here engine(threads);
+          engine.begin(source_of(points), options_of(tiles));
+          BOOST_TEST(run_to_rest(engine).is_certified);
+          BOOST_TEST((cells_of(engine) == expected));
+          if (threads == 1)
+            vertices = vertices_of(engine);
+          BOOST_TEST((vertices_of(engine) == vertices));
+        }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(threads_by_task)
+{
+  BOOST_TEST(core::threads_of_task(0, 1, 99) == 64u); // there are no more workers
+  for (const std::size_t threads : {1, 2, 3, 8})
+    for (const std::size_t n : {1, 2, 3, 5, 8, 13}) {
+      std::size_t last = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t of_task = core::threads_of_task(k, n, threads);
+        BOOST_TEST((k < n - n % threads ? of_task == 1 : of_task >= 1));
+        last += k < n - n % threads ? 0 : of_task;
+      }
+      BOOST_TEST(last == (n % threads == 0 ? 0 : threads));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_told_and_kept)
 {
   // On a surface a tile keeps its own points, and about as many again of others'.

@@ -20,6 +20,7 @@
 // Cost: that of the insertions; each telling looks at the cells made since the one before.
 
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_news.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
@@ -32,7 +33,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -49,11 +49,10 @@ public:
   using Id = Tile_triangulation::Id;
   using Cell = Tile_triangulation::Cell;
 
-  // Of the points that are the tile's own, as it was in a state. Keeps a reference to what all
-  // know. If more than `limit` points are kept, Tile_too_large is thrown.
+  // Of the points that are the tile's own, as it was in a state; all workers insert them. Keeps a
+  // reference to what all know. If more than `limit` points are kept, Tile_too_large is thrown.
   Delaunay_tile(const Tiling& tiling, std::uint32_t number, std::vector<Tile_point> own,
-                Tile_state state = {},
-                std::size_t limit = (std::numeric_limits<std::size_t>::max)())
+                Tile_state state, std::size_t limit, const Executor& executor)
     : m_tiling(tiling)
     , m_number(number)
     , m_limit(limit)
@@ -68,13 +67,13 @@ public:
       throw too_large(limit);
     const bool is_new = state.kept.empty() && m_known.empty();
     state = {};
-    insert(
-        std::move(own), [] { return true; },
-        [&](Id, std::uint64_t p, std::uint64_t q) {
-          if (p != q)
-            m_equal.push_back({(std::max)(p, q), (std::min)(p, q)});
-          return true;
-        });
+    const auto note_equal = [&](Id, std::uint64_t p, std::uint64_t q) {
+      if (p != q)
+        m_equal.push_back({(std::max)(p, q), (std::min)(p, q)});
+      return true;
+    };
+    or_too_large(
+        [&] { m_triangulation.insert_first(std::move(own), number, executor, note_equal); });
     m_first_untold = is_new ? 0 : m_triangulation.vertices_end();
   }
 
@@ -93,9 +92,10 @@ public:
   {
     const bool is_first = m_first_untold == 0;
     note_known(news.offers);
-    insert(
-        std::move(news.offers), [&] { return wants(); },
-        [](Id, std::uint64_t, std::uint64_t) { return true; });
+    or_too_large([&] {
+      m_triangulation.insert(
+          std::move(news.offers), m_number, [&] { return wants(); }, [](auto...) { return true; });
+    });
     std::vector<Tile_message> messages = tell(is_first);
     answer(news.questions, messages);
     return messages;
@@ -128,11 +128,11 @@ public:
   }
 
 private:
-  template <class Wants, class Equal>
-  void insert(std::vector<Tile_point>&& points, const Wants& wants, const Equal& equal)
+  template <class Insert>
+  void or_too_large(const Insert& insert)
   {
     try {
-      m_triangulation.insert(std::move(points), m_number, wants, equal);
+      insert();
     } catch (const Too_few_ids&) { // for cells: a hub has many
       throw too_large((std::min)(m_limit, number_of_points_kept()));
     }

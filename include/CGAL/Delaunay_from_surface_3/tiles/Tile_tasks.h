@@ -6,8 +6,9 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_TASKS_H
 
 // The tasks of a run in a folder: what each reads and writes. The same is written whenever it is
-// done.
+// done, but for the order of a tile's cells if several threads make it.
 
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
@@ -37,7 +38,8 @@ struct Tile_tasks
   const Tile_folder& folder;
   const Tile_source_3& source;
   const Tiles_input& input;
-  std::size_t limit; // how many points a tile may keep
+  std::size_t limit;   // how many points a tile may keep
+  std::size_t threads; // for one task
 
   std::size_t number_of_ranges() const
   {
@@ -91,7 +93,7 @@ struct Tile_tasks
     const std::vector<std::uint32_t> partners = partners_of(t, shown);
     if (round > 0 && news.empty() && partners.empty()) // nothing is new
       return folder.write_state(t, round, state);
-    Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit);
+    Delaunay_tile tile = make_tile(t, tiling, std::move(state));
     std::vector<Tile_message> messages = tile.absorb(std::move(news));
     for (Tile_message& message : tile.witnesses(partners))
       messages.push_back(std::move(message));
@@ -105,7 +107,7 @@ struct Tile_tasks
   void finish_tile(std::uint32_t t, const Tiling& tiling, const Closed_round& last) const
   {
     Tile_state state{folder.read_state(t, last.last_rounds[t]).kept, {}, {}}; // nothing is told now
-    const Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit);
+    const Delaunay_tile tile = make_tile(t, tiling, std::move(state));
     folder.write_piece(Piece_of_tile(tile));
     folder.write_certificate(certificate_of(tile, last.seed, input.compares_cells != 0));
   }
@@ -118,6 +120,12 @@ private:
   Sampling sampling() const
   {
     return Sampling(input.points, input.tiles, std::size_t(input.sample_share));
+  }
+
+  Delaunay_tile make_tile(std::uint32_t t, const Tiling& tiling, Tile_state&& state) const
+  {
+    return Delaunay_tile(tiling, t, own_points(t), std::move(state), limit,
+                         Thread_executor(threads));
   }
 
   std::vector<Tile_point> own_points(std::uint32_t t) const

@@ -8,15 +8,18 @@
 // The triangulation that a tile has: its own points, and those of others that it keeps. Beside the
 // complex there are 12 bytes for a vertex, since coordinates are those of the complex.
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Power_of_scale.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/insert_by_threads.h>
 
 #include <algorithm>
 #include <array>
@@ -59,6 +62,23 @@ public:
   }
   Tile_triangulation(const Tile_triangulation&) = delete;
 
+  // Inserts points that are wanted whatever they touch, before any others: by all workers, or as
+  // insert() does. The vertices are the same then, and the cells, but in another order.
+  template <class Equal>
+  void insert_first(std::vector<Tile_point> points, unsigned int seed, const Executor& executor,
+                    const Equal& equal)
+  {
+    if (executor.number_of_workers() == 1 || points.size() < least_points_for_threads)
+      return insert(
+          std::move(points), seed, [] { return true; }, equal);
+    Insertion_order order = order_of(points, seed);
+    add_vertices(points, order.order);
+    const std::size_t before = std::exchange(m_vertices_end, m_ids.size()) - 1;
+    std::vector<Tile_point>().swap(points);
+    std::vector<std::size_t>().swap(order.order);
+    merge_equal_points(insert_by_threads(m_complex, before, order.round_ends, executor), equal);
+  }
+
   // Inserts those that wants() when the zone of conflict is dug, in random rounds, each sorted by
   // halves, and each point from the one before. If p has the place of vertex v, equal(v, id of p,
   // id of v) says whether the smaller id is that of v then.
@@ -66,7 +86,7 @@ public:
   void insert(std::vector<Tile_point> points, unsigned int seed, const Wants& wants,
               const Equal& equal)
   {
-    add_vertices(points, order_of(points, seed));
+    add_vertices(points, order_of(points, seed).order);
     std::vector<Tile_point>().swap(points);
     const std::size_t end = m_ids.size();
     for (std::size_t v = m_vertices_end; v < end; ++v) {
@@ -74,9 +94,7 @@ public:
       renumber_vertex(Id(v), p);
       m_vertices_end += insert(p, wants, equal);
     }
-    m_complex.drop_vertices(m_vertices_end);
-    m_ids.resize(m_vertices_end);
-    m_owners.resize(m_vertices_end);
+    drop_vertices(m_vertices_end);
   }
 
   // While wants() is asked: the corners of the zone, each more than once, until visit(v) is true.
@@ -125,13 +143,13 @@ public:
   }
 
 private:
-  static std::vector<std::size_t> order_of(const std::vector<Tile_point>& points, unsigned int seed)
+  static Insertion_order order_of(const std::vector<Tile_point>& points, unsigned int seed)
   {
     std::vector<double> coordinates;
     coordinates.reserve(3 * points.size());
     for (const Tile_point& p : points)
       coordinates.insert(coordinates.end(), p.coordinates, p.coordinates + 3);
-    return geometric_rounds(Point_array(coordinates.data(), points.size()), seed, 0.125, 64).order;
+    return geometric_rounds(Point_array(coordinates.data(), points.size()), seed, 0.125, 64);
   }
 
   // In this order; they are in no cell yet.
@@ -166,11 +184,9 @@ private:
   bool insert(Id p, const Wants& wants, const Equal& equal)
   {
     const auto location = m_inserter.walk(p, m_complex.vertex(m_previous).cell, Read_alone());
-    if (location.vertex != 0) { // of equal points the smallest number stands for all
+    if (location.vertex != 0) {
       m_previous = location.vertex;
-      std::uint64_t& id = m_ids[location.vertex];
-      if (equal(location.vertex, m_ids[p], id))
-        id = (std::min)(id, m_ids[p]);
+      note_equal(location.vertex, p, equal);
       return false;
     }
     m_inserter.dig(p, location.cell);
@@ -182,6 +198,47 @@ private:
     m_inserter.fill(p);
     m_previous = p;
     return true;
+  }
+
+  // Of equal points the smallest number stands for all: p has the place of v.
+  template <class Equal>
+  void note_equal(Id v, Id p, const Equal& equal)
+  {
+    if (equal(v, m_ids[p], m_ids[v]))
+      m_ids[v] = (std::min)(m_ids[v], m_ids[p]);
+  }
+
+  // Equal points have one vertex, of any of them, and the numbers of the others are in no cell. So
+  // vertices are numbered anew, by the first place of each: as if one thread had inserted them.
+  template <class Equal>
+  void merge_equal_points(const std::vector<Id>& vertex_of, const Equal& equal)
+  {
+    bool are_any = false;
+    for (std::size_t k = 0; k < vertex_of.size(); ++k)
+      if (const Id p = Complex::vertex_of_point(k); vertex_of[k] != p) {
+        note_equal(vertex_of[k], p, equal);
+        are_any = true;
+      }
+    if (!are_any)
+      return;
+    std::vector<Id> numbers(m_vertices_end, 0);
+    std::size_t end = 1;
+    for (const Id v : vertex_of)
+      if (numbers[v] == 0)
+        renumber_vertex(v, numbers[v] = Id(end++));
+    for (std::size_t c = 0; c < m_complex.cells_end(); ++c)
+      if (!Complex::is_dead(m_complex.cell(c)))
+        for (Id& v : m_complex.cell(c).v)
+          v = numbers[v];
+    drop_vertices(end);
+  }
+
+  void drop_vertices(std::size_t end)
+  {
+    m_vertices_end = end;
+    m_complex.drop_vertices(end);
+    m_ids.resize(end);
+    m_owners.resize(end);
   }
 
   const Tiling& m_tiling;

@@ -111,7 +111,7 @@ private:
     const std::size_t n = m_stages.number_of_tasks();
     const Stage_progress progress(m_progress, m_stages.name(), n);
     run_tasks(m_executor, n, [&](std::size_t k) {
-      m_stages.do_task(k);
+      m_stages.do_task(k, threads_of_task(k, n, m_executor.number_of_workers()));
       progress.tell_next();
     });
     m_stages.close();

@@ -52,8 +52,10 @@ public:
     for (std::size_t k = 0; k < own.size(); ++k)
       m_inboxes[k].push_back({number(k), number(k), tiling.sample});
     for_each([&](std::size_t k) {
+      const Thread_executor executor(
+          threads_of_task(k, own.size(), m_executor.number_of_workers()));
       m_tiles[k] = std::make_unique<Delaunay_tile>(tiling, number(k), std::move(own[k]),
-                                                   Tile_state(), limit);
+                                                   Tile_state(), limit, executor);
       done(k);
     });
   }

@@ -85,8 +85,8 @@ public:
 
   bool is_done(std::size_t k) const { return std::filesystem::exists(result_of(k)); }
 
-  // Of several tasks at once each is done by any thread or process.
-  void do_task(std::size_t k) const
+  // By n threads. Of several tasks at once each is done by any thread or process.
+  void do_task(std::size_t k, std::size_t n) const
   {
     if (is_done(k))
       return;
@@ -97,9 +97,9 @@ public:
     case HOME:
       return tasks().bring_home(k, *m_tiling);
     case ROUND:
-      return tasks().do_round(m_tasks[k], *m_tiling, m_round, m_closed, m_shown);
+      return tasks(n).do_round(m_tasks[k], *m_tiling, m_round, m_closed, m_shown);
     case PIECES:
-      return tasks().finish_tile(m_tasks[k], *m_tiling, m_closed);
+      return tasks(n).finish_tile(m_tasks[k], *m_tiling, m_closed);
     case DONE:
       return;
     }
@@ -147,7 +147,7 @@ public:
   }
 
 private:
-  Tile_tasks tasks() const { return {m_folder, *m_source, m_input, m_limit}; }
+  Tile_tasks tasks(std::size_t n = 1) const { return {m_folder, *m_source, m_input, m_limit, n}; }
 
   void begin_anew(const Tiles_options& options, std::size_t at_once)
   {

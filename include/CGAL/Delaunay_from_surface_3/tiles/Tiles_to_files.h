@@ -88,7 +88,7 @@ public:
   // Removes the state, so that the work can begin again with other options.
   void forget() { m_engine.forget(); }
 
-  // Of those that next() has counted.
+  // Of those that next() has counted, by all threads.
   void do_task(const Tile_source_3& source, const Tiles_options& options, std::size_t k)
   {
     const Folder_lock lock(m_folder, false);
@@ -101,7 +101,7 @@ public:
     if (writes)
       write(std::uint32_t(k));
     else
-      stages.do_task(k);
+      stages.do_task(k, threads_of_task(0, 1, m_executor.number_of_workers()));
   }
 
 private:

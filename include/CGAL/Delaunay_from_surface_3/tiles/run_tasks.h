@@ -5,10 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RUN_TASKS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RUN_TASKS_H
 
+#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -18,6 +20,15 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// How many of these threads work on task k of n, where several can insert points together: in the
+// end there are fewer tasks than threads, which share them.
+inline std::size_t threads_of_task(std::size_t k, std::size_t n, std::size_t threads)
+{
+  const std::size_t last = n % threads, first = n - last; // of the last ones
+  const std::size_t share = k < first ? 1 : (threads + last - 1 - (k - first)) / last;
+  return (std::min)(share, std::size_t(Lanes::most_workers));
+}
 
 // Calls task(0), …, task(n - 1), which may throw: then the first exception is thrown again when
 // those that have begun have ended. They are taken one after the other by the executor's workers.

@@ -91,7 +91,7 @@ public:
   }
   void add_own_coordinates(const std::array<double, 3>& p) { m_own_coordinates.push_back(p); }
 
-  // Vertex v gets another number, of a vertex before it that is not needed; both are in no cell.
+  // Vertex v gets another number, of a vertex before it that is not needed. Cells are left alone.
   void renumber_vertex(Id v, Id number)
   {
     m_vertices[number] = m_vertices[v];
