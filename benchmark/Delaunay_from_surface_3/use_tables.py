@@ -174,7 +174,7 @@ def python_of_readme(report):
     points = max(r["points"] for r in report["results"])
     vtk = "".join(f', and on {r["points"]:,} points {r["median_vtk_cpu"] / r["median_ours_cpu"]:.0f} times as fast as '
                   "`vtkDelaunay3D`" for r in report["vtk"])
-    return (f"On {points:,} points, with tetrahedra and neighbours, it is {range_of(ratios, '{:.0f}')} times as fast as "
+    return (f"On {points:,} points, with tetrahedra and neighbours, the module is {range_of(ratios, '{:.0f}')} times as fast as "
             f'`scipy.spatial.Delaunay` (SciPy {report["scipy"]}){vtk}.')
 
 
