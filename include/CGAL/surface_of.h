@@ -22,8 +22,8 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 wraps a mesh as the surface argument of the functions on subgraphs. This function checks nothing:
-the exceptions described here are thrown by those functions. The mesh must not be modified before
-these are called.
+the exceptions described here are thrown by those functions. The mesh must not be modified until
+these have been called.
 
 \tparam HalfedgeGraph a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
