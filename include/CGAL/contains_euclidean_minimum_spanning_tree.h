@@ -79,7 +79,7 @@ mesh
 \param mesh the surface
 \param tr the triangulation of its vertices
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below
+below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}

@@ -29,11 +29,11 @@ namespace Delaunay_from_surface_3 {
 makes rounds and order from the surface graph. A net of the graph is a maximal independent set.
 Every other vertex joins the cluster of an adjacent net vertex: of the nearest if there are no more
 than 32768 vertices, or if the first of these has many edges; otherwise of the one chosen first.
-Contracting the clusters gives a smaller graph, and so on, until a few dozen vertices are left.
-Rounds go from the coarsest net to the finest and grow four- to fivefold. Inside a round the points
-follow the clusters, children in the order of their parents. This order is local on the surface, and
-so in space. Each point starts at the net vertex of its cluster, which is inserted in an earlier
-round (`Insertion_order::starting_places`).
+Contracting the clusters gives a smaller graph, and so on, until at most `coarsest` vertices are
+left. Rounds go from the coarsest net to the finest and grow four- to fivefold. Inside a round the
+points follow the clusters, children in the order of their parents. This order is local on the
+surface, and so in space. Each point starts at the net vertex of its cluster, which is inserted in
+an earlier round (`Insertion_order::starting_places`).
 
 A net is chosen greedily in a random order of the vertices, which the seed determines. With more
 than 32768 vertices, blocks of `block` successive vertices (1024 by default) follow each other, and
@@ -50,7 +50,7 @@ If there are no edges or more than \f$2^{32}\f$, or if they join points that are
 no starting places.
 
 A level that keeps more than 90 % of its vertices (isolated vertices, graphs with few edges) ends
-the hierarchy. The vertices left then are ordered by `Geometric_rounds`, as are the last few dozen.
+the hierarchy. `Geometric_rounds` orders the vertices left at the end.
 
 <b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for n vertices and m edges; \f$O(n)\f$ if
 vertices and edges decrease by a constant factor from level to level, as they do on the surfaces
