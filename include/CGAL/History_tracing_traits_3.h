@@ -26,7 +26,8 @@ told.
 
 <b>Complexity</b>: expected \f$O(n \log^* n)\f$ time under the assumptions of the paper: T has
 bounded degree and consists of Delaunay edges, and the triangulations of the points inserted so far
-have linear expected size. \ref delaunay_from_surface_3_the_paper compares this with measurements.
+have linear expected size. \ref delaunay_from_surface_3_the_paper "The page on the paper" compares
+this with measurements.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

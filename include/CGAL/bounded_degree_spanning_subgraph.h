@@ -27,8 +27,8 @@ On each component the subgraph contains the graph along which it was cut open (s
 `Delaunay_from_surface_3::cut_graph()`) and the boundary, or the triangle by which a sphere was
 opened. The rest is attached to these as trees.
 
-The algorithm is that of \cgalCite{choi-dtsm-02}, §3.2, with the corrections given in
-\ref bds_disc and \ref bds_proof_subgraph.
+The algorithm is that of \cgalCite{choi-dtsm-02}, §3.2, with corrections that the manual explains
+(\ref bds_disc, \ref bds_proof_subgraph).
 
 <b>Complexity</b>: time linear in the size of the surface, without recursion. With about three edges
 per vertex, at most about 40 bytes of memory per vertex are used besides the surface.

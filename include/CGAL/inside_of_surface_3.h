@@ -41,7 +41,8 @@ has an inside if one of two conditions holds:
 - The tetrahedra in doubt have at most as much volume as those inside, the triangles that close the
 openings have at most 3/10 of the area of the surface, and those of a single opening have at least
 9/10 of that. An example is a hull without a deck. (This condition was found by experiment: for the
-files in \ref dfs_inside it separates solids without a deck from patches and short tubes.)
+files in \ref dfs_inside "the user manual" it separates solids without a deck from patches and short
+tubes.)
 
 A patch, a sheet, a Möbius strip and points alone have no inside.
 

@@ -27,7 +27,7 @@ On a sphere or a disc it is at most 3. On any other closed component with Euler 
 is at most the largest of \f$3 + \lfloor (c(x) - 3) / x \rfloor\f$ over all \f$x \ge 3\f$, where
 \f$c(x) = \min(\lfloor x (x - 1) / 3 \rfloor, 2 x - 2 \chi)\f$. This is
 \f$\sqrt{4 g / 3} + O(1)\f$ for genus g, 4 on a torus, and 5 for g = 2. With boundary,
-\f$x (x + 1)\f$ replaces \f$x (x - 1)\f$ (\ref bds_near_minimum). The certificate of
+\f$x (x + 1)\f$ replaces \f$x (x - 1)\f$ (\ref bds_near_minimum "proof"). The certificate of
 `certify_spanning_subgraph()` says whether the bound is satisfied.
 
 The algorithm starts from the tree of `bounded_degree_spanning_tree()`. While the largest degree is
@@ -37,7 +37,8 @@ it makes this exchange.
 <b>Complexity</b>: that of `bounded_degree_spanning_tree()` if its tree has no vertex of degree 4 or
 more; otherwise, in addition, nearly linear time for the exchanges near heavy vertices and for each
 phase of the general search. At most \f$n \ln K\f$ exchanges and phases succeed, where K is the
-largest degree of the first tree; \ref bds_near_minimum says how many there are in practice.
+largest degree of the first tree; \ref bds_near_minimum "the manual" says how many there are in
+practice.
 
 \tparam Reader determined by `surface_of()`
 \tparam EdgeOutputIterator a model of `OutputIterator` that accepts
