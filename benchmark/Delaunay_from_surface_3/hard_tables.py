@@ -95,7 +95,7 @@ def differences(results):
     names = {result["surface"]: sorted({library_of(p) for p in peers_of(result) if not p["has_as_many_tetrahedra"]})
              for result in results}
     found = "; ".join(f"on {surface}: {', '.join(libraries)}" for surface, libraries in names.items() if libraries)
-    return f"Other numbers of tetrahedra than plain %CGAL: {found or 'none'}."
+    return f"Numbers of tetrahedra that differ from plain %CGAL's: {found or 'none'}."
 
 
 def peers_of_readme(report):
@@ -104,9 +104,9 @@ def peers_of_readme(report):
     for (threads, program), of in ratios_of_peers(report).items():
         if threads == 1:
             found[program] = range_of(of.values(), "{:.1f}")
-    times = ", ".join(f"{name} {times} times" for name, times in found.items())
-    return (f"Other programs, on {len(report['results'])} surfaces and one thread, take {times} as long as this package until "
-            f"all tetrahedra are there ({cpu_of(report)}, {report['machine']['date']}).")
+    times = ", ".join(f"{name} {times}" for name, times in found.items())
+    return (f"Time of other programs until all tetrahedra are computed / that of this package, on {len(report['results'])} "
+            f"surfaces and one thread: {times} ({cpu_of(report)}, {report['machine']['date']}).")
 
 
 def tiles(report, number=64):

@@ -95,8 +95,8 @@ def crossings(*reports):
         if min(map(min, series)) > 0:
             factor[r["surface"]] = max(max(s) / min(s) for s in series)
     most = max(factor, key=factor.get)
-    return (f'By a factor of {factor["delaunay-genus-3"]:.2f} at most on delaunay-genus-3, '
-            f'{factor["delaunay-round-genus-3"]:.2f} on the round tubes, and {factor[most]:.2f}, the most, on {most}.')
+    return (f'By a factor of at most {factor["delaunay-genus-3"]:.2f} on delaunay-genus-3, '
+            f'{factor["delaunay-round-genus-3"]:.2f} on the round tubes, and {factor[most]:.2f} on {most}, the largest.')
 
 
 ORDERS = {"tracing": "the paper's, from the trace",
@@ -144,9 +144,9 @@ def traced(report):
     r = next(r for r in report["subgraphs"] if r["surface"] == "armadillo" and r["size"] == 16384)
     crossed = {T: statistics.mean(t["crossings_per_point"] for t in found["traces"])
                for T, found in r["subgraphs"].items()}
-    return ("Minimum spanning trees are crossed least: on a scan with noise (armadillo, `subgraphs_traced.json`) "
-            f'{crossed[EMST]:.2f} times per trace and point, the subgraph of bounded degree '
-            f'{crossed["subgraph of bounded degree"]:.2f}, any forest {crossed["a spanning forest of F"]:.2f}.')
+    return ("Minimum spanning trees have the fewest crossings per trace and point: on a scan with noise (armadillo, "
+            f'`subgraphs_traced.json`) {crossed[EMST]:.2f}, the subgraph of bounded degree '
+            f'{crossed["subgraph of bounded degree"]:.2f}, any spanning forest {crossed["a spanning forest of F"]:.2f}.')
 
 
 def iso_surfaces(report):
@@ -155,8 +155,8 @@ def iso_surfaces(report):
     shares = [results[name]["subgraphs"]["all of F"]["assumptions"]["surface_triangles_delaunay"] for name in volumes]
     made = [results[f"delaunay-{name}"]["iso_surface"] for name in volumes]
     longer = [m["seconds"] / m["plain_seconds"] for m in made]
-    return (f'That takes {min(longer):.0f} to {max(longer):.0f} times as long as D(S). Of the triangles of ordinary '
-            f'marching cubes {int(100 * min(shares))} % or more are Delaunay (`subgraphs_traced_4k.json`).')
+    return (f'This takes {min(longer):.0f} to {max(longer):.0f} times as long as D(S). With ordinary marching cubes '
+            f'{int(100 * min(shares))} % of the triangles or more are Delaunay (`subgraphs_traced_4k.json`).')
 
 
 def uniform_samples(report):
@@ -181,12 +181,12 @@ def bounds(random, regular):
     reached = [r["surface"] for r in found if all(r[bound] == r[degree] for bound, degree in pairs)]
     high = next(r for r in found if r["surface"] == "genus 10")
     cut = [r["cut_graph"] for r in regular["degrees"]]
-    return (f'In random triangulations of many surfaces (`subgraph_bounds.json`) both bounds are reached on '
-            f'{", ".join(reached[:-1])} and {reached[-1]}; for genus 10 the largest degree is '
-            f'{high["maximum_degree"]}, and '
-            f'{high["maximum_degree_of_tree"]} in a tree.\n\nOn regular surfaces up to genus 50 it is at most '
-            f'{max(r["maximum_degree"] for r in cut)}, and {max(r["maximum_degree_of_tree"] for r in cut)} in a '
-            "tree; a cut along loops through one vertex gives more vertices of degree 4 and more "
+    return (f'Random triangulations of many surfaces (`subgraph_bounds.json`) attain both bounds on '
+            f'{", ".join(reached[:-1])} and {reached[-1]}. For genus 10 the largest degree is '
+            f'{high["maximum_degree"]} in the subgraph and '
+            f'{high["maximum_degree_of_tree"]} in the tree.\n\nOn regular surfaces up to genus 50 it is at most '
+            f'{max(r["maximum_degree"] for r in cut)} in the subgraph and {max(r["maximum_degree_of_tree"] for r in cut)} in '
+            "the tree. A cut along loops through one vertex gives more vertices of degree 4 and more "
             "(`subgraph_degrees.json`).")
 
 
@@ -195,9 +195,9 @@ def times(report):
              if r["surface"] == "sphere" and r["vertices"] == 1000000}
     of = {order: r["subgraph"]["nanoseconds_per_vertex"] for order, r in found.items()}
     kruskal = found["coherent"]["minimum_spanning_tree"]["nanoseconds_per_vertex"]
-    return (f'On a sphere of a million vertices the subgraph takes {of["coherent"]:.0f} nanoseconds per vertex, '
-            f'{of["shuffled"]:.0f} where they are shuffled, and Boost\'s Kruskal {kruskal:.0f}; a tree and the cut '
-            "graph take about as long as the subgraph. About 40 bytes per vertex are used besides the mesh "
+    return (f'On a sphere of a million vertices the subgraph takes {of["coherent"]:.0f} nanoseconds per vertex, or '
+            f'{of["shuffled"]:.0f} if the vertices are shuffled; Boost\'s Kruskal takes {kruskal:.0f}. The tree and the cut '
+            "graph take about as long as the subgraph. Besides the mesh, about 40 bytes per vertex are used "
             "(`subgraph_times.json`).")
 
 
@@ -210,7 +210,7 @@ def near_minimum(report):
         rows.append([r["surface"], *(str(r[key]) for key in (
             "genus", "bound_of_the_paper", "maximum_degree_of_subgraph", "maximum_degree_of_tree", "maximum_degree",
             "bound")), cell(least or None)])
-    return table(["surface", "genus", "paper", "subgraph", "tree", "exchanged", "B", "every tree"], rows)
+    return table(["surface", "genus", "paper", "subgraph", "tree", "after exchanges", "B", "every tree has"], rows)
 
 
 def near_minimum_times(report):
@@ -220,7 +220,7 @@ def near_minimum_times(report):
                      *(str(r[key]) for key in ("exchanges_nearby", "phases")),
                      *(cell(r.get(f"nanoseconds_per_vertex_of_{what}"), "{:.0f}")
                        for what in ("tree", "exchanges", "witness"))])
-    return table(["surface", "degree", "nearby", "phases", "tree, ns", "exchanges", "witness"], rows)
+    return table(["surface", "degree", "nearby", "phases", "tree, ns", "exchanges, ns", "witness, ns"], rows)
 
 
 def near_minimum_files(meshes, parts):
@@ -231,7 +231,7 @@ def near_minimum_files(meshes, parts):
         served = [r for r in files if "refused" not in r]
         rows.append([title, str(len(files)), str(len(served)),
                      *(str(sum(r[key] > 3 for r in served)) for key in ("maximum_degree_of_tree", "maximum_degree"))])
-    return table(["files", "all", "served", "degree 4 in the tree", "after exchanges"], rows)
+    return table(["files", "all", "accepted", "tree of degree 4 or more", "after exchanges"], rows)
 
 
 # --- the plot ---

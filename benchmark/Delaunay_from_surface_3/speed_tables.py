@@ -53,7 +53,7 @@ def two_threads(calls, threads):
             column.append(value)
         rows.append([surface_of(result), *map(two, values)])
     titles = ["surface", "plain %CGAL, one thread", "plain %CGAL with `Parallel_tag`, two (Xeon)", "this package, one"]
-    return "\n\n".join([f"{measured(calls)[:-1]}; the second column {measured(threads)}", table(titles, rows),
+    return "\n\n".join([f"{measured(calls)[:-1]}; second column: {measured(threads)}", table(titles, rows),
                         f"Geometric means: {means(columns)}."])
 
 
@@ -63,8 +63,8 @@ def more_threads(report):
         return 1000 * sum(row["rolled_back"][f"workers_{workers}"]) / row["points"]
 
     most = {workers: max(share(row, workers) for row in report["results"]) for workers in (2, 8, 64)}
-    return (f"Of a thousand insertions {most[2]:.1f} at most clashed with two workers, {most[8]:.1f} with 8, and "
-            f"{most[64]:.0f} with 64, on {len(report['results'])} surfaces (`{report['name']}`).")
+    return (f"On {len(report['results'])} surfaces, of a thousand insertions at most {most[2]:.1f} clashed with two workers, "
+            f"{most[8]:.1f} with 8, and {most[64]:.0f} with 64 (`{report['name']}`).")
 
 
 SMALL_SIZES = (10, 100, 1000, 3000)
@@ -88,7 +88,7 @@ def sizes(small, demo, threads_64k, calls, large_calls, threads_4m):
             [gain(r, "default") if "calls" in r else
              r["times"]["plain"]["median_wall"] / r["times"]["threads_1"]["median_wall"] for r in results], report)
     return "\n\n".join([measured(threads_64k, calls, large_calls, threads_4m),
-                        table(["points", "counted", "JSON", "surfaces", "geometric mean", "least"], rows, 3)])
+                        table(["points", "measured", "JSON", "surfaces", "geometric mean", "least"], rows, 3)])
 
 
 MEMORY = {"plain": "plain %CGAL", "default": "faces", "points": "points alone", "arrays": "arrays",
@@ -113,11 +113,11 @@ def memory(calls, large_calls, small_calls, threads):
             for name in ("plain", "default", "arrays")}
     return "\n\n".join([
         measured(calls), table(["surface", *MEMORY.values()], rows),
-        f"With faces the peak is {more_memory(both)} times plain %CGAL's, for a million points too (`{large_calls['name']}`), and "
-        f"{more_memory(small_calls['results'])} for {range_of([r['points'] for r in small_calls['results']], '{:,}')} points "
-        f"(`{small_calls['name']}`). Ten million points at these rates: plain %CGAL {many['plain']} GB, this package "
-        f"{many['default']}, arrays {many['arrays']}.",
-        f"16 threads take {range_of(of_sixteen, '{:.2f}')} times the bytes of one (`{threads['name']}`)."])
+        f"With faces the peak is {more_memory(both)} times that of plain %CGAL, also for a million points (`{large_calls['name']}`), "
+        f"and {more_memory(small_calls['results'])} times for {range_of([r['points'] for r in small_calls['results']], '{:,}')} "
+        f"points (`{small_calls['name']}`). At these rates ten million points take {many['plain']} GB with plain %CGAL, "
+        f"{many['default']} GB with this package, and {many['arrays']} GB with arrays.",
+        f"The peak of 16 threads is {range_of(of_sixteen, '{:.2f}')} times that of one (`{threads['name']}`)."])
 
 
 def gains(report):
@@ -135,8 +135,8 @@ def gains(report):
     cells = [range_of(of, "{:.1f}") for of in destroyed.values()]
     return "\n\n".join([
         measured(report), table(["surface", "compact triangulation alone", "order alone", "order in addition"], rows),
-        f"Plain %CGAL spends {range_of(shares, '{:.0f}')} % of its time on updates; an insertion destroys {cells[0]} cells, and "
-        f"{cells[1]} in the order of the nets."])
+        f"Plain %CGAL spends {range_of(shares, '{:.0f}')} % of its time on updates. An insertion destroys {cells[0]} cells in its "
+        f"order, and {cells[1]} in the order of the nets."])
 
 
 SHOWN = {"bunny": "bunny", "elephant": "elephant", "genus-50": "folded surface of genus 50",
@@ -155,9 +155,9 @@ def times_of_readme(calls):
             for (what, threads), call in CALLS.items()]
     return "\n\n".join([
         table(["", "threads", *SHOWN.values()], rows),
-        f"On {len(results)} surfaces plain CGAL takes {range_of(ratios['default'], '{:.2f}')} times as long, the geometric "
-        f"mean is {two(geometric_mean(ratios['default']))}; {two(geometric_mean(ratios['points']))} if only the points are "
-        f"given, and {two(geometric_mean(ratios['default:2']))} with two threads.",
+        f"On {len(results)} surfaces plain CGAL takes {range_of(ratios['default'], '{:.2f}')} times as long as this package, with "
+        f"a geometric mean of {two(geometric_mean(ratios['default']))}. The mean is {two(geometric_mean(ratios['points']))} if this "
+        f"package gets only the points, and {two(geometric_mean(ratios['default:2']))} if it uses two threads.",
         f"{cpu_of(calls)}, {calls['machine']['cores']} cores; 262,144 points; "
         f"[{calls['name']}.json](benchmark/Delaunay_from_surface_3/results/{calls['name']}.json)."])
 
@@ -165,10 +165,10 @@ def times_of_readme(calls):
 def collections(orders, demo):
     rows = []
     for name, ratios in (
-            ("meshes of CGAL's demos, of 3,000 vertices and more",
+            ("meshes of CGAL's demos, 3,000 vertices and more",
              [m["ratio"] for m in demo["meshes"] if m.get("ratio") and m["vertices"] >= SMALL_SIZES[-1]]),
-            ("solids as CAD makes them, 200,000 points", [r["median_ratio"] for r in orders["results"] if is_cad(r)]),
-            ("other surfaces, made to be hard, 200,000 points",
+            ("CAD solids, 200,000 points", [r["median_ratio"] for r in orders["results"] if is_cad(r)]),
+            ("other surfaces, chosen to be hard, 200,000 points",
              [r["median_ratio"] for r in orders["results"] if not is_cad(r)])):
         rows.append([name, str(len(ratios)), two(geometric_mean(ratios)), two(min(ratios)), two(max(ratios))])
     return table(["", "how many", "geometric mean", "least", "most"], rows)

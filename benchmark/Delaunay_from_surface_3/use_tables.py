@@ -52,8 +52,8 @@ def sources(report):
         worst[r["consumer"]] = min(r["triangles_delaunay"], worst.get(r["consumer"], 1))
     least = ", ".join(f"{100 * share:.0f} % ({name})" for name, share in sorted(worst.items(), key=lambda item: item[1])
                       if share < 0.999)
-    return (f"{len(results)} surfaces gain {range_of([r['median_ratio'] for r in results], '{:.2f}')}. On most of them all triangles "
-            f"are Delaunay, to 0.1 %; on the others {least} are. {measured(report)}")
+    return (f"The gain on {len(results)} surfaces is {range_of([r['median_ratio'] for r in results], '{:.2f}')}. On most of them "
+            f"99.9 % of the triangles or more are Delaunay; on the others it is {least}. {measured(report)}")
 
 
 def cluster(large, small):
@@ -68,10 +68,10 @@ def cluster(large, small):
     if many["pairs_that_differed"] or not crowded["pairs_that_differed"]:
         raise ValueError("other tiles had to be shown where they differ than the text says")
     (mean, worst), (mean_64, worst_64) = sent(many), sent(few)
-    return (f"Of two million points of an elephant in 1024 tiles, each on a machine of its own, a tile sends {mean} bytes for each "
-            f"of its points, the worst {worst}, in {many['rounds']} rounds; in 64 tiles {mean_64} and {worst_64}. Tiles should "
-            f"have a thousand points and more: with three hundred it took {crowded['rounds']} rounds (`{large['name']}.json`, "
-            f"`{small['name']}.json`).")
+    return (f"With two million points of an elephant in 1024 tiles, each on a machine of its own, a tile sends {mean} bytes for "
+            f"each of its points, and the worst tile {worst}, in {many['rounds']} rounds. With 64 tiles these are {mean_64} and "
+            f"{worst_64} bytes. Tiles should have at least a thousand points: with three hundred, {crowded['rounds']} rounds were "
+            f"needed (`{large['name']}.json`, `{small['name']}.json`).")
 
 
 def mpi(report, *loads):
@@ -92,9 +92,9 @@ def mpi(report, *loads):
     for n, ranks, *others in sorted(rows, key=lambda row: row[0]):
         of.setdefault((n, ranks), [thousands(n), ranks, *others])  # as many, and as many for each, may be the same
     rows = list(of.values())
-    return "\n\n".join([f"Points of an elephant in memory, one tile a rank: `{report['name']}`. Calculated: the worst tile of "
-                        "`tiles_load` and `tiles_load_2M`, each point that it keeps as one rank alone took for it, a billion "
-                        "bytes a second, and 10 µs a message.",
+    return "\n\n".join([f"Points of an elephant in memory, one tile per rank (`{report['name']}`). Calculated rows take the worst "
+                        "tile of `tiles_load` and `tiles_load_2M`, the time per point kept of a single rank, a billion bytes a "
+                        "second, and 10 µs per message.",
                         table(["points", "ranks", "s", "exchange, %"], rows, 2)])
 
 
@@ -107,7 +107,7 @@ def python(report):
              for r in report["vtk"]]
     lost = ", ".join(f'{r["tetrahedra"] - r["tetrahedra_of_vtk"]:,} of {r["tetrahedra"]:,}' for r in report["vtk"])
     return "\n\n".join([f'Python {report["python"]}, NumPy {report["numpy"]}, SciPy {report["scipy"]}: `{report["name"]}`.',
-                        table(["what", "beside", "its CPU s", "ours", "gain", "one thread / two"], rows, 2),
+                        table(["what, points", "compared with", "its CPU s", "ours", "gain", "one thread / two"], rows, 2),
                         f"VTK loses {lost} tetrahedra to rounding."])
 
 
@@ -123,7 +123,7 @@ def gaussians(in_python, *reports):
                      f'{plain["median_ratio"]:.1f}',
                      *(cell(ways and ways[f"triangulate, {threads}"]["median_wall"], "{:.1f}") for threads in (1, 2))])
     return "\n\n".join([measured(in_python, *reports),
-                        table(["points", "tetrahedra", "loop with plain CGAL, s", "and `is_valid()`", "this package", "gain",
+                        table(["points", "tetrahedra", "loop with plain CGAL, s", "with `is_valid()`", "this package", "gain",
                                "`cpp.triangulate()`, one thread", "two"], rows)])
 
 
@@ -151,7 +151,7 @@ def python_peers(report):
     rows = [named(way) + [text for ways in (cube, surface) for text in
                           (seconds(ways[way]["median_wall"]), f'{ways[way]["peak_megabytes"]:,}')] for way in cube]
     points = thousands(max(r["points"] for r in report["results"]))
-    return "\n\n".join([f"{points} points, wall-clock seconds and megabytes at the peak. {measured(report)}",
+    return "\n\n".join([f"{points} points, wall-clock seconds and peak megabytes. {measured(report)}",
                         table(["", "threads", "in a cube, s", "MB", "of a surface, s", "MB"], rows)])
 
 
@@ -174,7 +174,7 @@ def python_of_readme(report):
     points = max(r["points"] for r in report["results"])
     vtk = "".join(f', and on {r["points"]:,} points {r["median_vtk_cpu"] / r["median_ours_cpu"]:.0f} times as fast as '
                   "`vtkDelaunay3D`" for r in report["vtk"])
-    return (f"On {points:,} points, with tetrahedra and neighbours, it is {range_of(ratios, '{:.0f}')} times as fast as "
+    return (f"On {points:,} points, with tetrahedra and neighbours, the module is {range_of(ratios, '{:.0f}')} times as fast as "
             f'`scipy.spatial.Delaunay` (SciPy {report["scipy"]}){vtk}.')
 
 
@@ -189,5 +189,5 @@ def compile_time(report):
 
 def counts_of_parts(report):
     of = {kind: [r for r in report["results"] if r["inside"] == kind] for kind in ("closed mesh", "winding numbers", "none")}
-    return (f'Of {len(report["results"])} files {len(of["closed mesh"])} are closed, {len(of["winding numbers"])} have an '
+    return (f'Of {len(report["results"])} files, {len(of["closed mesh"])} are closed, {len(of["winding numbers"])} have an '
             f'inside by winding numbers, and {len(of["none"])} are open patches and have none.')

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Alpha shapes of points: both of CGAL's classes take over a triangulation that is already built.
-// They are the same as from points that the classes insert themselves.
+// Alpha shapes of points: both of CGAL's classes accept a triangulation that is already built. The
+// results are the same as from points that the classes insert themselves.
 
 #include <CGAL/insert_points_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -42,7 +42,7 @@ using General_triangulation =
 using Fixed_alpha_shape = CGAL::Fixed_alpha_shape_3<Fixed_triangulation>;
 using Alpha_shape = CGAL::Alpha_shape_3<General_triangulation>;
 
-// The facets of the boundary, each as its corners in ascending order.
+// The facets of the boundary, each as its vertices in ascending order.
 template <class Shape>
 std::set<std::array<Point, 3>> boundary(const Shape& shape)
 {
@@ -68,7 +68,7 @@ bool is_same_shape(const std::vector<Point>& points, double alpha, const std::st
   ours.start();
   Triangulation tr;
   CGAL::insert_points_3(tr, points);
-  Shape shape(tr, alpha); // takes over what is in tr
+  Shape shape(tr, alpha); // moves the contents of tr
   ours.stop();
   plain.start();
   Shape plain_shape(points.begin(), points.end(), alpha);

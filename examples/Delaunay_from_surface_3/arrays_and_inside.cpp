@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
 
   try {
     const auto arrays = CGAL::delaunay_3_arrays(points, faces); // or of points alone
-    if (!CGAL::is_valid_delaunay_3_arrays(arrays, points))      // they might come from anywhere
+    if (!CGAL::is_valid_delaunay_3_arrays(arrays, points))      // for arrays from any source
       return EXIT_FAILURE;
     const CGAL::Inside_3 inside = CGAL::inside_of_surface_3(points, faces, arrays);
 
@@ -52,7 +52,7 @@ int main(int argc, char* argv[])
               << " and " << skin << " facets to the outside\n";
   } catch (const CGAL::Surface_input_error& error) {
     std::cerr << file_name << ": " << error.what() << '\n';
-    return EXIT_FAILURE; // an open patch has no inside, say
+    return EXIT_FAILURE; // for example, an open patch has no inside
   }
   return EXIT_SUCCESS;
 }

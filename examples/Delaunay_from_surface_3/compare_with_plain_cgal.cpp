@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Is the result that of plain CGAL, and what does it take? The file may hold a mesh, a polygon soup or
-// points alone.
+// Compares the result and the time with those of plain CGAL. The file may contain a mesh, a polygon
+// soup or points alone.
 
 #include <CGAL/insert_points_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>

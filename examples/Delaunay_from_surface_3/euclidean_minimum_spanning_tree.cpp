@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The Euclidean minimum spanning tree of points: its edges are edges of their Delaunay triangulation.
+// The Euclidean minimum spanning tree of points. Its edges are edges of their Delaunay
+// triangulation.
 
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 #include <CGAL/insert_points_3.h>

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// More points than fit into memory: the tetrahedra of a small radius, and volumes of Voronoi cells, tile by
-// tile. A tile comes with the stars of its own points, so whatever depends on a star is at hand; when it
-// was looked at it is gone. The points are a lattice in which nearly all Voronoi cells are cubes.
+// More points than fit into memory: computes the tetrahedra of small radius and the volumes of
+// Voronoi cells, tile by tile. A tile contains the stars of its own points, so everything that
+// depends on a star can be computed; then the tile is discarded. The points form a lattice in which
+// nearly all Voronoi cells are cubes.
 
 #include <CGAL/delaunay_3_tiles.h>
 
@@ -34,7 +35,7 @@ double dot(const Vector& a, const Vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Of the origin, a, b and c, which are not in one plane.
+// That of the origin, a, b and c, which are not in one plane.
 Vector circumcenter(const Vector& a, const Vector& b, const Vector& c)
 {
   const Vector u = cross(b, c), v = cross(c, a), w = cross(a, b);
@@ -45,8 +46,8 @@ Vector circumcenter(const Vector& a, const Vector& b, const Vector& c)
   return center;
 }
 
-// The part of a positive tetrahedron that is nearer to its vertex at the origin than to a, b and c, up to
-// what parts of its neighbours make up for: six corners at middles of edges and of facets.
+// The part of a positive tetrahedron that is nearer to its vertex at the origin than to a, b and c,
+// up to what parts of its neighbours make up for: six corners at middles of edges and of facets.
 double part_of_voronoi_cell(const Vector& a, const Vector& b, const Vector& c)
 {
   const Vector corners[3] = {a, b, c}, center = circumcenter(a, b, c);
@@ -92,7 +93,7 @@ int main(int argc, char* argv[])
         std::vector<double> volumes(tile.number_of_own_vertices);
         for (std::size_t c = 0; c < tile.cells.size(); ++c) {
           const auto& cell = tile.cells[c];
-          if (cell[3] < 0) { // at the convex hull Voronoi cells have no end
+          if (cell[3] < 0) { // at the convex hull Voronoi cells are unbounded
             for (int k = 0; k < 3; ++k)
               if (std::size_t(cell[k]) < volumes.size())
                 volumes[std::size_t(cell[k])] = HUGE_VAL;

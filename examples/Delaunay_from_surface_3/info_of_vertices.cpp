@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Every vertex of the triangulation learns which vertex of the mesh it comes from.
+// Every vertex of the triangulation stores which vertex of the mesh it comes from.
 
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // The info of a vertex is the vertex of the mesh itself; of those at the same point the first.
+  // The info of a vertex is the vertex of the mesh; of several at the same point, the first.
   Triangulation tr;
   try {
     CGAL::insert_surface_vertices_3(tr, mesh,

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points on a closed curve, joined by a graph of the Boost Graph Library: no surface is needed,
-// only edges between points that are near each other.
+// Points on a closed curve, joined by a graph of the Boost Graph Library. No surface is needed,
+// only edges between nearby points.
 
 #include <CGAL/insert_points_along_graph_3.h>
 
@@ -33,7 +33,7 @@ int main()
     const double t = 2 * CGAL_PI * double(i) / double(n);
     points.emplace_back(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t),
                         -std::sin(3 * t));
-    add_edge(i, (i + 1) % n, graph); // vertex i of the graph stands for points[i]
+    add_edge(i, (i + 1) % n, graph); // vertex i of the graph represents points[i]
   }
 
   Triangulation tr;

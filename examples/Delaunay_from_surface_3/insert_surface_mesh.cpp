@@ -34,7 +34,7 @@ int main(int argc, char* argv[])
     CGAL::insert_surface_vertices_3(tr, mesh);
   } catch (const CGAL::Surface_input_error& error) {
     std::cerr << file_name << ": " << error.what() << '\n';
-    return EXIT_FAILURE; // a coordinate is no number, say
+    return EXIT_FAILURE; // for example, a coordinate is not a number
   }
 
   std::cout << tr.number_of_vertices() << " vertices, " << tr.number_of_finite_cells()

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Thins points before they are inserted, coarser and coarser: where the points are dense, those
-// that are kept stay denser. Each subset is a part of the one before.
+// Thins points before they are inserted, more and more coarsely. Where the points are denser, more
+// are kept. Each subset is a subset of the previous one.
 
 #include <CGAL/insert_points_3.h>
 #include <CGAL/locally_uniform_subset_3.h>
@@ -24,7 +24,7 @@
 #include <vector>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Item = std::pair<K::Point_3, double>; // a point, and how far its neighbors are
+using Item = std::pair<K::Point_3, double>; // a point, and its spacing
 
 int main(int argc, char* argv[])
 try {

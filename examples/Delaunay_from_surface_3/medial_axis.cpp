@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The medial axis inside a surface, approximated by poles (Amenta, Bern: Surface reconstruction by
-// Voronoi filtering, 1999): of each sample, the farthest Voronoi vertex of its cell that lies
-// inwards. Around it is an inner ball that touches the surface at the sample. The medial axis of a
-// solid torus is a circle.
+// Voronoi filtering, 1999). The pole of a sample is the farthest Voronoi vertex of its cell that
+// lies inwards. It is the centre of an inner ball that touches the surface at the sample. The
+// medial axis of a solid torus is a circle.
 
 #include <CGAL/insert_surface_vertices_3.h>
 
@@ -37,7 +37,7 @@ using Triangulation = CGAL::Delaunay_triangulation_3<K, Tds>;
 
 const double large_radius = 2, small_radius = 0.5;
 
-// A torus of n by n vertices, each a bit out of line, so that it is no grid; and the normals of the
+// A torus of n by n vertices, slightly perturbed so that it is not a grid; and the normals of the
 // vertices.
 Mesh make_torus(unsigned n, std::vector<Vector>& normals)
 {

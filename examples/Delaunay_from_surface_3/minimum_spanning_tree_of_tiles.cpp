@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The Euclidean minimum spanning tree, tile by tile. Of the edges in a tile a minimum spanning forest is
-// kept: any other edge is the longest of a cycle, so a minimum spanning tree can do without it.
+// The Euclidean minimum spanning tree, tile by tile. Of the edges in a tile, only a minimum
+// spanning forest is kept: any other edge is the longest of a cycle, so a minimum spanning tree
+// does not need it.
 
 #include <CGAL/delaunay_3_tiles.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
@@ -53,7 +54,7 @@ int main(int argc, char* argv[])
     points.push_back({r * std::cos(2.4 * double(i)), r * std::sin(2.4 * double(i)), z});
     tr.insert(Triangulation::Point(points[i][0], points[i][1], points[i][2]));
   }
-  CGAL::Tiles_here_3 engine; // Tiles_in_files_3 where they do not fit into memory
+  CGAL::Tiles_here_3 engine; // Tiles_in_files_3 if they do not fit into memory
   CGAL::Tiles_options options;
   options.number_of_tiles = 8;
   std::vector<Edge> candidates;

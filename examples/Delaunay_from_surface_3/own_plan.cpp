@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An order of one's own, through the compact triangulation: points that were scanned in rows need no
-// faces. Their numbers say which lie beside each other.
+// A user-defined order on the fast path, through the compact triangulation. Points that were
+// scanned in rows need no faces: their indices say which are adjacent.
 
 #include <CGAL/insert_points_3.h>
 
@@ -26,8 +26,8 @@ using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 
 constexpr std::size_t side = 65; // rows, and points in each
 
-// An InsertionPlan: grids, each with half the step of the one before. A new point starts at one of
-// the grid before.
+// An InsertionPlan: grids, each with half the step of the previous one. A new point starts at a
+// point of the previous grid.
 struct Grid_rounds
 {
   explicit Grid_rounds(unsigned int /* seed */) {}
@@ -56,7 +56,7 @@ struct Grid_rounds
   }
 };
 
-// Planned_hints_3 starts the points where the plan says. Nothing is traced.
+// Planned_hints_3 starts each point where the plan says. Nothing is traced.
 using My_traits =
     CGAL::Surface_insertion_policies_3<DFS::Full_graph, Grid_rounds, DFS::Planned_hints_3>;
 

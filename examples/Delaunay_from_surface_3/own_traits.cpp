@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A traits class of one's own: the trace of the paper, on all edges of the surface instead of a
-// spanning subgraph, and an insertion plan of one's own instead of the paper's rounds.
+// A user-defined traits class: the trace of the paper, on all edges of the surface instead of a
+// spanning subgraph, and a user-defined insertion plan instead of the paper's rounds.
 
 #include <CGAL/insert_surface_vertices_3.h>
 
@@ -33,7 +33,7 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<K::Point_3>;
 using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 
-// An InsertionPlan: a random order, and rounds of which each is as long as all before it.
+// An InsertionPlan: a random order, and rounds that are each as long as all earlier ones together.
 class Doubling_rounds
 {
 public:
@@ -85,7 +85,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // Traits and seed change the way, not the result.
+  // Traits and seed do not change the result.
   std::cout << "The triangulations are " << (ours == papers ? "equal" : "different") << '\n';
   return ours == papers ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A visitor that follows the work and ends it before it is done.
+// A visitor that follows the work and stops it before it is complete.
 
 #include <CGAL/insert_surface_vertices_3.h>
 
@@ -23,7 +23,7 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<K::Point_3>;
 using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 
-// The base class does nothing; only what is of interest is written anew.
+// The base class does nothing; only the functions of interest are redefined.
 struct My_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   std::size_t inserted = 0, points_of_round = 0, limit = 0;
@@ -35,7 +35,7 @@ struct My_visitor : CGAL::Default_surface_insertion_visitor_3
     std::cout << "round " << round << ": " << number_of_points << " points\n";
   }
 
-  // Is asked in each round, every 256 points; a real program would look at a clock or a button here.
+  // Called in each round, every 256 points. A real program would check a clock or a button here.
   bool go_further() { return inserted < limit; }
 };
 
@@ -49,7 +49,7 @@ int main(int argc, char* argv[])
   }
   Triangulation tr;
 
-  // Visitors are copied; std::ref() hands over this one, which can be asked afterwards.
+  // Visitors are copied. With std::ref() this one is used, and can be queried afterwards.
   My_visitor visitor;
   visitor.limit = mesh.number_of_vertices() / 8;
   try {

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A surface from points alone: CGAL's advancing front takes a Delaunay triangulation that is
-// already built. Its triangles are those of the function which inserts the points itself.
+// A surface from points alone: CGAL's advancing front accepts a Delaunay triangulation that is
+// already built. The triangles are those of CGAL's function that inserts the points itself.
 
 #include <CGAL/insert_points_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -33,8 +33,8 @@ using Tds = CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>;
 using Triangulation = CGAL::Delaunay_triangulation_3<K, Tds>;
 using Facets = std::vector<std::array<std::size_t, 3>>;
 
-// In one order, whichever side is out: of facets that are equally good the front starts from the
-// first, which depends on the order of the vertices.
+// Brings the triangles into one order, whichever side is outside: of equally good facets, the front
+// starts from the first, which depends on the order of the vertices.
 Facets sorted(Facets facets)
 {
   for (auto& facet : facets)

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A spanning subgraph of bounded degree as a property map on the edges of a mesh, and as a graph of
-// its own by boost::filtered_graph.
+// A spanning subgraph of bounded degree, as a property map on the edges of a mesh, and as a
+// separate graph by boost::filtered_graph.
 
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
@@ -35,7 +35,7 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<K::Point_3>;
 using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
-// What boost::filtered_graph asks of every edge.
+// The predicate that boost::filtered_graph applies to every edge.
 struct Is_in_subgraph
 {
   Edge_map map;
@@ -46,7 +46,7 @@ struct Is_in_subgraph
   }
 };
 
-// Prints what there is to say; returns whether the subgraph is what it should be.
+// Prints the results, and returns whether the subgraph is correct.
 bool certified_subgraph(Mesh& mesh)
 {
   const auto surface = CGAL::surface_of(mesh);
@@ -70,13 +70,13 @@ bool certified_subgraph(Mesh& mesh)
             << certificate.maximum_degree << ", "
             << (certificate.is_valid_subgraph() ? "certified" : "not certified") << "\n";
 
-  // A tree whose largest degree is nearly the least that any spanning tree has.
+  // A tree whose largest degree is nearly the least possible.
   std::vector<Mesh::Edge_index> tree;
   CGAL::near_minimum_degree_spanning_tree(surface, std::back_inserter(tree));
   std::cout << "a spanning tree of degree "
             << CGAL::certify_spanning_subgraph(surface, tree).maximum_degree << "\n";
 
-  // Any algorithm of Boost.Graph runs on the subgraph.
+  // Any algorithm of Boost.Graph works on the subgraph.
   const boost::filtered_graph<Mesh, Is_in_subgraph> subgraph(mesh, {is_in_subgraph});
   std::vector<std::size_t> distances(num_vertices(mesh), 0);
   const auto index = get(boost::vertex_index, mesh);
@@ -101,6 +101,6 @@ int main(int argc, char* argv[])
     return certified_subgraph(mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const CGAL::Surface_input_error& error) {
     std::cerr << file_name << ": " << error.what() << '\n';
-    return EXIT_FAILURE; // the surface is not made of triangles, say
+    return EXIT_FAILURE; // for example, the surface has other faces than triangles
   }
 }

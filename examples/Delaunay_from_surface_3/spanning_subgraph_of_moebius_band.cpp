@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A Möbius band as a graph with the cyclic order of the edges around every vertex.
+// A Möbius band, as a graph with the cyclic order of the edges around every vertex.
 
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Which tetrahedra lie inside a closed surface? Where the triangulation has all triangles of the
-// surface, as it has if the samples are dense, they fill it; elsewhere the centroids decide, and
-// the volumes differ. A surface with gaps has no such inside; there winding numbers serve, by
-// inside_of_surface_3().
+// Finds the tetrahedra inside a closed surface. If the triangulation contains all triangles of the
+// surface, as it does for dense samples, these tetrahedra fill the surface. Otherwise the centroids
+// decide, and the volumes differ. For a surface with gaps use inside_of_surface_3(), which computes
+// winding numbers.
 
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Thins points while they are inserted: a point that is nearer to a vertex than a given distance is
-// left out. No two vertices are then nearer to each other, and every point is near one of them.
+// left out. So no two vertices are nearer to each other, and every point is that near to a vertex.
 
 #include <CGAL/insert_points_3.h>
 
@@ -26,7 +26,7 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = K::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 
-// Is asked about each point, with the vertex that is nearest to it at that time.
+// Decides about each point, given the vertex that is nearest to it at that time.
 struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   const std::vector<Point>& points;
@@ -45,7 +45,7 @@ struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
   }
 };
 
-// Is that what has become of the points?
+// Whether the points were thinned as intended.
 bool is_thinned(const Triangulation& tr, const std::vector<Point>& points, double squared_distance)
 {
   for (const auto& e : tr.finite_edges()) // the nearest vertices are joined by an edge

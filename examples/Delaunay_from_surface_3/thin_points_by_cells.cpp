@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The default loop of COLMAP's mesher, by a visitor: a point that was reconstructed from images is
-// left out if it looks like all four vertices of the cell that contains it, in every image that
-// shows it. The loop that locates each point in plain CGAL, asks, and inserts comes second, in the
-// same order, and leaves out the same points.
+// The default loop of COLMAP's mesher, as a visitor. A point that was reconstructed from images is
+// left out if, in every image that shows it, it looks like all four vertices of the cell that
+// contains it. For comparison, a loop over plain CGAL that locates, tests and inserts each point
+// follows. In the same order it leaves out the same points.
 
 #include <CGAL/insert_points_3.h>
 
@@ -61,7 +61,7 @@ struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   const std::vector<Point>& points;
   const Images& images;
-  std::vector<std::size_t> asked; // in this order; the first point is inserted without a question
+  std::vector<std::size_t> asked; // in this order; the first point is inserted without a call
 
   Thinning_visitor(const std::vector<Point>& p, const Images& i)
     : points(p)
@@ -82,7 +82,7 @@ struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
   }
 };
 
-// The loop.
+// The loop over plain CGAL.
 Triangulation by_plain_cgal(const std::vector<Point>& points, const std::vector<std::size_t>& order,
                             const Images& images)
 {

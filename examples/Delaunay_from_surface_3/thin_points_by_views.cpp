@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points that were reconstructed from images are thinned where the images cannot tell them apart: a
-// point is left out if in all images that show it the nearest vertex has a similar depth and lies
-// within a few pixels. That is what OpenMVS does before it cuts a surface out of the cells; what
-// COLMAP asks is in thin_points_by_cells.cpp. Images that show a point that is left out then count
-// for the vertex that stands for it.
+// Thins points that were reconstructed from images, where the images cannot tell them apart. A
+// point is left out if, in all images that show it, the nearest vertex has a similar depth and lies
+// within a few pixels. OpenMVS does this before it cuts a surface out of the cells; COLMAP's test
+// is in thin_points_by_cells.cpp. The images that show a point left out are then counted for the
+// vertex that represents it.
 
 #include <CGAL/insert_points_3.h>
 
@@ -51,7 +51,7 @@ struct Camera
     return {focal_length * (v * right) / depth, focal_length * (v * up) / depth, depth};
   }
 
-  // Do the two look different here?
+  // Whether the two look different here.
   bool tells_apart(const Point& p, const Point& q) const
   {
     const double pixels = 4, depth_ratio = .05;
@@ -81,7 +81,7 @@ struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
   const std::vector<Point>& points;
   const std::vector<Camera>& cameras;
   const std::vector<std::vector<std::size_t>>& views; // by point: the cameras that see it
-  std::vector<std::size_t> stands_in;                 // by point: the one that is in its place
+  std::vector<std::size_t> stands_in;                 // by point: the one that represents it
 
   Thinning_visitor(const std::vector<Point>& p, const std::vector<Camera>& c,
                    const std::vector<std::vector<std::size_t>>& v)
@@ -93,7 +93,7 @@ struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
     std::iota(stands_in.begin(), stands_in.end(), std::size_t(0));
   }
 
-  // If the work begins anew, so do the questions: the last answer counts.
+  // If the work begins anew, this is called again for each point: the last answer counts.
   bool accept(std::size_t i, std::size_t nearest, const Point& point)
   {
     stands_in[i] = i;
@@ -136,7 +136,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // What each vertex has seen, the points included that it stands in for.
+  // The views of each vertex, including those of the points that it represents.
   std::vector<std::set<std::size_t>> views_of_vertices(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     views_of_vertices[visitor.stands_in[i]].insert(views[i].begin(), views[i].end());

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Writes a surface with its cut graph and its subgraph of bounded degree to one file in VTK's text
-// format, which ParaView reads: triangles and lines, and for each the number `part` to colour by: 0 for
-// the surface, 1 for the subgraph, 2 for the cut graph.
+// format, which ParaView reads. The file has triangles and lines, each with a number `part` to
+// colour by: 0 for the surface, 1 for the subgraph, 2 for the cut graph.
 
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/surface_of.h>
@@ -83,7 +83,7 @@ int main(int argc, char** argv)
     CGAL::bounded_degree_spanning_subgraph(triangles, std::back_inserter(subgraph));
   } catch (const CGAL::Surface_input_error& error) {
     std::cerr << surface << ": " << error.what() << '\n';
-    return EXIT_FAILURE; // a face that is no triangle, say
+    return EXIT_FAILURE; // for example, a face is not a triangle
   }
 
   const std::string file_name = argc > 2 ? argv[2] : "cut_and_subgraph.vtk";

@@ -18,15 +18,17 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Points
 
-is a `Delaunay_triangulation_3` that inserts ranges by `insert_points_3()`: in place of that class it
-makes the triangulations of others faster by a change of one type, those of `Alpha_shape_3`,
-`Fixed_alpha_shape_3`, `Advancing_front_surface_reconstruction` and of your own templates among them.
+is a `Delaunay_triangulation_3` that inserts ranges by `insert_points_3()`. Used as the
+triangulation type of `Alpha_shape_3`, `Fixed_alpha_shape_3`,
+`Advancing_front_surface_reconstruction` or your own templates, it makes these faster without any
+other change.
 
-It is one in all else: the same vertices, cells and functions, and the result is equal. Of several
-pairs with equal points the first gives the vertex its info, as `insert_points_3()` says.
+In all other respects it is a `Delaunay_triangulation_3`: it has the same vertices, cells and
+functions, and the result is equal. Of several pairs with equal points the first determines the info
+of the vertex, as in `insert_points_3()`.
 
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`. With a `Tds` for
-`Parallel_tag` many threads insert.
+`Parallel_tag`, many threads insert.
 */
 template <class Gt, class Tds = Default, class Lp = Default, class Slds = Default>
 class Delaunay_from_points_3 : public Delaunay_triangulation_3<Gt, Tds, Lp, Slds>
@@ -38,17 +40,18 @@ class Delaunay_from_points_3 : public Delaunay_triangulation_3<Gt, Tds, Lp, Slds
                            typename Delaunay_triangulation_3<Gt, Tds, Lp, Slds>::Point>::value;
 
 public:
-  /// the triangulation that this is.
+  /// the base class.
   using Base = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
 
-  /// is empty.
+  /// constructs an empty triangulation.
   explicit Delaunay_from_points_3(const Gt& gt = Gt())
     : Base(gt)
   {
   }
 
-  /// has the points in the range [`first`, `last`), which may be pairs of a point and an info; `rest`
-  /// is what `Base` is made of: geometric traits, a lock data structure, or nothing.
+  /// constructs the triangulation of the points in the range [`first`, `last`), which may be pairs
+  /// of a point and an info. The arguments `rest` are passed to the constructor of `Base`:
+  /// geometric traits, a lock data structure, or nothing.
   template <class InputIterator, class... Rest>
   Delaunay_from_points_3(InputIterator first, InputIterator last, const Rest&... rest)
     : Base(rest...)
@@ -56,7 +59,7 @@ public:
     insert(first, last);
   }
 
-  /// is empty, with a lock data structure.
+  /// constructs an empty triangulation with a lock data structure.
   template <class LockDataStructure>
   explicit Delaunay_from_points_3(LockDataStructure* lock_ds, const Gt& gt = Gt())
     : Base(lock_ds, gt)
@@ -71,7 +74,7 @@ public:
   /// \endcond
 
   /// inserts the points in the range [`first`, `last`), or the pairs of a point and an info, by
-  /// `insert_points_3()`. Returns the number of vertices gained.
+  /// `insert_points_3()`, and returns the number of vertices gained.
   template <class InputIterator>
 #ifdef DOXYGEN_RUNNING
   std::ptrdiff_t
@@ -83,7 +86,7 @@ public:
     return insert_points_3(static_cast<Base&>(*this), first, last);
   }
 
-  /// inserts one point, as `Delaunay_triangulation_3::insert()` does: `rest` is what that takes.
+  /// inserts one point by `Delaunay_triangulation_3::insert()`, to which `rest` is passed.
   template <class... Rest>
   typename Base::Vertex_handle insert(const typename Base::Point& p, const Rest&... rest)
   {

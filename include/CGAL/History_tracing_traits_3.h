@@ -16,16 +16,18 @@ namespace CGAL {
 \ingroup PkgDelaunayFromSurface3Traits
 
 is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1): random order, rounds that end at
-\f$N_h\f$, traces of a spanning subgraph T of bounded degree, and the history of all conflicts. It
-is here to study the theorem, not to save time: it takes several times the memory of the others, and
-is slower.
+\f$N_h\f$, traces of a spanning subgraph T of bounded degree, and the history of all conflicts. Its
+purpose is to study the theorem, not to save time: it is slower than the other traits, and takes
+several times their memory. It cannot be used with `Fast_location`.
 
-\f$O(n \log^* n)\f$ expected time under the assumptions of the paper: T is of bounded degree and
-consists of Delaunay edges, and triangulations of the points inserted so far have linear expected
-size. How far measurements agree is on the page \ref delaunay_from_surface_3_the_paper. T is that of
-`Bounded_degree_subgraph`, for meshes and soups; a surface that it refuses, and a graph without
-faces, get a `Spanning_forest`, whose degree has no bound, and the visitor is told. Not with
-`Fast_location`.
+T is that of `Bounded_degree_subgraph`, for meshes and soups. For a surface that this refuses, and
+for a graph without faces, T is a `Spanning_forest`, whose degree is not bounded, and the visitor is
+told.
+
+<b>Complexity</b>: expected \f$O(n \log^* n)\f$ time under the assumptions of the paper: T has
+bounded degree and consists of Delaunay edges, and the triangulations of the points inserted so far
+have linear expected size. \ref delaunay_from_surface_3_the_paper "The page on the paper" compares
+this with measurements.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

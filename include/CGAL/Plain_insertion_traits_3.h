@@ -15,12 +15,12 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the control: exactly the insertions of `Delaunay_triangulation_3::insert(first, last)`, in that
-order and from those starting cells. The surface is not looked at. With `Fast_location` this
-is true of the lowest level; with `Parallel_tag` that function lets many threads insert, and this
-class one.
+is the control: exactly the insertions of `Delaunay_triangulation_3::insert(first, last)`, in the
+same order and from the same starting cells. The surface is not used. With `Fast_location` this
+holds for the lowest level. With `Parallel_tag` that function inserts with many threads, this class
+with one.
 
-Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions take.
+<b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
@@ -29,7 +29,7 @@ struct Plain_insertion_traits_3
                                  Delaunay_from_surface_3::Spatial_sort_order,
                                  Delaunay_from_surface_3::Previous_hint_3>
 {
-  /// `false`: CGAL's own insertion is what is to be compared with.
+  /// `false`: CGAL inserts.
   static constexpr bool through_core = false;
 };
 

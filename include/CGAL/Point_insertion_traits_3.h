@@ -17,11 +17,11 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is what inserts points without a surface: rounds of well-spaced points, each from one of an earlier
-round that is near, into a compact triangulation that is written into the user's at the end. Where
-that cannot serve, CGAL's own insertion does.
+inserts points without a surface, in rounds of well-spaced points. The location of each point starts
+at a nearby point of an earlier round. The points are inserted into a compact triangulation, which
+is copied into the user's at the end. If that is not possible, CGAL's own insertion takes over.
 
-Expected \f$O(n \log n)\f$ for the order of n points, plus what the insertions take.
+<b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

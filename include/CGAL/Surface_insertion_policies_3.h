@@ -12,7 +12,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-binds one model of each concept of the package to a traits class. A user's own mixture is one line:
+combines one model of each concept of the package into a traits class. Your own combination takes
+one line:
 
 \code{.cpp}
 namespace DFS = CGAL::Delaunay_from_surface_3;
@@ -22,8 +23,8 @@ using My_traits =
 
 \tparam SurfaceSubgraph a model of `SurfaceSubgraph` and `DefaultConstructible`
 \tparam InsertionPlan a model of `InsertionPlan`, constructible from a seed
-\tparam InsertionHints a template whose instances with `Delaunay_from_surface_3::Triangulation_target_3` and a subgraph model
-`InsertionHints_3`
+\tparam InsertionHints a template whose instances with
+`Delaunay_from_surface_3::Triangulation_target_3` and a subgraph are models of `InsertionHints_3`
 
 \cgalModels{SurfaceInsertionTraits_3}
 */
@@ -31,18 +32,18 @@ template <class SurfaceSubgraph, class InsertionPlan,
           template <class Target, class Subgraph> class InsertionHints>
 struct Surface_insertion_policies_3
 {
-  /// the functor that makes T.
+  /// the function object that makes T.
   using Surface_subgraph = SurfaceSubgraph;
 
-  /// the functor that makes order and rounds.
+  /// the function object that makes order and rounds.
   using Insertion_plan = InsertionPlan;
 
   /// the policy that gives each point its starting cell.
   template <class Target, class Subgraph>
   using Insertion_hints_3 = InsertionHints<Target, Subgraph>;
 
-  /// whether the points go through the core, in which nothing is traced: with `Planned_hints_3` and
-  /// `Previous_hint_3`. Any other policy traces, or asks, the triangulation of the user.
+  /// `true` with `Planned_hints_3` and `Previous_hint_3`: the points go through the core, in which
+  /// nothing is traced. Any other policy traces or queries the user's triangulation.
   static constexpr bool through_core =
       Delaunay_from_surface_3::internal::Starts_in_core<InsertionHints>::value;
 
@@ -51,10 +52,10 @@ struct Surface_insertion_policies_3
       Delaunay_from_surface_3::internal::Starts_in_core<InsertionHints>::uses_starting_places;
   /// \endcond
 
-  /// returns the functor that makes T.
+  /// returns the function object that makes T.
   Surface_subgraph surface_subgraph_object() const { return Surface_subgraph(); }
 
-  /// returns the functor that makes order and rounds from `seed`.
+  /// returns the function object that makes order and rounds from `seed`.
   Insertion_plan insertion_plan_object(unsigned int seed) const { return Insertion_plan(seed); }
 };
 

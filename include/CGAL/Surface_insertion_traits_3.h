@@ -15,12 +15,13 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the default, what measured fastest: rounds and starting points from nets of the surface, inserted
-into a compact triangulation that is written into the user's at the end. Where that cannot serve,
-CGAL's own insertion does. Nothing is traced.
+is the default, which was the fastest in measurements. Rounds and starting points come from nets of
+the surface. The points are inserted into a compact triangulation, which is copied into the user's
+at the end. If that is not possible, CGAL's own insertion takes over. Nothing is traced.
 
-Expected \f$O((n + m) \log n)\f$ for n points and m edges, and \f$O(n)\f$ on surfaces like those
-measured (`Delaunay_from_surface_3::Surface_net_rounds`), plus what the insertions take.
+<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for the order of n points along m edges, and
+\f$O(n)\f$ on surfaces like those measured (`Delaunay_from_surface_3::Surface_net_rounds`), plus the
+insertions.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

@@ -19,32 +19,38 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is an engine of `delaunay_3_tiles()` for the processes of an MPI communicator, its *ranks*: each has
-some of the tiles in memory, and reads one part of the points
-(`Tile_source_3::first_of_part()`). It is constructed, between
-`MPI_Init()` and `MPI_Finalize()` and by all ranks, from an `MPI_Comm`, of which it makes a copy,
-and the number of threads of a rank. With more than one, MPI is initialized with
-`MPI_THREAD_FUNNELED` at least: MPI is called by the thread that calls `delaunay_3_tiles()`.
+is an engine of `delaunay_3_tiles()` for the processes of an MPI communicator, its *ranks*. Each
+rank has some of the tiles in memory, and reads one part of the points
+(`Tile_source_3::first_of_part()`).
 
-All ranks call `delaunay_3_tiles()` with the same points and the same options, but for
-`Tiles_options::progress`, which is told of the rank's own part. That they do is checked, and that
-each point is read by one rank; of the points only the number can be compared. The sink of a rank is
-given the rank's tiles. All ranks get the same report, or throw the same: whatever a rank throws,
-also its sink, is thrown by all when the step has ended, with the number of the rank before the
-message, unless all throw the same. An exception that no engine knows becomes a
-`std::runtime_error`. A rank that ends otherwise ends all, as `mpirun` does it.
+All ranks construct it between `MPI_Init()` and `MPI_Finalize()`, from an `MPI_Comm`, which it
+duplicates, and the number of threads per rank, by default 1. For more than one thread, MPI must be
+initialized with at least `MPI_THREAD_FUNNELED`: the thread that calls `delaunay_3_tiles()` calls
+MPI.
 
-`together(f)` calls `f()` on each rank, with the same care: for what may throw on one of them, as
-opening a file. `rank()` and `number_of_ranks()` return what they say, `bytes_sent()` the number of
-bytes that this rank sent to others, `seconds_of_exchange()` how long it sent, and waited for
-others.
+All ranks call `delaunay_3_tiles()` with the same points and the same options, except
+`Tiles_options::progress`, which reports the rank's own part. This is checked, and also that
+each point is read by one rank; for the points only the number can be compared. The sink of a rank
+receives the rank's tiles.
 
-The header is empty where the compiler does not find `mpi.h`. CMake's target
-`Delaunay_from_surface_3::mpi` knows where it is.
+All ranks get the same report, or throw the same exception. If a rank or its sink throws, all ranks
+throw at the end of the step, with the number of that rank before the message, unless all throw the
+same. An exception of a type unknown to the engines becomes a `std::runtime_error`. If a rank ends
+in another way, `mpirun` ends all ranks.
+
+`together(f)` calls `f()` on each rank and handles exceptions in the same way; use it for what may
+throw on one rank, such as opening a file. `rank()` and `number_of_ranks()` return the number of
+this rank and that of all ranks, `bytes_sent()` the number of bytes that this rank sent to others,
+and `seconds_of_exchange()` the time that it spent sending and waiting for others.
+
+The header is empty if the compiler does not find `mpi.h`. CMake's target
+`Delaunay_from_surface_3::mpi` provides its location.
 
 <b>Memory</b>: about 300 bytes for each point that a tile keeps, and half as much again for the tile
-that `sink` is given. <b>Messages</b>: per rank and round at most one to each other rank, of less
-than 1 GB, or several of 512 MB; 32 bytes for each point that is told.
+passed to `sink`.
+
+<b>Messages</b>: per rank and round at most one to each other rank, of less than 1 GB, or several of
+512 MB; 32 bytes for each point that is told.
 */
 using Tiles_by_mpi_3 = Delaunay_from_surface_3::internal::Tiles_by_mpi;
 

@@ -15,13 +15,15 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk in place of its
-location structure Q: random order, rounds that end at \f$N_h\f$, a trace of a spanning subgraph T of
-bounded degree at the end of each round but the last. Round 1 follows a Hilbert curve. T is that of
-`Bounded_degree_subgraph`, for meshes and soups; a surface that it refuses, and a graph without
-faces, get a `Spanning_forest`, whose degree has no bound, and the visitor is told.
+is the algorithm of the paper (\cgalCite{choi-dtsm-02}, Fig.\ 1), with a walk instead of its
+location structure Q: random order, rounds that end at \f$N_h\f$, and a trace of a spanning subgraph
+T of bounded degree at the end of each round but the last. Round 1 follows a Hilbert curve.
 
-The bound of \f$O(n \log^* n)\f$ expected time is that of the paper's Q, and not claimed for walks.
+T is that of `Bounded_degree_subgraph`, for meshes and soups. For a surface that this refuses, and
+for a graph without faces, T is a `Spanning_forest`, whose degree is not bounded, and the visitor is
+told.
+
+The bound of \f$O(n \log^* n)\f$ expected time holds for the paper's Q; it is not claimed for walks.
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

@@ -20,29 +20,31 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Inside
 
-is the generalised winding number of a surface, a function of points: how often the surface goes
-around them (\cgalCite{jks-rioss-13}). It is a whole number if the surface is closed, and nearly one
-away from its gaps if it nearly is. The surface may have any number of parts, edges with any number
-of faces, and intersect itself; but its faces should be oriented alike.
+is a function object that computes the generalised winding number of a surface at a point: how often
+the surface goes around the point (\cgalCite{jks-rioss-13}). It is an integer if the surface is
+closed. If the surface has gaps, it is nearly an integer away from these. The surface may have any
+number of parts, any number of faces at an edge, and may intersect itself, but its faces should be
+oriented consistently.
 
-Groups of triangles that are far from a point count as a whole, to the third order
-(\cgalCite{bdslj-fwn-18}), so that the numbers are right up to about 0.01.
+Groups of triangles that are far from the point are approximated by an expansion to the third order
+(\cgalCite{bdslj-fwn-18}), so the numbers are correct up to about 0.01.
 
-<b>Complexity</b>: \f$O(n \log n)\f$ for n triangles, about 110 bytes for each; a call takes
-\f$O(\log n)\f$ where the surface is spread evenly. Calls may be made by many threads.
+<b>Complexity</b>: construction takes \f$O(n \log n)\f$ time for n triangles, and about 110 bytes
+for each. A call takes \f$O(\log n)\f$ if the surface is spread evenly. Several threads may call at
+the same time.
 */
 class Winding_number_3
 {
 public:
   /*!
-  reads a surface, and keeps nothing of what it is given.
+  reads a surface, and keeps no reference to the arguments.
 
-  \tparam PointRange a range of points as `delaunay_3_arrays()` takes them
+  \tparam PointRange as for `delaunay_3_arrays()`
   \tparam FaceRange a range of ranges of integers
 
   \param points the points
-  \param faces for each face the indices of its points, in order; seen from outside they are
-    counterclockwise. A polygon counts as the fan of triangles at its first point.
+  \param faces for each face the indices of its points, in order, counterclockwise as seen from
+  outside. A polygon counts as the fan of triangles at its first point.
 
   \throws Surface_input_error if a coordinate is not a finite number, or an index is out of range
   */
@@ -52,8 +54,8 @@ public:
   {
   }
 
-  /// returns the number of a point: of any kernel, or with coordinates `p[0]`, `p[1]`, `p[2]` that
-  /// are numbers. On the surface itself it is any number between those of the two sides.
+  /// returns the winding number at `p`, a point of any kernel, or with arithmetic coordinates
+  /// `p[0]`, `p[1]`, `p[2]`. On the surface itself it is any number between those of the two sides.
   template <class Point>
   double operator()(const Point& p) const
   {

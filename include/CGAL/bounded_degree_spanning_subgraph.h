@@ -21,28 +21,28 @@ The degree of every vertex is at most
 - 8g on a closed component of genus g > 0,
 - 8g + 2b + 1 on a component of genus g with b > 0 boundary loops;
 
-where the component is not orientable, 2g is its non-orientable genus.
+where 2g stands for the non-orientable genus if the component is not orientable.
 
 On each component the subgraph contains the graph along which it was cut open (see
 `Delaunay_from_surface_3::cut_graph()`) and the boundary, or the triangle by which a sphere was
-opened; the rest hangs on these as trees.
+opened. The rest is attached to these as trees.
 
-\tparam Reader what `surface_of()` says
-\tparam EdgeOutputIterator a model of `OutputIterator` that holds
+The algorithm is that of \cgalCite{choi-dtsm-02}, §3.2, with corrections that the manual explains
+(\ref bds_disc, \ref bds_proof_subgraph).
+
+<b>Complexity</b>: time linear in the size of the surface, without recursion. With about three edges
+per vertex, at most about 40 bytes of memory per vertex are used besides the surface.
+
+\tparam Reader determined by `surface_of()`
+\tparam EdgeOutputIterator a model of `OutputIterator` that accepts
 `Triangulated_surface<Reader>::%edge_descriptor`
 
 \param surface the surface, from `surface_of()`
-\param out where the subgraph's edges go, each once, in no particular order
+\param out receives the edges of the subgraph, each once, in no particular order
 
-\return the output iterator
+\return the output iterator past the last edge written
 
-\throws Surface_input_error as `surface_of()` says
-
-Complexity: time linear in the size of the surface, without recursion, and at most about 40 bytes of
-memory per vertex besides it, where there are about three edges per vertex.
-
-The algorithm is that of \cgalCite{choi-dtsm-02}, Section 3.2, with the corrections given in
-\ref delaunay_from_surface_3_the_paper.
+\throws Surface_input_error as described for `surface_of()`
 
 Example: \ref Delaunay_from_surface_3/spanning_subgraph.cpp
 */
@@ -58,15 +58,18 @@ EdgeOutputIterator bounded_degree_spanning_subgraph(
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of a spanning tree of bounded degree of every component of a triangulated surface:
-the subgraph of `bounded_degree_spanning_subgraph()`, from which cycles have been dropped at the
-heaviest vertices.
+writes the edges of a spanning tree of bounded degree of every component of a triangulated surface.
+It is the subgraph of `bounded_degree_spanning_subgraph()` after removal of the edges that close
+cycles, preferably at vertices of large degree (\ref bds_tree).
 
 The degree of every vertex is at most max(3, 6g + 2b) on a component of genus g with b boundary
-loops, where 2g is the non-orientable genus if it is not orientable; and 4 on the projective plane.
+loops, where 2g stands for the non-orientable genus if the component is not orientable; on the
+projective plane it is at most 4.
 
-The parameters and exceptions are those of `bounded_degree_spanning_subgraph()`.
-Complexity: nearly linear time, \f$O(n \alpha(n))\f$ for n vertices and edges.
+The parameters, the return value and the exceptions are those of
+`bounded_degree_spanning_subgraph()`.
+
+<b>Complexity</b>: nearly linear time, \f$O(n \alpha(n))\f$ for n vertices and edges.
 
 Example: \ref Delaunay_from_surface_3/spanning_subgraph_of_moebius_band.cpp
 */

@@ -15,20 +15,24 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-finds out whether edges of a triangulated surface span it, with what degrees, and whether the
-degrees keep within the bounds that follow from the surface's own Euler characteristic. It shares
-nothing with the construction of `bounded_degree_spanning_subgraph()` but the reading of the
-surface, and serves for any set of its edges.
+checks whether a set of edges of a triangulated surface spans it, computes the degrees, and checks
+whether these satisfy the bounds that follow from the Euler characteristic of the surface. It
+accepts any set of edges. With the construction of `bounded_degree_spanning_subgraph()` it shares
+only the code that reads the surface.
 
-\tparam Reader what `surface_of()` says
+<b>Complexity</b>: linear time for the surface, \f$O(m \log m)\f$ for m edges of the subgraph, and
+for each of these the smaller degree of its ends in the surface.
+
+\tparam Reader determined by `surface_of()`
 \tparam EdgeRange a range of `Triangulated_surface<Reader>::%edge_descriptor`
 
 \param surface the surface, from `surface_of()`
-\param subgraph_edges the edges to look at
+\param subgraph_edges the edges to check
 
-\throws Surface_input_error as `surface_of()` says, and if two indices of a soup are no edge of it
+\return what was found
 
-Complexity: linear time for the surface, and \f$O(m \log m)\f$ for m edges of the subgraph.
+\throws Surface_input_error as described for `surface_of()`, and if an edge is not one of the
+surface
 
 Example: \ref Delaunay_from_surface_3/spanning_subgraph.cpp
 */

@@ -64,13 +64,14 @@ returns whether the edges of a surface contain a Euclidean minimum spanning tree
 they do, `Delaunay_from_surface_3::Minimum_spanning_forest` finds it without the triangulation
 (\cgalCite{choi-dtsm-02}, §3.1).
 
-It compares the lengths of the edges of two trees, exactly: those of the surface's own minimum
-spanning forest and those of `euclidean_minimum_spanning_tree_3()`. Vertices at the same point count
-as one.
+The function exactly compares the edge lengths of two trees: those of the minimum spanning forest of
+the surface, and those of `euclidean_minimum_spanning_tree_3()`. Vertices at the same point count as
+one.
 
 <b>Complexity</b>: \f$O(m \log m)\f$ for m edges of the surface and the triangulation.
 
-\tparam Graph a model of `VertexListGraph` and `EdgeListGraph` with points, such as a mesh
+\tparam Graph a model of `VertexListGraph` and `EdgeListGraph` whose vertices have points, such as a
+mesh
 \tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; `Gt` as in
 `euclidean_minimum_spanning_tree_3()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -78,11 +79,11 @@ as one.
 \param mesh the surface
 \param tr the triangulation of its vertices
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below
+below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices of `mesh`}
+    \cgalParamDescription{maps the vertices of `mesh` to points}
     \cgalParamType{as in `insert_surface_vertices_3()`}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd

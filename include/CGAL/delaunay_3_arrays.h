@@ -101,49 +101,52 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-returns the Delaunay triangulation of points as arrays of numbers: its cells are those of a
+returns the Delaunay triangulation of points as arrays of numbers. Its cells are those of a
 `Delaunay_triangulation_3<Exact_predicates_inexact_constructions_kernel>` after `insert(first,
-last)`. No triangulation of CGAL's is made, also where the points lie in a plane or on a line.
+last)`. No %CGAL triangulation is built, even if the points lie in a plane or on a line.
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
-<b>Memory</b>, at the peak and beyond `points`: about 270 bytes per point where a point has 6.8
-cells, as points in space have; those of the arrays included.
+<b>Memory</b>: at the peak and beyond `points` about 270 bytes per point, including the arrays, if
+there are 6.8 cells per point, as for random points in space.
 
 \tparam Index `std::int32_t`: up to \f$2^{30}\f$ cells, or 150 million points; `std::int64_t`: any
+number
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. With
-`Parallel_tag`, which needs TBB, many threads insert, as with `insert_points_3()`; the numbers of
+`Parallel_tag`, which requires TBB, many threads insert, as with `insert_points_3()`; the numbers of
 the cells then differ from run to run.
 \tparam PointRange a range of points of any kernel, of `std::array<double, 3>`, pointers to three
-numbers, or anything with coordinates `p[0]`, `p[1]`, `p[2]`; or of items that `point_map` turns
-into points. It is passed through more than once.
+numbers, or anything with coordinates `p[0]`, `p[1]`, `p[2]`; or of items that `point_map` maps
+to points. It is traversed more than once.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param points the points
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below
+below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
-    \cgalParamDescription{the points of the items of `points`}
-    \cgalParamType{a model of `ReadablePropertyMap` from the items to points of any kernel; what is
-      no `double` is converted as `insert_surface_vertices_3()` does it}
+    \cgalParamDescription{maps the items of `points` to points}
+    \cgalParamType{a model of `ReadablePropertyMap` from the items to points of any kernel;
+      coordinates that are not of type `double` are converted as in `insert_surface_vertices_3()`}
     \cgalParamDefault{the items themselves}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order; it decides the numbers of the cells, too.
-    That of points alone is random only where its budget is exceeded.}
+    \cgalParamDescription{the seed of the insertion order, which also determines the numbers of the
+      cells. For points alone it has an effect only if the budget of the order is exceeded.}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it: the arrays are then empty. It
-      is copied unless it is passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3` without `accept()`, or a callable as that
-      of `insert_points_3()`}
+    \cgalParamDescription{is told about the progress, and can stop the work; the arrays are then
+      empty. It is copied unless it is passed by `std::ref()`.}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3` without `accept()`, or a callable as for
+      `insert_points_3()`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
+
+\return the triangulation; after a stop, one without points and cells
 
 \throws Surface_input_error if a coordinate is not a finite number
 \throws std::length_error if there are more cells than `Index` can number
@@ -169,10 +172,10 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 \ingroup PkgDelaunayFromSurface3Arrays
 
 does the same for the points of a polygon soup, whose faces show which points are near each other.
-The order is that of `insert_points_3()` with its default traits.
+The order is that of `insert_points_3()` with its default traits; the seed always has an effect.
 
-\param points the points, those in no face included
-\param faces the faces: a range of ranges of integers, for each the indices of its points in order
+\param points the points, including those in no face
+\param faces a range of ranges of integers: for each face the indices of its points, in order
 \param np as above
 
 \throws Surface_input_error also if a face has an index out of range
@@ -198,11 +201,11 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-does the same for points that move a little from call to call: the order of insertion is that of the
+does the same for points that move a little from call to call, in the order of insertion of the
 last call.
 
 \code{.cpp}
-CGAL::Delaunay_from_surface_3::Insertion_order order; // of nothing, at first
+CGAL::Delaunay_from_surface_3::Insertion_order order; // empty at first
 for (int step = 0; step < 20; ++step) {
   move(points);
   const auto arrays = CGAL::delaunay_3_arrays(points, order);
@@ -210,12 +213,12 @@ for (int step = 0; step < 20; ++step) {
 \endcode
 
 \param points the points
-\param order the order of the last call, which this call leaves behind: if it is one of another
-number of points, an empty one included, or is too costly by now, a new one is made. It never
-changes the cells, only their numbers, and the time. 16 bytes per point.
+\param order the order of the last call, and after this call the order that it used. If it has
+another number of points (as an empty one has), or has become too costly, a new order is made and
+stored. It changes only the numbers of the cells and the time. It takes 16 bytes per point.
 \param np as above
 
-\throws Surface_input_error also if `order` is no order
+\throws Surface_input_error also if `order` is not a valid order
 */
 template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, class PointRange,
           typename CGAL_NP_TEMPLATE_PARAMETERS>

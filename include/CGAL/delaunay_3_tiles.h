@@ -26,54 +26,56 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is an engine of `delaunay_3_tiles()`: all tiles are in memory. It is constructed from the number of
-its threads. Where there are fewer tiles to make than threads, several insert the points of one;
-then the order of its cells depends on chance.
+is an engine of `delaunay_3_tiles()` with all tiles in memory. Its constructor takes the number of
+threads, by default 1. If there are fewer tiles to make than threads, several threads insert the
+points of one tile; the order of its cells then depends on chance.
 */
 using Tiles_here_3 = Delaunay_from_surface_3::internal::Tiles_here;
 
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is an engine of `delaunay_3_tiles()`, out of core: what tiles keep is in files, and one tile for
-each thread in memory. It is constructed from a folder and the number of its threads, which share
-tiles as those of `Tiles_here_3` do. A process may be killed at any moment; the next call goes on
-where it was. The folder is made if need be.
+is an engine of `delaunay_3_tiles()` that works out of core: the points that tiles keep are in
+files, and only one tile per thread is in memory. Its constructor takes a folder, which is created
+if necessary, and the number of threads, by default 1, which share tiles like those of
+`Tiles_here_3`. The process may be killed at any moment; the
+next call continues where it was.
 */
 using Tiles_in_files_3 = Delaunay_from_surface_3::internal::Tiles_in_files;
 
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-builds the Delaunay triangulation of more points than fit into memory, in tiles, and gives `sink`
-one tile after the other. The union of the cells that tiles own is that which `delaunay_3_arrays()`
-has, with the same perturbation. This is checked: nothing is given before a certificate holds.
+builds the Delaunay triangulation of more points than fit into memory, in tiles, and passes one tile
+after the other to `sink`. The cells that the tiles own are together those of `delaunay_3_arrays()`,
+with the same perturbation. A certificate of this is checked before the first tile is passed.
 
 <b>Complexity</b>: on surfaces a tile keeps 1.1 to 2.5 times its own points and is told up to five
-points for each, in about six rounds; the worst tile measured kept four times its own, and
-twenty times where two planes met. One vertex with n neighbors is kept with all of these by one
+points for each, in about six rounds. The worst tile measured kept four times its own points, and
+twenty times where two planes met. A vertex with n neighbors is kept with all of these by one tile.
+
+<b>Memory</b> with `Tiles_in_files_3`: for each thread, about 300 bytes per point that a tile keeps.
+
+<b>Disk</b>: 32 bytes per point, twice 32 bytes per point that is kept, and 16 bytes per cell of a
 tile.
 
-<b>Memory</b>, with `Tiles_in_files_3`: about 300 bytes for each point that a tile keeps, for each
-thread.
-<b>Disk</b>: the points (32 bytes each), 32 bytes for each that is kept, twice, and 16 for each cell
-of a tile.
-
 \tparam Engine `Tiles_here_3`, `Tiles_in_files_3` or `Tiles_by_mpi_3`
-\tparam Sink a callable with an argument `Delaunay_3_tile`
+\tparam Sink a callable that takes a `Delaunay_3_tile`
 
-\param engine where the work is done
+\param engine determines where the tiles are kept, and by which threads or processes they are made
 \param source the points
-\param sink is called for each tile, in their order; by MPI, for those of the rank
-\param options what else there is to say
+\param sink is called for each tile, in their order; by MPI, for the tiles of the rank
+\param options the number of tiles, limits, and progress
+
+\return counts of points, tiles, rounds and cells
 
 \throws Surface_input_error if a coordinate is not finite, or all points lie in one plane
-\throws Tile_files_error if a file cannot be read or written, or the folder holds the state of
+\throws Tile_files_error if a file cannot be read or written, or the folder contains the state of
 another input or another number of tiles
-\throws std::runtime_error that names a point if a tile needs more memory than it may have, and
-beginning again with more tiles does not help
+\throws std::runtime_error if a tile needs more memory than it may have, and beginning again with
+more tiles does not help; the message names a point
 \throws Tiles_stopped if `options.progress` returned `false`
-\throws std::runtime_error if the certificate does not hold in the end; this was never seen
+\throws std::runtime_error if the certificate does not hold in the end; this was never observed
 
 Example: \ref Delaunay_from_surface_3/filter_tiles.cpp
 

@@ -71,24 +71,26 @@ euclidean_minimum_spanning_tree(const Triangulation& tr,
 /*!
 \ingroup PkgDelaunayFromSurface3Trees
 
-writes the edges of a Euclidean minimum spanning tree of the vertices of a Delaunay triangulation:
-of all trees that span them one whose edges have the smallest sum of lengths
-(\cgalCite{choi-dtsm-02}, §3.1). No vertex has a degree of more than 12. The triangulation may be of
-any dimension; the tree of collinear points is their chain, and a single point or none has no edge.
+writes the edges of a Euclidean minimum spanning tree of the vertices of a Delaunay triangulation: a
+spanning tree whose edges have the smallest sum of lengths (\cgalCite{choi-dtsm-02}, §3.1). Its
+degree is at most 12. The triangulation may be of any dimension; the tree of collinear points is
+their chain, and the tree of one point or none has no edge.
 
-Lengths are compared exactly. Among edges of the same length those between lexicographically smaller
-points come first, so the tree does not depend on the order in which the points were inserted.
+Lengths are compared exactly. Among edges of the same length, those between lexicographically
+smaller points come first. So the tree does not depend on the order in which the points were
+inserted.
 
 <b>Complexity</b>: \f$O(m \log m)\f$ for m edges of the triangulation.
 
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`. `Gt` is a %CGAL kernel with exact
-predicates, or derived from one: its `Compare_distance_3` compares the distances of two pairs of
-points.
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`. `Gt` must be a %CGAL kernel
+with exact predicates, or derived from one, because its `Compare_distance_3` must compare the
+distances of two pairs of points.
 \tparam OutputIterator a model of `OutputIterator` that accepts
 `std::pair<Vertex_handle, Vertex_handle>`
 
 \param tr the triangulation
-\param out receives the edges, from the shortest to the longest, the smaller end first
+\param out receives the edges, from the shortest to the longest, each with its lexicographically
+smaller end first
 
 \return the output iterator past the last edge written
 

@@ -32,25 +32,25 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Points
 
-inserts points into a Delaunay triangulation: no surface and no graph is needed. The result equals
-what `tr.insert(first, last)` makes of them. What holds after refused input, a stop or an exception
-is what `insert_surface_vertices_3()` says.
+inserts points into a Delaunay triangulation, without a surface or graph. The result equals that of
+`tr.insert(first, last)`. `insert_surface_vertices_3()` describes the state of `tr` after refused
+input, a stop or an exception.
 
-Pairs of a point and an info (`std::pair`, or the tuples of a `boost::zip_iterator`) give the
-vertices their info, if no `point_map` is given. Of points that are equal the one with the smallest
-index gives the vertex its point and info, in every mode. That differs from `tr.insert(first,
-last)`, where the last in its own order gives the info.
+If no `point_map` is given, pairs of a point and an info (`std::pair`, or the tuples of a
+`boost::zip_iterator`) set the infos of the vertices. Of several equal points, the one with the
+smallest index determines the point and info of their vertex, with any traits and number of threads.
+This differs from `tr.insert(first, last)`, where the last in its own order determines the info.
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
-that of the triangulation. Any of them serves any triangulation: many threads can fill one that is
-made for a single thread. `Parallel_tag` needs TBB.
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
-exact predicates.
-\tparam PointRange a range of points, of pairs of points and infos, of anything with numbers `p[0]`,
-`p[1]`, `p[2]` (arrays, pointers, vectors of other libraries), or of items that `point_map` turns
-into points
+that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
+made for a single thread. `Parallel_tag` requires TBB.
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`, without restriction. The result
+is guaranteed only if `Gt` has exact predicates.
+\tparam PointRange a range of points, of pairs of points and infos, of anything with arithmetic
+coordinates `p[0]`, `p[1]`, `p[2]` (arrays, pointers, vectors of other libraries), or of items that
+`point_map` maps to points
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the points are inserted
@@ -60,50 +60,51 @@ below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
-    \cgalParamDescription{the points of the items of `points`}
+    \cgalParamDescription{maps the items of `points` to points}
     \cgalParamType{a model of `ReadablePropertyMap` from the items to the points of `tr`, to a type
-      convertible to it, or to the points of another kernel, which are converted as
-      `insert_surface_vertices_3()` does it}
+      convertible to these, or to the points of another kernel, which are converted as in
+      `insert_surface_vertices_3()`}
     \cgalParamDefault{`CGAL::Identity_property_map`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions. That
-      of points alone is random only where its budget is exceeded.}
+    \cgalParamDescription{the seed of the insertion order; on one thread, the same seed gives the
+      same insertions. For points alone it has an effect only if the budget of the order is
+      exceeded.}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{preserve_order}
-    \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
-      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
-      that can go through the core.}
+    \cgalParamDescription{whether the vertices are created in the order of the input: the i-th
+      finite vertex of the vertex iterator of `tr` is then the i-th distinct point. This requires an
+      empty `tr` and input that the core can handle.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it; if it has a function `accept()`
-      it leaves points out. It is copied unless it is passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
-      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by
-      returning `false`}
+    \cgalParamDescription{is told about the progress, and can stop the work. If it has a function
+      `accept()`, it can leave points out. It is copied unless it is passed by `std::ref()`.}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that receives from time to
+      time the fraction of the points that are inserted, a `double` from 0 to 1, and stops the work
+      by returning `false`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives a pair for every point inserted: its index and its handle in
-      `tr`, in ascending order of the indices. It is otherwise that of
+    \cgalParamDescription{receives for every point inserted a pair of its index and its vertex
+      handle in `tr`, in ascending order of the indices. Otherwise as in
       `insert_surface_vertices_3()`.}
-    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or a
-      callable with such a pair, or with an index and a handle}
+    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or
+      a callable that takes such a pair, or an index and a handle}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
-`Delaunay_from_surface_3::vertex_info_range()`, with which the sequence then begins.
+The infos of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
+`Delaunay_from_surface_3::vertex_info_range()`; the sequence then begins with one of these.
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
-\throws Surface_input_error if a coordinate is not a finite number, the number of infos is not that
-of the points, or `preserve_order` cannot be had; `tr` is then unchanged
+\throws Surface_input_error if a coordinate is not a finite number, the numbers of infos and points
+differ, or the input order cannot be preserved as requested; `tr` is then unchanged
 
 Example: \ref Delaunay_from_surface_3/thin_points.cpp
 
@@ -144,37 +145,38 @@ insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator f
 /*!
 \ingroup PkgDelaunayFromSurface3Soup
 
-inserts the points of a polygon soup into a Delaunay triangulation. The edges of the faces serve as
-the surface; the faces may be polygons, overlap, be oriented at random, or have edges with many
-faces. For traits that trace a `Bounded_degree_subgraph`, it is found as for a mesh if the faces are
-triangles that form a surface; else a spanning forest takes its place. The result, and what holds
-after a stop or an exception, are those of `insert_surface_vertices_3()`.
+inserts the points of a polygon soup into a Delaunay triangulation. Only the edges of the faces are
+used. The faces may be any polygons, may overlap, may be oriented arbitrarily, and any number of
+them may share an edge. If the traits trace a `Bounded_degree_subgraph` and the faces are triangles
+that form a surface, this subgraph is found as for a mesh; otherwise a spanning forest takes its
+place. The result, and the state after a stop or an exception, are those of
+`insert_surface_vertices_3()`.
 
-<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for the order of n points along m sides of faces,
-plus the insertions.
+<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for the order of n points along m sides of
+faces, plus the insertions.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
-that of the triangulation. Any of them serves any triangulation: many threads can fill one that is
-made for a single thread. `Parallel_tag` needs TBB.
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
-exact predicates.
-\tparam PointRange as that of `insert_points_3()`: points, pairs of points and infos, or items that
-`point_map` turns into points
-\tparam FaceRange a range of ranges of integers; with `Parallel_tag` several threads read it at once
-if its iterators have random access
+that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
+made for a single thread. `Parallel_tag` requires TBB.
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`, without restriction. The result
+is guaranteed only if `Gt` has exact predicates.
+\tparam PointRange as in the overload without faces: points, pairs of points and infos, or items
+that `point_map` maps to points
+\tparam FaceRange a range of ranges of integers. With `Parallel_tag`, several threads read it at the
+same time if its iterators have random access.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the points are inserted
-\param points the points, those in no face included
-\param faces the faces: for each the indices of its points in order
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the form
-without faces. The seed always counts.
+\param points the points, including those in no face
+\param faces for each face the indices of its points, in order
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the overload
+without faces. Here the seed always has an effect.
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
 \throws Surface_input_error if a coordinate is not a finite number, a face has an index out of
-range, the number of infos is not that of the points, or `preserve_order` cannot be had; `tr` is
-then unchanged
+range, the numbers of infos and points differ, or the input order cannot be preserved as requested;
+`tr` is then unchanged
 
 Example: \ref Delaunay_from_surface_3/insert_polygon_soup.cpp
 
@@ -192,12 +194,13 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
 /*!
 \ingroup PkgDelaunayFromSurface3Soup
 
-does the same in another way, with traits, a model of `SurfaceInsertionTraits_3`: they say in which
-order points are inserted, from which cells, and along which subgraph the surface is traced.
+does the same with other traits, a model of `SurfaceInsertionTraits_3`. The traits determine the
+order in which points are inserted, from which cells their location starts, and along which subgraph
+the surface is traced.
 
-The other parameters, what is returned and what is thrown are as above; `preserve_order` needs traits
-that go through the core (`through_core`). <b>Complexity</b>: that of the parts of the traits, plus
-\f$O(n + m)\f$.
+The other parameters, the return value and the exceptions are as above; `preserve_order` requires
+traits that go through the core (`through_core`). <b>Complexity</b>: that of the parts of the
+traits, plus \f$O(n + m)\f$.
 
 Example: \ref Delaunay_from_surface_3/own_plan.cpp
 */

@@ -59,35 +59,34 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Graph
 
-inserts points that are joined by any graph: the edges of a soup, curves, nearest neighbours. This
-is the mesh-free core of `insert_surface_vertices_3()`. The result, and what holds after a stop or
-an exception, are the same; the visitor is not told that the surface is irregular, since there is
-none.
+inserts points that are the vertices of any graph: the edges of a soup, curves, nearest neighbours.
+The result, and the state after a stop or an exception, are those of `insert_surface_vertices_3()`.
+As there is no surface, the visitor's `surface_is_irregular()` is not called.
 
-<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for the order of n points along m edges, plus the
-insertions.
+<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for the order of n points along m edges, plus
+the insertions.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
-of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
-for a single thread. `Parallel_tag` needs TBB.
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
-exact predicates.
-\tparam PointRange as that of `insert_points_3()`: points, pairs of points and infos, or items that
-`point_map` turns into points
-\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`; the direction of its
-edges does not matter, nor do loops and multiple edges
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
+that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
+made for a single thread. `Parallel_tag` requires TBB.
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`, without restriction. The result
+is guaranteed only if `Gt` has exact predicates.
+\tparam PointRange as in `insert_points_3()`: points, pairs of points and infos, or items that
+`point_map` maps to points
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, directed or not; loops
+and multiple edges are allowed
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the points are inserted
 \param points the points
-\param graph its vertex with index i stands for the i-th point. A wrong graph costs time, never the
-result.
+\param graph the graph, whose vertex with index i represents the i-th point. A bad graph costs time,
+but does not change the result.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
 `insert_points_3()` with faces, and the one below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{the indices of the vertices of `graph`: 0, …, n-1}
+    \cgalParamDescription{maps the n vertices of `graph` onto 0, …, n-1, one to one}
     \cgalParamType{a model of `ReadablePropertyMap` from
       `boost::graph_traits<Graph>::%vertex_descriptor` to an integer type}
     \cgalParamDefault{`boost::get(boost::vertex_index, graph)`}
@@ -97,8 +96,8 @@ result.
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
 \throws Surface_input_error if a coordinate is not a finite number, the numbers of points and
-vertices or infos differ, the indices are not 0, …, n-1, or `preserve_order` cannot be had; `tr` is
-then unchanged
+vertices or infos differ, the indices are not 0, …, n-1, or the input order cannot be preserved as
+requested; `tr` is then unchanged
 
 Example: \ref Delaunay_from_surface_3/insert_along_graph.cpp
 
@@ -117,12 +116,13 @@ std::ptrdiff_t insert_points_along_graph_3(Delaunay_triangulation_3<Gt, Tds, Lp,
 /*!
 \ingroup PkgDelaunayFromSurface3Graph
 
-does the same in another way, with traits, a model of `SurfaceInsertionTraits_3`: they say in which
-order points are inserted, from which cells, and along which subgraph the surface is traced.
+does the same with other traits, a model of `SurfaceInsertionTraits_3`. The traits determine the
+order in which points are inserted, from which cells their location starts, and along which subgraph
+the surface is traced.
 
-The other parameters, what is returned and what is thrown are as above; `preserve_order` needs traits
-that go through the core (`through_core`). <b>Complexity</b>: that of the parts of the traits, plus
-\f$O(n)\f$.
+The other parameters, the return value and the exceptions are as above; `preserve_order` requires
+traits that go through the core (`through_core`). <b>Complexity</b>: that of the parts of the
+traits, plus \f$O(n)\f$.
 
 Example: \ref Delaunay_from_surface_3/own_plan.cpp
 */

@@ -25,28 +25,30 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Mesh
 
-inserts the vertices of a surface mesh into a Delaunay triangulation. The result equals what
-`tr.insert(first, last)` makes of the same points; the surface serves to find the way.
+inserts the vertices of a surface mesh into a Delaunay triangulation. The result equals that of
+`tr.insert(first, last)` for the same points. The surface only makes the insertions faster.
 
-The default traits use the edges of the mesh, and nothing else of its connectivity; faces that are
-not triangles, several components, boundaries and isolated vertices are no obstacle to any traits.
-Duplicate points share one vertex, to which the first of them in the order of `vertices(mesh)` gives
-its point and info.
+The default traits use the edges of the mesh, and nothing else of its connectivity. Faces that are
+not triangles, several components, boundaries and isolated vertices are allowed with any traits.
+Equal points share one vertex; the first of them in the order of `vertices(mesh)` determines its
+point and info.
 
-If `tr` is empty it is built aside and swapped in: refused input, a stop by the visitor or an
-exception leave it unchanged, and handles to its infinite vertex from before the call become
-invalid. If it is not empty, after a stop, or an exception thrown by the visitor or the output
-iterator, it is the triangulation of its old points and those inserted so far; after an exception
-thrown by its own insertion it may only be cleared or destroyed.
+If `tr` is empty, the result is built in another triangulation and swapped in. Refused input, a stop
+by the visitor or an exception leave `tr` unchanged. After success, old handles to its infinite
+vertex are invalid.
+
+If `tr` is not empty, then after a stop, or an exception thrown by the visitor or the output
+iterator, it is the triangulation of its old points and those inserted so far. After an exception
+thrown by its own insertion it may only be cleared or destroyed. Refused input leaves it unchanged.
 
 <b>Complexity</b>: expected \f$O((n + m) \log n + k)\f$ for the order of n vertices along m edges,
-with a largest index k, plus the insertions.
+where k is the largest index, plus the insertions.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default that
-of the triangulation. Any of them serves any triangulation: many threads can fill one that is made
-for a single thread. `Parallel_tag` needs TBB.
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`; any are served. `Gt` must have
-exact predicates.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
+that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
+made for a single thread. `Parallel_tag` requires TBB.
+\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`, without restriction. The result
+is guaranteed only if `Gt` has exact predicates.
 \tparam FaceGraph a model of `VertexListGraph`, `EdgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -57,60 +59,63 @@ below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices of `mesh`}
+    \cgalParamDescription{maps the vertices of `mesh` to points}
     \cgalParamType{a model of `ReadablePropertyMap` from
       `boost::graph_traits<FaceGraph>::%vertex_descriptor` to the points of `tr`, to a type
-      convertible to it, or to the points of another kernel. The latter go through
-      `Cartesian_converter`: exactly where the numbers of `Gt` can hold the coordinates, else
-      rounded by `to_double()`.}
+      convertible to these, or to the points of another kernel. The latter are converted by
+      `Cartesian_converter`: exactly if the number type of `Gt` can represent the coordinates,
+      otherwise rounded by `to_double()`.}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{an index for each vertex of `mesh`, different for different vertices}
+    \cgalParamDescription{maps the vertices of `mesh` to indices, different ones to different
+      indices}
     \cgalParamType{a model of `ReadablePropertyMap` from
-      `boost::graph_traits<FaceGraph>::%vertex_descriptor` to an integer type; indices are not
-      negative, and may have gaps; memory grows with the largest}
-    \cgalParamDefault{the index map of the mesh, or one made for the call}
+      `boost::graph_traits<FaceGraph>::%vertex_descriptor` to an integer type. Indices must not be
+      negative, and may have gaps; the memory used grows with the largest index.}
+    \cgalParamDefault{the index map of the mesh, or one created for the call}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order; the same seed gives the same insertions}
+    \cgalParamDescription{the seed of the insertion order; on one thread, the same seed gives the
+      same insertions}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd
   \cgalParamNBegin{preserve_order}
-    \cgalParamDescription{whether the vertices are created in the order of the input: the vertex iterator
-      of `tr` then gives the i-th distinct point as its i-th finite vertex. That needs an empty `tr`
-      that can go through the core.}
+    \cgalParamDescription{whether the vertices are created in the order of the input: the i-th
+      finite vertex of the vertex iterator of `tr` is then the i-th distinct point. This requires an
+      empty `tr` and input that the core can handle.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told what is going on, and can stop it; if it has a function `accept()`
-      it leaves points out. It is copied unless it is passed by `std::ref()`}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that gets the share of the points
-      that are inserted, a `double` that grows from 0 to 1, now and then; it stops the work by
-      returning `false`}
+    \cgalParamDescription{is told about the progress, and can stop the work. If it has a function
+      `accept()`, it can leave points out. It is copied unless it is passed by `std::ref()`.}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that receives from time to
+      time the fraction of the points that are inserted, a `double` from 0 to 1, and stops the work
+      by returning `false`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives a pair for every vertex of `mesh` inserted, in their order: the vertex
-      and its handle in `tr`. Duplicates are paired with the same handle. After a stop nothing is
-      written if `tr` was empty, else the vertices inserted so far.}
+    \cgalParamDescription{receives for every vertex of `mesh` inserted, in their order, a pair of
+      this vertex and its vertex handle in `tr`. Vertices at equal points are paired with the same
+      handle. After a stop nothing is written if `tr` was empty, otherwise the vertices inserted so
+      far.}
     \cgalParamType{a model of `OutputIterator` accepting
       `std::pair<boost::graph_traits<FaceGraph>::%vertex_descriptor, Vertex_handle>`, or a callable
-      with such a pair, or with a vertex and a handle}
+      that takes such a pair, or a vertex and a handle}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-The info of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
-`Delaunay_from_surface_3::vertex_info_range()`, with which the sequence then begins.
+The infos of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
+`Delaunay_from_surface_3::vertex_info_range()`; the sequence then begins with one of these.
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
-\throws Surface_input_error if a coordinate is not a finite number, an index is negative or too large, two
-vertices have the same index, the number of infos is not that of the vertices, or `preserve_order`
-cannot be had; `tr` is then unchanged
+\throws Surface_input_error if a coordinate is not a finite number, an index is negative or too
+large, two vertices have the same index, the numbers of infos and vertices differ, or the input
+order cannot be preserved as requested; `tr` is then unchanged
 
 Example: \ref Delaunay_from_surface_3/insert_surface_mesh.cpp
 
@@ -129,12 +134,13 @@ std::ptrdiff_t insert_surface_vertices_3(Delaunay_triangulation_3<Gt, Tds, Lp, S
 /*!
 \ingroup PkgDelaunayFromSurface3Mesh
 
-does the same in another way, with traits, a model of `SurfaceInsertionTraits_3`: they say in which
-order points are inserted, from which cells, and along which subgraph the surface is traced.
+does the same with other traits, a model of `SurfaceInsertionTraits_3`. The traits determine the
+order in which points are inserted, from which cells their location starts, and along which subgraph
+the surface is traced.
 
-The other parameters, what is returned and what is thrown are as above; `preserve_order` needs traits
-that go through the core (`through_core`). <b>Complexity</b>: that of the parts of the traits, plus
-\f$O(n + m + k)\f$.
+The other parameters, the return value and the exceptions are as above; `preserve_order` requires
+traits that go through the core (`through_core`). <b>Complexity</b>: that of the parts of the
+traits, plus \f$O(n + m + k)\f$.
 
 Example: \ref Delaunay_from_surface_3/own_traits.cpp
 */

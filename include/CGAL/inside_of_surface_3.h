@@ -28,30 +28,43 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Inside
 
-returns which tetrahedra of a triangulation lie inside a surface on its points, by the winding
-numbers of their centres: see `Winding_number_3`. The surface need not be closed: it may have gaps,
-faces that are turned round or given twice, and parts that overlap, where it goes around more often.
+finds the tetrahedra of a triangulation that lie inside a surface on its points, by the winding
+numbers of their centres (see `Winding_number_3`). The surface need not be closed: it may have gaps,
+faces that are flipped or given twice, and overlapping parts, inside which the number is larger.
 
-A surface has an inside if one of two holds. The volume of the tetrahedra that are surely inside,
-with numbers near a whole one other than 0, is larger than that of the tetrahedra in doubt, whose
-numbers differ by more than 0.1 from all whole ones: a long tube is one. Or not more is in doubt
-than inside, triangles that close its openings, from the middle of each, have at most 3/10 of its
-area, and one opening has 9/10 of theirs: a hull without a deck. (The second was found by trying: of
-the files in \ref dfs_inside it tells apart what is a solid but for a deck, and what is a patch or a
-short tube.) A patch, a sheet, a Möbius strip and points alone have none.
+Call a tetrahedron *surely inside* if its winding number differs by at most 0.1 from an integer
+other than 0, *in doubt* if it differs by more than 0.1 from every integer, and *inside* if its
+absolute value is at least 1/2. Openings are closed by triangles from the middle of each. A surface
+has an inside if one of two conditions holds:
 
-\tparam ConcurrencyTag as for `delaunay_3_arrays()`
+- The tetrahedra surely inside have more volume than those in doubt. A long tube is an example.
+- The tetrahedra in doubt have at most as much volume as those inside, the triangles that close the
+openings have at most 3/10 of the area of the surface, and those of a single opening have at least
+9/10 of that. An example is a hull without a deck. (This condition was found by experiment: for the
+files in \ref dfs_inside "the user manual" it separates solids without a deck from patches and short
+tubes.)
 
-\param points the points, as `delaunay_3_arrays()` takes them
-\param faces the faces: for each the indices of its points in order, counterclockwise seen from
-outside
-\param arrays the triangulation of these points; neighbours that have been dropped are found anew
+A patch, a sheet, a Möbius strip and points alone have no inside.
 
-<b>Complexity</b>: \f$O((n + m) \log n)\f$ for n faces and m tetrahedra where the surface is spread
+<b>Complexity</b>: \f$O((n + m) \log n)\f$ for n faces and m tetrahedra if the surface is spread
 evenly.
 
+\tparam ConcurrencyTag as for `delaunay_3_arrays()`
+\tparam PointRange as for `delaunay_3_arrays()`
+\tparam FaceRange a range of ranges of integers
+\tparam Index that of `arrays`
+
+\param points the points
+\param faces for each face the indices of its points, in order, counterclockwise as seen from
+outside
+\param arrays the triangulation of these points; neighbours that have been dropped are recomputed
+
+\return the winding number of each tetrahedron, and what follows from them
+
 \throws Surface_input_error if a coordinate is not a finite number, an index is out of range, the
-points are not as many as those of `arrays` or lie in a plane, or the surface has no inside
+number of points differs from that of `arrays`, all points lie in a plane, or the surface has no
+inside
+\throws std::length_error if there are \f$2^{30}\f$ tetrahedra or \f$2^{31}\f$ points, or more
 
 Example: \ref Delaunay_from_surface_3/arrays_and_inside.cpp
 

@@ -23,15 +23,19 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-returns whether arrays are the Delaunay triangulation of points, as far as `level` goes. At the last
-level nothing is left open but a vertex whose link has several components and handles that make up
-for them. The arrays may come from anywhere: a file, another process, another program.
+checks whether arrays are the Delaunay triangulation of points, up to `level`. The last level
+detects every error except a vertex whose link has several components, and handles that compensate
+for these in Euler's formula. The arrays may come from anywhere: a file, another process, another
+program. The check is exact.
 
-Exact. \f$O(m \log m)\f$ for m cells, and some 150 bytes for each.
+<b>Complexity</b>: \f$O(m \log m)\f$ time for m cells, and some 150 bytes for each.
 
-\param arrays what is checked, with neighbours and infinite cells
-\param points the points of the arrays: any that `delaunay_3_arrays()` takes, in the same order
+\param arrays the arrays to be checked, with neighbours and infinite cells
+\param points the points of the arrays, in the same order; any range that `delaunay_3_arrays()`
+takes
 \param level how much is checked
+
+\return whether no error was found
 
 \throws std::invalid_argument if neighbours or infinite cells have been dropped
 \throws Surface_input_error if a coordinate is not a finite number

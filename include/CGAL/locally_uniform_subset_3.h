@@ -6,10 +6,10 @@
 #define CGAL_LOCALLY_UNIFORM_SUBSET_3_H
 
 // Choi 2002, §3.1: "locally uniform samples" (Funke, Ramos 2002), on which "the surface Delaunay
-// triangulation has a bounded degree". Here by greedy packing; they have another way.
+// triangulation has a bounded degree". Here they are found by greedy packing, unlike there.
 //
-// Invariant: the sizes of the points kept do not decrease, so a point left out, which is in the ball
-// of one kept before it, is nearer to that than its own size.
+// Invariant: the sizes of the points kept do not decrease. So a point left out, which is in the
+// ball of one kept before it, is nearer to that one than its own size.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
@@ -29,14 +29,14 @@
 #include <string>
 #include <vector>
 
-// When the degree is bounded. Let the sizing field f be L-Lipschitz for some L < 1: for t up to 1, t
-// times the spacing is t-Lipschitz. Let p and q be kept and neighbours on the surface: a point c of it
-// is as far from p as from q, and no point that is kept is nearer to it. Let c be at most r away from a
-// point s of the whole sample. A point within f(s) of s is kept, so |cp| <= r + f(s) <= r + f(p) +
-// L (r + |cp|). Where r is at most k f(p) with a constant k, this gives |cp| <= C f(p) with
-// C = (1 + k + k L) / (1 - L). All neighbours of p are then in a ball of radius 2 C f(p) around it,
-// their sizes are at least (1 - 2 C L) f(p), and so are their distances from each other. If 2 C L < 1,
-// which takes an L of less than 1/3, their number is bounded.
+// When the degree is bounded. Let the sizing field f be L-Lipschitz for some L < 1: for t up to 1,
+// t times the spacing is t-Lipschitz. Let p and q be kept and neighbours on the surface: some point
+// c of the surface is as far from p as from q, and no point that is kept is nearer to c. Let c be
+// at most r away from a point s of the whole sample. A point within f(s) of s is kept, so
+// |cp| <= r + f(s) <= r + f(p) + L (r + |cp|). If r is at most k f(p) with a constant k, this gives
+// |cp| <= C f(p) with C = (1 + k + k L) / (1 - L). All neighbours of p are then in a ball of radius
+// 2 C f(p) around it. Their sizes are at least (1 - 2 C L) f(p), and so are their distances from each
+// other. If 2 C L < 1, which requires an L of less than 1/3, their number is bounded.
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -94,51 +94,52 @@ inline std::vector<bool> packing(const Distinct_points& distinct, const std::vec
 /*!
 \ingroup PkgDelaunayFromSurface3Samples
 
-writes the indices of some of the points, in ascending order: no two of these are near each other,
-and every other is near one of them, where a sizing field says what is near.
+selects a subset of the points by a sizing field: no two points of the subset are near each other,
+and every other point is near one of them. It writes the indices of the subset in ascending order.
 
-The surface Delaunay triangulation of a locally uniform sample has bounded degree
-(\cgalCite{choi-dtsm-02}, §3.1, of \cgalCite{fr-ssrnl-02}, who thin dense samples in another way:
-they estimate normals too, and their \f$O(n \log n)\f$ holds in the worst case). For the subsets
-found here this is proved if the sample is dense and the sizing field changes slowly, with a
-Lipschitz constant well below 1; for others it is measured: \ref dfs_statements_uniform.
+The size of a point p is the minimum over all points q of `sizing` at q plus the distance from p to
+q. This makes the sizing field 1-Lipschitz; a function that is 1-Lipschitz already remains
+unchanged, up to rounding. The points are processed by increasing size, then by index. A point is
+kept unless it is in the open ball around a point kept before, whose radius is the size of that
+point. So
 
-The sizing field is what `sizing` says, made 1-Lipschitz: the size of p is the minimum over all points
-q of what it says for q, plus the distance of p and q. A function that is 1-Lipschitz stays as it is,
-up to rounding. Points are looked at from the smallest size on, then by their indices, and a point is
-kept if it is in no ball of a point that was kept. A ball's radius is the size of its center, and its
-boundary does not belong to it. So
-
-- two points that are kept have at least the distance of the smaller of their sizes, and half of
-the larger one;
+- two points that are kept have a distance of at least the smaller of their sizes, and at least half
+of the larger one;
 - a point that is left out is nearer than its size to one that is kept, or equal to it.
 
-Coordinates are rounded to doubles; points that are equal then count as equal, and of these the
-first one is looked at, with the smallest of their sizes. The distances hold up to rounding.
+Coordinates are rounded to doubles, and points that are then equal count as one, with the first
+index and the smallest size of these. The distances hold up to rounding.
 
-Subsets for several factors of the same sizing field are not nested, subsets of subsets are
-(\ref dfs_example_thinning).
+The surface Delaunay triangulation of a locally uniform sample has bounded degree
+(\cgalCite{choi-dtsm-02}, §3.1, after \cgalCite{fr-ssrnl-02}, who thin dense samples in another way:
+they also estimate normals, and their bound \f$O(n \log n)\f$ holds in the worst case). For the
+subsets found here this is proved if the sample is dense and the sizing field changes slowly, with a
+Lipschitz constant below 1/3; for others it was measured: \ref dfs_statements_uniform.
 
-<b>Complexity</b>: \f$O(n \log n)\f$ for two trees of n points (`CGAL::Kd_tree`), in which n queries for
-sizes are made, and one for each point that is kept. These find each point at most a constant number
-of times for all sizes between s and 2s. The trees give no bound on what a query looks at besides; on
-surfaces that is little.
+Subsets for several multiples of the same sizing field are not nested; subsets of subsets are, as in
+the example.
 
-\tparam PointRange a range of points, or of items that `point_map` turns into points
-\tparam Sizing a function that gets the index of a point and returns its size, a number convertible
-to `double`: some multiple of `neighbor_spacing_3()`, a constant, the distance to the nearest pole, …
+<b>Complexity</b>: \f$O(n \log n)\f$ for two trees of n points (`CGAL::Kd_tree`). They are queried n
+times for sizes, and once for each point that is kept. For all sizes between s and 2s, the latter
+queries find each point at most a constant number of times. The trees give no bound on the other
+points that a query visits; on surfaces there are few.
+
+\tparam PointRange a range of points of any kernel, or of items that `point_map` maps to such points
+\tparam Sizing a function object that takes the index of a point and returns its size, a number
+convertible to `double`: a multiple of `neighbor_spacing_3()`, a constant, the distance to the
+nearest pole, …
 \tparam OutputIterator a model of `OutputIterator` that accepts `std::size_t`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param points the points, of any kernel
-\param sizing is called once for each point
-\param out receives the indices of the points that are kept
+\param points the points
+\param sizing the sizing field, which is called once for each point
+\param out receives the indices of the points that are kept, in ascending order
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
-    \cgalParamDescription{the points of the items of `points`}
+    \cgalParamDescription{maps the items of `points` to points}
     \cgalParamType{a model of `ReadablePropertyMap` from the items to points}
     \cgalParamDefault{`CGAL::Identity_property_map`}
   \cgalParamNEnd
@@ -146,9 +147,9 @@ below; any other does not compile
 
 \return the output iterator past the last index written
 
-\throws Surface_input_error if a size is negative or not a finite number, a coordinate is not a finite
-number, or points are so far from each other that the square of their distance is too large for a
-double; nothing is then written
+\throws Surface_input_error if a size is negative or not a finite number, a coordinate is not a
+finite number, or the squared diagonal of the bounding box of the points overflows a double; nothing
+is then written
 
 Example: \ref Delaunay_from_surface_3/locally_uniform_subset.cpp
 

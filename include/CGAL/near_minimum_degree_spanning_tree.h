@@ -20,37 +20,41 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of a spanning tree of every component of a triangulated surface whose largest degree
-is 3, or at most one more than that of any spanning tree of the component.
+writes the edges of a spanning tree of every component of a triangulated surface. The largest degree
+of the tree is 3, or at most one more than that of any spanning tree of the component.
 
-On a sphere or a disc it is at most 3. On a closed component with Euler characteristic χ it is at
-most the largest of \f$3 + \lfloor (c(x) - 3) / x \rfloor\f$ over all \f$x \ge 3\f$, where
-\f$c(x) = \min(\lfloor x (x - 1) / 3 \rfloor, 2 x - 2 \chi)\f$: that is
-\f$\sqrt{4 g / 3} + O(1)\f$ for genus g, 4 on a torus, and 5 for g = 2. With b boundary loops
-\f$x (x + 1)\f$ stands in the place of \f$x (x - 1)\f$. The certificate of
-`certify_spanning_subgraph()` says whether the bound is kept.
+On a sphere or a disc it is at most 3. On any other closed component with Euler characteristic χ it
+is at most the largest of \f$3 + \lfloor (c(x) - 3) / x \rfloor\f$ over all \f$x \ge 3\f$, where
+\f$c(x) = \min(\lfloor x (x - 1) / 3 \rfloor, 2 x - 2 \chi)\f$. This is
+\f$\sqrt{4 g / 3} + O(1)\f$ for genus g, 4 on a torus, and 5 for g = 2. With boundary,
+\f$x (x + 1)\f$ replaces \f$x (x - 1)\f$ (\ref bds_near_minimum "proof"). The certificate of
+`certify_spanning_subgraph()` says whether the bound is satisfied.
 
-It is the tree of `bounded_degree_spanning_tree()`, of which edges are exchanged as long as its
-largest degree is 4 or more and an exchange of \cgalCite{fr-amdst-94} makes a vertex of this degree
-lighter.
+The algorithm starts from the tree of `bounded_degree_spanning_tree()`. While the largest degree is
+4 or more and an exchange of edges (\cgalCite{fr-amdst-94}) makes a vertex of this degree lighter,
+it makes this exchange.
 
-\tparam WitnessOutputIterator a model of `OutputIterator` that holds
+<b>Complexity</b>: that of `bounded_degree_spanning_tree()` if its tree has no vertex of degree 4 or
+more; otherwise, in addition, nearly linear time for the exchanges near heavy vertices and for each
+phase of the general search. At most \f$n \ln K\f$ exchanges and phases succeed, where K is the
+largest degree of the first tree; \ref bds_near_minimum "the manual" says how many there are in
+practice.
+
+\tparam Reader determined by `surface_of()`
+\tparam EdgeOutputIterator a model of `OutputIterator` that accepts
+`Triangulated_surface<Reader>::%edge_descriptor`
+\tparam WitnessOutputIterator a model of `OutputIterator` that accepts
 `Delaunay_from_surface_3::Minimum_degree_witness`
 
 \param surface the surface, from `surface_of()`
-\param out where the edges of the trees go, each once, in no particular order
-\param witnesses gets, for every component whose tree has a vertex of degree 4 or more, a set of
-vertices that shows what degree every spanning tree of it must have: its
+\param out receives the edges of the trees, each once, in no particular order
+\param witnesses receives, for every component whose tree has a vertex of degree 4 or more, a set of
+vertices that proves a lower bound on the degree of every spanning tree of the component:
 `Minimum_degree_witness::least_degree()` is the tree's degree or one less
 
-\return the output iterator `out`
+\return the output iterator `out` past the last edge written
 
-\throws Surface_input_error as `surface_of()` says
-
-Complexity: that of `bounded_degree_spanning_tree()` if its tree has no vertex of degree 4; else
-nearly linear time for the exchanges near heavy vertices and for each phase of the general search.
-Exchanges and phases that succeed are at most \f$n \ln K\f$, with K the largest degree of that tree;
-how many there are in practice is in \ref bds_near_minimum.
+\throws Surface_input_error as described for `surface_of()`
 
 Example: \ref Delaunay_from_surface_3/spanning_subgraph.cpp
 */

@@ -22,34 +22,36 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Samples
 
-returns for each point, in their order, how far it is to its k-th nearest neighbor: how dense the
-points are there. Points count as one if their coordinates are equal as doubles. Where there are
-fewer than k others it is the distance to the farthest of them, and 0 if there is none. As a
-function of the points this is 1-Lipschitz, up to rounding.
+computes the distance from each point to its k-th nearest neighbor, a measure of the spacing of the
+points there. Points count as one if their coordinates are equal as doubles. If there are
+fewer than k others, it is the distance to the farthest of them, and 0 if there is none. As a
+function of the points, this spacing is 1-Lipschitz, up to rounding.
 
-<b>Complexity</b>: \f$O(n \log n)\f$ for a tree of n points (`CGAL::Kd_tree`), in which n queries
-are made. On points of a surface each takes about \f$O(k + \log n)\f$; there is no such bound for
-all points.
+<b>Complexity</b>: \f$O(n \log n)\f$ for a tree of n points (`CGAL::Kd_tree`), which is queried n
+times. On points of a surface each query takes about \f$O(k + \log n)\f$; there is no such bound for
+arbitrary points.
 
-\tparam PointRange a range of points, or of items that `point_map` turns into points
+\tparam PointRange a range of points of any kernel, or of items that `point_map` maps to such points
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param points the points, of any kernel; their coordinates are rounded to doubles
-\param k the number of neighbors, at least 1: 6 is about the first ring on a surface, 12 and more even
-out points that come along lines
+\param points the points; their coordinates are rounded to doubles
+\param k the number of neighbors, at least 1. On a surface, 6 is about the first ring; 12 and more
+even out points that lie along lines.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
-    \cgalParamDescription{the points of the items of `points`}
+    \cgalParamDescription{maps the items of `points` to points}
     \cgalParamType{a model of `ReadablePropertyMap` from the items to points}
     \cgalParamDefault{`CGAL::Identity_property_map`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws Surface_input_error if a coordinate is not a finite number, or points are so far from each
-other that the square of their distance is too large for a double
+\return the distances, in the order of `points`
+
+\throws Surface_input_error if a coordinate is not a finite number, or the squared diagonal of the
+bounding box of the points overflows a double
 
 \pre `k` > 0
 

@@ -21,21 +21,22 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-returns a mesh as the surface that the functions on subgraphs take. Nothing is checked yet: what is
-said here of exceptions is said of these functions. The mesh stays as it is until they have been
-called.
+wraps a mesh as the surface argument of the functions on subgraphs. This function checks nothing:
+the exceptions described here are thrown by those functions. The mesh must not be modified until
+these have been called.
 
 \tparam HalfedgeGraph a model of `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param g the surface, which must live as long as what is returned, as what property maps refer to
+\param g the surface. It must outlive the object returned, as must whatever property maps refer to.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{the indices of the n vertices of `g`: 0, …, n-1. Those of a `Surface_mesh`
-    with removed vertices have gaps, and are refused; `collect_garbage()` closes them}
+    \cgalParamDescription{maps the n vertices of `g` onto 0, …, n-1, one to one. The indices of a
+    `Surface_mesh` with removed vertices have gaps, and are refused; `collect_garbage()` closes the
+    gaps.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
     `boost::graph_traits<HalfedgeGraph>::%vertex_descriptor` as key type and an integer type as
     value type}
@@ -43,11 +44,14 @@ below
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre All faces of `g` are triangles, `g` is simple (no loops and no two edges with the same ends; a
-valid halfedge graph can have such), and no vertex is pinched. Isolated vertices are allowed.
+\return an object that refers to `g`
 
-\throws Surface_input_error that names a vertex or an edge, if a precondition is violated or the
-indices are not 0, …, n-1. Nothing has been written then.
+\pre All faces of `g` are triangles, `g` is simple (it has no loops and no two edges with the same
+ends, which a valid halfedge graph can have), and no vertex is pinched. Isolated vertices are
+allowed.
+
+\throws Surface_input_error if a precondition is violated or the indices are not 0, …, n-1. The
+message names a vertex or an edge. Nothing has been written then.
 
 Example: \ref Delaunay_from_surface_3/spanning_subgraph.cpp
 */
@@ -64,27 +68,31 @@ auto surface_of(const HalfedgeGraph& g, const CGAL_NP_CLASS& np = parameters::de
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-returns a graph with the cyclic order of the edges around every vertex as the surface that the
-functions on subgraphs take. Each component may be closed or have boundary, and be orientable or
-not. An edge is what the graph calls it.
+wraps a graph, with the cyclic order of the edges around every vertex, as the surface argument of
+the functions on subgraphs. Each component may be closed or have boundary, and may be orientable or
+not. Edges are the edge descriptors of the graph.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, undirected
 \tparam Embedding a model of `SurfaceEmbedding`
 \tparam VertexIndexMap a model of `boost::ReadablePropertyMap` from vertex descriptors to integers
 \tparam EdgeIsBoundaryMap a model of `boost::ReadablePropertyMap` from edge descriptors to `bool`
 
-\param graph the surface's vertices and edges, which must live as long as what is returned
-\param embedding for every vertex its edges in cyclic order
-\param vertex_index_map a bijection onto 0, …, `num_vertices(graph)` - 1
-\param edge_is_boundary_map whether an edge has a triangle on one side only
+\param graph the vertices and edges of the surface. It must outlive the object returned.
+\param embedding maps every vertex to its edges in cyclic order
+\param vertex_index_map maps the vertices onto 0, …, `num_vertices(graph)` - 1, one to one
+\param edge_is_boundary_map says whether an edge has a triangle on one side only
 
-\pre The graph is simple: no loops and no two edges with the same ends. The far ends of two edges
-that follow each other in a list are joined by an edge, and the three lists of a triangle agree. An
-isolated vertex, with an empty list, is allowed.
+\return an object that refers to `graph`
 
-\throws Surface_input_error as for a mesh. To read the lists takes linear time, and to check that
-they agree the sum over the edges of the smaller degree of the two ends, which is linear for bounded
-genus. Edges need no index: in a simple graph two ends name the edge.
+\pre The graph is simple: it has no loops and no two edges with the same ends. The far ends of two
+edges that follow each other in a list are joined by an edge, and the three lists of a triangle
+agree. Isolated vertices, with empty lists, are allowed.
+
+\throws Surface_input_error as for a mesh
+
+<b>Complexity</b>: reading the lists takes linear time. Checking that they agree takes the sum over
+the edges of the smaller degree of the two ends, which is linear for bounded genus. Edges need no
+index: in a simple graph the two ends identify the edge.
 
 Example: \ref Delaunay_from_surface_3/spanning_subgraph_of_moebius_band.cpp
 */
@@ -102,18 +110,20 @@ auto surface_of(const Graph& graph, Embedding embedding, VertexIndexMap vertex_i
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-returns the triangles of a soup as the surface that the functions on subgraphs take. They may be
-oriented at random, and an edge is a pair of indices.
+wraps the triangles of a soup as the surface argument of the functions on subgraphs. The triangles
+may have any orientations. An edge is a pair of indices.
 
 \tparam FaceRange a range of ranges of three integers, the indices of vertices
 
-\param number_of_vertices the indices are less than this
-\param faces the triangles, which must live as long as what is returned
+\param number_of_vertices the number of vertices; all indices are less than this
+\param faces the triangles. The range must outlive the object returned.
 
-\pre The indices are those of vertices, no edge has more than two triangles, no triangle has a
-vertex twice, and no vertex is pinched.
+\return an object that refers to `faces`
 
-\throws Surface_input_error as for a mesh, of a face or a vertex
+\pre All indices are in range, no edge has more than two triangles, no triangle has a vertex twice,
+and no vertex is pinched.
+
+\throws Surface_input_error as for a mesh; the message names a face or a vertex
 */
 template <class FaceRange>
 auto surface_of(std::size_t number_of_vertices, const FaceRange& faces)

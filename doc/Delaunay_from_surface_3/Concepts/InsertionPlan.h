@@ -6,7 +6,7 @@ An `InsertionPlan` is a function object that decides the order in which points a
 where the rounds of the insertion end. A trace follows every round but the last
 (\cgalCite{choi-dtsm-02}, §2 and Fig.\ 1).
 
-The triangulation is right for any order. A model knows nothing of cells.
+The result is the same for any order. A model knows nothing about cells.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Log_star_rounds}
@@ -23,11 +23,11 @@ class InsertionPlan
 {
 public:
   /*!
-  makes the plan from `seed`, which stands for all its random choices: plans with the same seed give
-  the same order for the same points. A plan without random choices ignores it.
+  constructs the plan from `seed`, which determines all its random choices: plans with the same seed
+  give the same order for the same points. A plan without random choices ignores it.
 
-  Only `CGAL::Surface_insertion_policies_3`, and plans that are made of others, ask for this
-  constructor. A traits class of your own may make its plan in another way.
+  Only `CGAL::Surface_insertion_policies_3`, and plans that contain other plans, use this
+  constructor. Your own traits class may construct its plan in another way.
   */
   explicit InsertionPlan(unsigned int seed);
 
@@ -47,10 +47,10 @@ public:
   \param index_map maps the vertices of `graph` onto 0, …, n-1, one to one: the vertex with index i
   stands for `points[i]`
 
-  \post The `order` returned is a permutation of 0, …, n-1. Its `round_ends` increase strictly, and
-  the last is n; there are none if and only if n is 0. Its `starting_places` are none, or one
-  for each place; each but the first comes before its place. The functions that insert check all
-  this, and throw a `std::invalid_argument` before they insert anything if it does not hold.
+  \post `order` is a permutation of 0, …, n-1. `round_ends` is strictly increasing and ends with n;
+  it is empty if and only if n is 0. `starting_places` is empty or has n elements, and
+  `starting_places[k]` < k for all k > 0. If any of this does not hold, the functions that insert
+  throw a `std::invalid_argument` before they insert anything.
   */
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   CGAL::Delaunay_from_surface_3::Insertion_order
@@ -59,15 +59,15 @@ public:
 
   /// \name Budget
   ///
-  /// A plan may have both of the following, or neither. They bound what an unlucky order can cost:
-  /// when the insertions have destroyed more cells than the budget allows, or tested twice as many on
-  /// their walks, those made so far are dropped and the work begins anew with `fallback_plan()`. It is
-  /// looked at every 256 points, by threads more rarely, while points are left, and in the core alone:
-  /// %CGAL's insertion counts nothing.
+  /// A plan may have both of the following members, or neither. They bound the cost of an unlucky
+  /// order. If the insertions have destroyed more cells than the budget allows, or tested more than
+  /// twice as many on their walks, their result is discarded and the work begins anew with
+  /// `fallback_plan()`. The budget is checked every 256 points, by many threads less often, as long as
+  /// points are left. Only the core checks it: %CGAL's insertion counts nothing.
   /// @{
 
-  /// how many cells the insertions may destroy for each point inserted, on average; as many as for a
-  /// thousand points come on top. Of more than a million points another sixteenth is allowed for each
+  /// says how many cells the insertions may destroy per point inserted, on average. The amount for a
+  /// thousand points is allowed in addition, and above a million points another sixteenth for each
   /// doubling.
   static constexpr std::size_t cells_per_point = unspecified_value;
 

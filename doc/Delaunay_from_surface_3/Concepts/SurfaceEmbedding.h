@@ -2,13 +2,13 @@
 \ingroup PkgDelaunayFromSurface3Concepts
 \cgalConcept
 
-A `SurfaceEmbedding` of a graph says how the edges stand around each vertex of a triangulated surface, as
-Boost's `PlanarEmbedding` does for graphs in the plane. It is a model of `boost::ReadablePropertyMap` whose key
+A `SurfaceEmbedding` of a graph gives the cyclic order of the edges around each vertex of a triangulated surface,
+as Boost's `PlanarEmbedding` does for graphs in the plane. It is a model of `boost::ReadablePropertyMap` whose key
 type is the vertex descriptor of the graph.
 
-The list of a vertex has each of its edges once, in cyclic order and in either direction: the lists of two
-vertices need not agree in direction, which is how a Möbius band is written down. Where the surface has a boundary,
-the list of a vertex on it starts and ends with its two boundary edges. A vertex without edges has an empty list.
+The list of a vertex contains each of its edges once, in cyclic order and in either direction. The lists of two
+vertices need not agree in direction; this is how a Möbius band can be described. The list of a vertex on the
+boundary starts and ends with its two boundary edges. A vertex without edges has an empty list.
 
 \cgalRefines{ReadablePropertyMap}
 

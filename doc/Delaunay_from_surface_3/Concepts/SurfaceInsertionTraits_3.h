@@ -2,11 +2,11 @@
 \ingroup PkgDelaunayFromSurface3Concepts
 \cgalConcept
 
-A `SurfaceInsertionTraits_3` binds a plan, a subgraph and a hint policy together: all that the
+A `SurfaceInsertionTraits_3` combines a plan, a subgraph and a hint policy: everything that the
 algorithm of the package leaves open. The functions of the package take an object of such a
-class. None of its parts changes the triangulation that comes out.
+class. None of its parts changes the resulting triangulation.
 
-`CGAL::Surface_insertion_policies_3` makes a model of three parts.
+`CGAL::Surface_insertion_policies_3` makes a model from three parts.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Surface_insertion_traits_3}
@@ -29,7 +29,7 @@ public:
   /// a model of `InsertionPlan`.
   using Insertion_plan = unspecified_type;
 
-  /// a model of `InsertionHints_3`. It is not looked at if `through_core` is `true`.
+  /// a model of `InsertionHints_3`. It is not used if `through_core` is `true`.
   template <class Target, class Subgraph>
   using Insertion_hints_3 = unspecified_type;
 
@@ -39,9 +39,9 @@ public:
   /// @{
 
   /*!
-  decides who inserts. If it is `true` the points go, in the order of the plan and from the starting
-  places that it names, through the core: into the compact triangulation, in which nothing is traced.
-  %CGAL's own insertion takes over where that cannot serve, and the visitor is told. If it is
+  decides who inserts. If it is `true`, the core inserts the points into the compact triangulation,
+  in the order of the plan and from the starting places that the plan names. Nothing is traced. If
+  the core cannot be used, %CGAL's own insertion takes over, and the visitor is told. If it is
   `false`, %CGAL inserts, with T and traces.
   */
   static constexpr bool through_core = unspecified_value;
@@ -54,7 +54,7 @@ public:
   /// returns the function object that makes T. It is called only if the hint policy uses T.
   Surface_subgraph surface_subgraph_object() const;
 
-  /// returns the function object that makes order and rounds; its random choices come from `seed`.
+  /// returns the function object that makes order and rounds, with random choices from `seed`.
   Insertion_plan insertion_plan_object(unsigned int seed) const;
 
   /// @}

@@ -2,11 +2,11 @@
 \ingroup PkgDelaunayFromSurface3Concepts
 \cgalConcept
 
-A `SurfaceInsertionVisitor_3` is told what the insertion of a surface is doing, and can stop it. It
-may have one more function, `accept()`, which leaves points out.
+A `SurfaceInsertionVisitor_3` is told about the progress of the insertion of a surface, and can stop
+it. It may have an additional function `accept()`, which leaves points out.
 
-Visitors are copied; one passed by `std::ref()` keeps its state. A visitor may throw: an empty
-triangulation is then unchanged, and a non-empty one is the triangulation of its old points and
+Visitors are copied; pass one by `std::ref()` to keep its state. A visitor may throw. An empty
+triangulation is then unchanged; a non-empty one is the triangulation of its old points and
 those inserted so far.
 
 For points p, q, …, in two rounds, the calls come in this order:
@@ -26,13 +26,13 @@ For points p, q, …, in two rounds, the calls come in this order:
 | `insertion_ends(target, hints)`, `phase_begins(FINISH)` | left out after a stop |
 | `phase_begins(DONE)` | |
 
-In the core `go_further()` comes at the beginning of each round, and then for every 256th point.
+In the core, `go_further()` is called at the beginning of each round, and then for every 256th point.
 
-A visitor with `accept()` is asked by it after `phase_begins(UPDATE)`; about the first points, until
-those accepted do not lie in one plane, already before `insertion_begins()`.
+`accept()`, if there is one, is called after `phase_begins(UPDATE)`. For the first points, until
+those accepted do not lie in one plane, it is called before `insertion_begins()`.
 
-If the order is too costly, `order_is_replaced(reason)` comes after an insertion, and all from
-`phase_begins(PLAN)` on comes again.
+If the order is too costly, `order_is_replaced(reason)` is called after an insertion, and all calls
+from `phase_begins(PLAN)` on are repeated.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_surface_insertion_visitor_3}
@@ -42,47 +42,47 @@ class SurfaceInsertionVisitor_3
 {
 public:
   /*!
-  is called before the first phase if the surface is not a manifold mesh of triangles. This is no
-  error: only the edges are used.
+  is called before the first phase if the surface is not a manifold mesh of triangles. This is not an
+  error, since only the edges are used.
 
-  \param reason what was found, in words: how many faces are not triangles, and how many edges have
-  more than two faces
+  \param reason says in words how many faces are not triangles, and how many edges have more than two
+  faces
   */
   void surface_is_irregular(const std::string& reason);
 
   /*!
-  is called before the first round if the compact triangulation of the core cannot serve. This is no
-  error: %CGAL's own insertion takes its place, and the result is the same. It is called in the
-  middle of the work if there are more cells than numbers of 32 bits: the rounds then begin anew.
-  \param reason what stands against it, in words
+  is called before the first round if the compact triangulation of the core cannot be used. This is
+  not an error: %CGAL's own insertion takes its place, and the result is the same. It is called in the
+  middle of the work if there are more cells than 32 bits can number; the rounds then begin anew.
+  \param reason says in words what prevents the use of the core
   */
   void target_is_replaced(const std::string& reason);
 
   /*!
-  is called in the phase `SUBGRAPH` if the subgraph of the traits cannot serve. This is no error: a
-  spanning forest takes its place, and the result is the same.
+  is called in the phase `SUBGRAPH` if the subgraph of the traits cannot be used. This is not an
+  error: a spanning forest takes its place, and the result is the same.
 
-  \param reason what the subgraph says of the vertex or edge that it refuses, or that it needs what
-  the graph does not have
+  \param reason says which vertex or edge the subgraph refuses, or what it needs and the graph lacks
   */
   void subgraph_is_replaced(const std::string& reason);
 
   /*!
   is called in the middle of the work if the order of the plan makes the insertions too costly. This
-  is no error: they begin anew, with the phase `PLAN`, in another order, and the result is the same.
-  \param reason what is too costly, in words
+  is not an error: they begin anew in another order, with the phase `PLAN`, and the result is the
+  same.
+  \param reason says in words what is too costly
   */
   void order_is_replaced(const std::string& reason);
 
   /*!
-  is called before the first round with the number of threads that may insert. If that is more than
-  one, the phases `LOCATION` and `UPDATE` are not told, and `go_further()` is asked at each
-  portion of the thread that called. This thread calls all functions here.
+  is called before the first round with the number of threads that may insert. If there is more than
+  one, the phases `LOCATION` and `UPDATE` are not reported, and `go_further()` is called whenever the
+  calling thread takes a portion of points. The calling thread calls all functions of the visitor.
   */
   void insertion_begins(std::size_t number_of_threads);
 
-  /// is called when `phase` begins; the phase before it ends there. Where it is the default's, nobody
-  /// is told of points.
+  /// is called when `phase` begins, which ends the previous phase. If a visitor keeps the default's
+  /// version, the phases of single points are not tracked.
   void phase_begins(CGAL::Surface_insertion_phase phase);
 
   /*!
@@ -94,81 +94,87 @@ public:
   void round_begins(std::size_t round, std::size_t number_of_points);
 
   /*!
-  is called after the trace that ends a round: every round but the last where %CGAL inserts.
+  is called after the trace that ends a round: every round but the last, if %CGAL inserts.
 
   \param number_of_located_points what `InsertionHints_3::trace()` returned
   */
   void trace_ends(std::size_t number_of_located_points);
 
   /*!
-  is called after the last insertion, before the triangulation is handed over: here their counts can
-  be had. Not after a stop.
+  is called after the last insertion, before the triangulation is handed over. It gives access to the
+  counts of the insertions. It is not called after a stop.
   \param target an object with a function `counts()` that returns
-  `CGAL::Delaunay_from_surface_3::Insertion_counts`; where %CGAL inserts, a
+  `CGAL::Delaunay_from_surface_3::Insertion_counts`; if %CGAL inserts, a
   `CGAL::Delaunay_from_surface_3::Triangulation_target_3`, which counts nothing
-  \param hints a model of `InsertionHints_3`; where the core inserts, an object without functions
+  \param hints a model of `InsertionHints_3`; if the core inserts, an object without functions
   */
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints& hints);
 
   /*!
-  is called before each insertion of %CGAL's; in the core before every 256th, and at the beginning of
-  each round.
+  is called before each insertion if %CGAL inserts; in the core before every 256th, and at the
+  beginning of each round.
 
   \return `false` to stop the work here
   */
   bool go_further();
 
   /*!
-  may be left out. In the core it is asked in place of the other, with the number of points inserted;
-  with several threads that is rough, and may fall. The other must be there too: a class derived from
-  the default visitor says `using CGAL::Default_surface_insertion_visitor_3::go_further;`.
+  is optional. If it exists, the core calls it instead of the one without argument, with the number of
+  points inserted; with several threads this number is approximate, and may decrease. The one without
+  argument must exist too: a class derived from the default visitor says
+  `using CGAL::Default_surface_insertion_visitor_3::go_further;`.
+
+  \return `false` to stop the work here
   */
   bool go_further(std::size_t inserted);
 
   /*!
-  is called before the insertion of a point: whether it may be inserted. This function can be left
-  out, and the default visitor has none; everything is then inserted, and nobody looks for nearest
-  vertices.
+  decides whether a point is inserted. This function is optional, and the default visitor has none:
+  everything is then inserted, and no nearest vertices are computed.
 
-  It is called once for each point, in the order of the insertions, but not for the very first into
-  an empty triangulation, nor where a vertex stands at the point already: that is then the point's
-  vertex. What is left out depends on the order: on traits, seed, and the order of the input. So the
-  insertions go one by one in a single thread, whatever the concurrency tag says, and
-  `insertion_begins()` tells 1. In each order the question is asked once, whoever inserts: if another
-  order takes its place (`order_is_replaced()`), the questions begin anew.
+  It is called once for each point, in the order of insertion. It is not called for the very first
+  point in an empty triangulation, nor for a point at which there is already a vertex, which then
+  becomes the point's vertex. Which points are left out depends on the order: on the traits, the seed,
+  and the order of the input. So a single thread inserts the points one by one, whatever the
+  concurrency tag says, and `insertion_begins()` receives 1. If another order takes over
+  (`order_is_replaced()`), the function is called anew for all points; if %CGAL's insertion continues
+  in the same order, it is not called again.
 
-  A point that is left out gets no vertex: it is not written to
-  `vertex_to_vertex_output_iterator`, has no info to give, and stands in nobody's way. The
-  triangulation is that of the points that are inserted.
+  A point that is left out gets no vertex. It is not written to `vertex_to_vertex_output_iterator`,
+  its info is not used, and it has no effect on later points. The result is the triangulation of the
+  points that are inserted.
 
-  The nearest vertex is that of the whole triangulation, exactly; of several at the same distance the
-  lexicographically smallest. So order and answers alone decide what is left out. In the core that
-  costs what it takes to find the cells in conflict with the point, which is done for every
-  insertion anyway; a point that is left out costs it on top of its location. %CGAL's own insertion
-  passes the stars on the way to the nearest vertex.
+  The nearest vertex is exactly the nearest of the whole triangulation; of several at the same
+  distance it is the lexicographically smallest. So only the order and the answers decide which points
+  are left out. In the core, this costs the search for the cells in conflict with the point, which
+  every insertion needs anyway; a point that is left out costs this search besides its location. If
+  %CGAL inserts, the stars on the way to the nearest vertex are visited.
 
-  With `delaunay_3_arrays()` a visitor that has this function does not compile.
+  A visitor with this function does not compile with `delaunay_3_arrays()`.
 
-  \param i the point: its index in the input; for a mesh, its place in `vertices(mesh)`
-  \param nearest the index of the first point inserted at the nearest vertex; `std::size_t(-1)` if
-  none was: the vertex was in the triangulation before
-  \param point where the nearest vertex is
   \tparam Point the points of the triangulation
+
+  \param i the index of the point in the input; for a mesh, its place in `vertices(mesh)`
+  \param nearest the index of the first point inserted at the nearest vertex; `std::size_t(-1)` if
+  the vertex was in the triangulation before the call
+  \param point the point of the nearest vertex
 
   \return `false` to leave the point out
   */
   bool accept(std::size_t i, std::size_t nearest, const Point& point);
 
   /*!
-  is called in place of the other, if it is there.
+  is called instead of the one above, if it exists.
 
   \param i as above
   \param nearest as above
   \param point as above
-  \param corners for the vertices of a cell that contains the point, what `nearest` is for the nearest
-  vertex. `std::size_t(-1)` also stands for the infinite vertex, where the point lies beyond the
-  facet of the others, and for all four as long as the dimension is below 3.
+  \param corners for each vertex of a cell that contains the point, what `nearest` is for the nearest
+  vertex. `std::size_t(-1)` also stands for the infinite vertex, if the point lies beyond the
+  facet of the others, and for all four vertices while the dimension is below 3.
+
+  \return `false` to leave the point out
   */
   bool accept(std::size_t i, std::size_t nearest, const Point& point,
               const std::array<std::size_t, 4>& corners);

@@ -2,15 +2,15 @@
 \ingroup PkgDelaunayFromSurface3Concepts
 \cgalConcept
 
-A `SurfaceSubgraph` is a function object that chooses the edges of T: the subgraph of the surface
-graph F that is traced through the triangulation, or whose edges say which points are neighbours
-(\cgalCite{choi-dtsm-02}, §3).
+A `SurfaceSubgraph` is a function object that chooses the edges of T. T is the subgraph of the
+surface graph F that is traced through the triangulation, or whose edges say which points are
+neighbours (\cgalCite{choi-dtsm-02}, §3).
 
-The triangulation is right for any choice, an empty one included. The cost is not: the bound on a
-trace (Theorem 3 of the paper) asks for a subgraph that spans F, has bounded degree, and consists of
+The result is the same for any choice, even an empty one. The cost is not: the bound on a
+trace (Theorem 3 of the paper) requires a subgraph that spans F, has bounded degree, and consists of
 Delaunay edges.
 
-A model knows nothing of triangulations: it sees a graph, and what its constructor was given.
+A model knows nothing about triangulations: it sees a graph, and what its constructor was given.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Bounded_degree_subgraph}
@@ -28,8 +28,7 @@ public:
   /*!
   writes edges of `graph` to `out`. The same graph gives the same edges in the same order.
 
-  Whichever way an edge is written, T has it in both directions. Loops and repeated edges are
-  harmless.
+  Each edge written belongs to T in both directions. Loops and repeated edges are harmless.
 
   \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, directed or not. For
   a mesh it is the mesh itself, and a model may ask for more of it, such as `HalfedgeGraph`.
@@ -44,8 +43,8 @@ public:
 
   \return the output iterator past the last edge written
 
-  \throws Surface_input_error if the model cannot serve this surface. A spanning forest then takes its
-  place, and the visitor's `subgraph_is_replaced()` gets the message. The same happens where the
+  \throws Surface_input_error if the model cannot handle this surface. A spanning forest then takes
+  its place, and the visitor's `subgraph_is_replaced()` receives the message. The same happens if the
   model cannot be called with this type of graph.
   */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>

@@ -3,7 +3,7 @@
 #
 #   sbatch tiles_by_mpi.sh FOLDER POINTS...
 #
-# A task has one tile: about 1 KB for each point of its own if the points are on a surface, and 5 KB in the worst tile.
+# A task has one tile. It takes about 1 KB for each point of its own if the points are on a surface, and 5 KB in the worst tile.
 #SBATCH --job-name=tiles
 #SBATCH --ntasks=64
 #SBATCH --mem-per-cpu=8G

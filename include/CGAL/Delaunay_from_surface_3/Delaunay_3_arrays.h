@@ -20,8 +20,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-is a 3D Delaunay triangulation as numbers, and holds no object of CGAL: what
-`delaunay_3_arrays()` returns.
+is a 3D Delaunay triangulation as arrays of numbers, returned by `delaunay_3_arrays()`. It contains
+no object of CGAL.
 
 \code{.cpp}
 const auto arrays = CGAL::delaunay_3_arrays(points);
@@ -32,21 +32,21 @@ for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c) {
 }
 \endcode
 
-Cells come as tetrahedra first, then, from number `number_of_simplices()` on, as infinite cells: one
-for each facet of the convex hull. The last vertex of an infinite cell is `none`; the facet of the
-others is such that points beyond it make a positive tetrahedron in the place of `none`. Neighbour i
-shares the facet opposite to vertex i. Of points that coincide, the one with the smallest index is
-the vertex.
+The first cells are the tetrahedra. From number `number_of_simplices()` on follow the infinite
+cells, one for each facet of the convex hull. The last vertex of an infinite cell is `none`. A point
+beyond the facet of the other three forms a positively oriented tetrahedron when it replaces `none`.
+Neighbour i shares the facet opposite to vertex i. Of several equal points, the one with the
+smallest index is the vertex.
 
 If all points lie in a plane, on a line, or coincide, the dimension d is 2, 1 or 0. A cell then has
-d + 1 vertices and neighbours; the entries that are left over are `none`. In a plane the triangles
-have one orientation.
+d + 1 vertices and neighbours, and the remaining entries are `none`. In a plane all triangles have
+the same orientation.
 
-\tparam Index a signed integer type of 32 or 64 bits
-
-It can be copied, and moved: what it was moved from is empty.
+Objects can be copied and moved; an object that was moved from is empty.
 
 <b>Memory</b>: 32 bytes per cell with `std::int32_t`, and 4 per point.
+
+\tparam Index a signed integer type of 32 or 64 bits
 */
 template <class Index = std::int32_t>
 class Delaunay_3_arrays
@@ -55,10 +55,10 @@ class Delaunay_3_arrays
                 "an index can be -1");
 
 public:
-  /// stands for the infinite vertex, or for what there is none of.
+  /// the infinite vertex, or an entry without vertex or neighbour.
   static constexpr Index none = -1;
 
-  /// is made of nothing: the dimension is -1.
+  /// constructs the triangulation of no points, whose dimension is -1.
   Delaunay_3_arrays() = default;
 
   /// \cond
@@ -98,13 +98,13 @@ public:
   /// \name Numbers
   ///@{
 
-  /// returns 3, less if all points lie in a plane, and -1 if there are none.
+  /// returns the dimension: 3, less if all points lie in a plane, and -1 if there are none.
   int dimension() const { return m_dimension; }
 
   /// returns the number of points that were given.
   std::size_t number_of_points() const { return m_vertices_of_points.size(); }
 
-  /// returns the number of different points. Linear.
+  /// returns the number of distinct points, in linear time.
   std::size_t number_of_vertices() const
   {
     std::size_t count = 0;
@@ -126,10 +126,10 @@ public:
   /// returns the vertices of cell `c`: indices of points.
   std::array<Index, 4> vertices(std::size_t c) const { return entries(vertices_data(), c); }
 
-  /// returns the neighbours of cell `c`. \pre they have not been dropped
+  /// returns the neighbours of cell `c`. \pre The neighbours have not been dropped.
   std::array<Index, 4> neighbors(std::size_t c) const { return entries(neighbors_data(), c); }
 
-  /// returns whether `c` is an infinite cell, or `none`.
+  /// returns whether `c` is an infinite cell or `none`.
   bool is_infinite(Index c) const { return c < 0 || std::size_t(c) >= m_number_of_simplices; }
 
   /// returns the smallest index of a point equal to point `i`.
@@ -143,13 +143,13 @@ public:
   /// returns the vertices of all cells.
   const Index* vertices_data() const { return m_vertices.data(); }
 
-  /// returns the neighbours of all cells; null if they have been dropped.
+  /// returns the neighbours of all cells, or a null pointer if they have been dropped.
   const Index* neighbors_data() const
   {
     return m_stride == 4 ? m_neighbors.data() : m_vertices.data() + 4;
   }
 
-  /// returns 8 at first, since vertices and neighbours of a cell lie side by side; 4 after
+  /// returns 8 at first, since vertices and neighbours of a cell are stored side by side; 4 after
   /// `separate()` or `drop_neighbors()`.
   std::size_t stride() const { return m_stride; }
 
@@ -157,11 +157,11 @@ public:
   const std::vector<Index>& vertices_of_points() const { return m_vertices_of_points; }
   ///@}
 
-  /// \name Giving up
-  /// All are linear, and give the memory back.
+  /// \name Reducing
+  /// These functions take linear time and free memory.
   ///@{
 
-  /// gives up the infinite cells: `none` is the neighbour in their place.
+  /// removes the infinite cells; as neighbours they are replaced by `none`.
   void drop_infinite_cells()
   {
     m_number_of_cells = m_number_of_simplices;
@@ -174,14 +174,15 @@ public:
     m_neighbors.release(4 * m_number_of_cells, m_neighbors.capacity());
   }
 
-  /// gives up the neighbours; the vertices become one array without gaps.
+  /// removes the neighbours; the vertices become one array without gaps.
   void drop_neighbors()
   {
     close_gaps();
     m_neighbors.deallocate();
   }
 
-  /// makes vertices and neighbours two arrays without gaps. Needs 16 bytes per cell on the way.
+  /// makes vertices and neighbours two arrays without gaps; this temporarily takes 16 bytes per
+  /// cell.
   void separate()
   {
     if (m_stride == 4)

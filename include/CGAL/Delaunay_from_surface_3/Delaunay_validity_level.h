@@ -10,10 +10,10 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-says how much is checked of a triangulation. Each level includes those before it. The last one is
-Delaunay's lemma: where no vertex across a facet contradicts a cell, no other vertex does. The lemma
-needs a triangulation; that it is one, the levels before say as far as `is_valid_delaunay_3_arrays()`
-says.
+says how much of a triangulation is checked. Each level includes the previous ones. The last one
+uses Delaunay's lemma: if no cell is in conflict with the vertex across a facet, no cell is in
+conflict with any vertex. The lemma requires a triangulation; the other levels check that it is one,
+as far as described for `is_valid_delaunay_3_arrays()`.
 */
 enum class Delaunay_validity_level {
   LINKS,       ///< neighbours lead back, share a facet, and are oriented alike.

@@ -15,9 +15,9 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
 
-names the stages of the predicates behind floating point, in the order in which they are asked.
-Digits have 60 bits; a stage of integers serves points whose differences are such integers times a
-power of 2.
+names the stages of the predicates after the first floating-point filters, in the order in which
+they are tried. Digits have 60 bits. A stage of integers applies if the differences of the points
+are such integers times a power of 2.
 */
 enum Exact_stage {
   HALF_DIGIT,            ///< integers of 30 bits.
@@ -26,28 +26,28 @@ enum Exact_stage {
   DOUBLE_DOUBLE,         ///< sums of two doubles, with a bound on their error.
   TWO_DIGITS,            ///< integers of 120 bits.
   ANY_WIDTH,             ///< integers of any width.
-  NUMBER_OF_EXACT_STAGES ///< how many there are.
+  NUMBER_OF_EXACT_STAGES ///< the number of stages.
 };
 
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
 
-says what the insertions of the core did. It tells a good order from a bad one on any
-machine. Most of the time goes into what `cells_destroyed` and `sphere_tests` count.
+counts what the insertions of the core did. The counts tell a good order from a bad one on any
+machine. Most of the time is spent on what `cells_destroyed` and `sphere_tests` count.
 */
 struct Insertion_counts
 {
-  /// makes them 0.
+  /// sets all counts to 0.
   // NOLINTNEXTLINE(modernize-use-equals-default)
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Insertion_counts() {}
 
-  /// cells looked at until one in conflict was found, that one included (Fig.\ 1, line 2b).
+  /// cells tested until one in conflict was found, including that one (Fig.\ 1, line 2b).
   std::size_t cells_tested_to_start = 0;
 
   /// cells in conflict with the points inserted (line 2c).
   std::size_t cells_destroyed = 0;
 
-  /// cells of the stars that took their place.
+  /// cells of the stars that replaced them.
   std::size_t cells_created = 0;
 
   /// tests of neighbours of cells in conflict.
@@ -59,17 +59,17 @@ struct Insertion_counts
   /// tests against facets of the convex hull that floating point left open, by the stage.
   std::size_t facet_tests_by_stage[NUMBER_OF_EXACT_STAGES] = {};
 
-  /// those of these whose sign was 0, and was perturbed.
+  /// tests of these kinds whose sign was 0 and had to be perturbed.
   std::size_t perturbed = 0;
 
-  /// insertions that gave way to one of another thread, with nothing changed, and were tried again.
-  /// What they tested and would have destroyed is in the other counts.
+  /// insertions that were withdrawn because of another thread, before any change, and tried again.
+  /// Their tests, and the cells that they would have destroyed, are included in the other counts.
   std::size_t clashes = 0;
 
-  /// points that clashed twice, and were left to the calling thread.
+  /// points that clashed twice and were left to the calling thread.
   std::size_t put_off = 0;
 
-  /// adds those of another worker.
+  /// adds the counts of another worker.
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Insertion_counts&
   operator+=(const Insertion_counts& other)
   {

@@ -14,11 +14,12 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-is what an `InsertionPlan` returns: the order in which n points are inserted, and where its rounds
-end: in \cgalCite{choi-dtsm-02}, §2, the random order \f$s_1, \ldots, s_n\f$ and the \f$N_h\f$.
+is the order in which n points are inserted, and the ends of its rounds, as returned by an
+`InsertionPlan`. In \cgalCite{choi-dtsm-02}, §2, these are the random order \f$s_1, \ldots, s_n\f$
+and the \f$N_h\f$.
 
 Round h, counted from 0, inserts the points `order[k]` with `round_ends[h-1] <= k < round_ends[h]`;
-the first begins at `k = 0`.
+the first round begins at `k = 0`.
 */
 struct Insertion_order
 {
@@ -28,9 +29,9 @@ struct Insertion_order
   /// strictly increasing; the last is n. Empty if and only if n is 0.
   std::vector<std::size_t> round_ends;
 
-  /// for every `k > 0` a `starting_places[k] < k`: the insertion of the point `order[k]` may start
-  /// at the point `order[starting_places[k]]`, which is near. There are n, of which the first is
-  /// not looked at; or none, if the plan knows of none.
+  /// for every `k > 0` a place `starting_places[k] < k`: the location of the point `order[k]`
+  /// starts at the nearby point `order[starting_places[k]]`. There are n elements, of which the
+  /// first is not used, or none, if the plan names no starting points.
   std::vector<std::size_t> starting_places;
 };
 

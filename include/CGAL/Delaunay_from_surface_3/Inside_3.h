@@ -14,32 +14,35 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Inside
 
-says which tetrahedra lie inside a surface: what `inside_of_surface_3()` returns.
+says which tetrahedra lie inside a surface. It is returned by `inside_of_surface_3()`.
 */
 struct Inside_3
 {
-  /// of each tetrahedron, at the mean of its corners, up to about 0.01: 0 outside and 1 inside a
-  /// closed surface, -1 where its triangles are turned inwards, 2 inside two parts that overlap,
-  /// and numbers between these near gaps.
+  /// the winding number of each tetrahedron at the mean of its vertices, up to about 0.01. It is 0
+  /// outside and 1 inside a closed surface, -1 inside if its triangles are oriented inwards, 2
+  /// inside two overlapping parts, and between these values near gaps.
   std::vector<double> winding_numbers;
 
-  /// how many tetrahedra have a number that differs by more than 0.1 from all whole ones.
+  /// the number of tetrahedra in doubt, whose winding number differs by more than 0.1 from every
+  /// integer.
   std::size_t number_of_doubtful = 0;
 
-  /// how many lie inside more than one part: their number is above 1.5, or below -1.5.
+  /// the number of tetrahedra inside more than one part: their winding number is above 1.5 or below
+  /// -1.5.
   std::size_t number_of_multiple = 0;
 
-  /// the volume of the tetrahedra with such doubtful numbers, over that of those inside.
+  /// the volume of the tetrahedra in doubt divided by that of the tetrahedra inside.
   double doubtful_volume = 0;
 
-  /// the area of triangles that would close the openings, each from its middle, over that of the
-  /// surface.
+  /// the area of triangles that would close the openings, each from its middle, divided by that of
+  /// the surface.
   double share_of_openings = 0;
 
-  /// returns whether tetrahedron `c` counts as inside: its number is at least 1/2, or at most -1/2.
+  /// returns whether tetrahedron `c` is inside: its winding number is at least 1/2, or at most
+  /// -1/2.
   bool operator[](std::size_t c) const { return std::abs(winding_numbers[c]) >= 0.5; }
 
-  /// returns the share of the tetrahedra that are doubtful.
+  /// returns the fraction of the tetrahedra that are in doubt.
   double doubtful_share() const
   {
     return winding_numbers.empty() ? 0

@@ -12,16 +12,16 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Progress
 
-is thrown when something cannot serve as input: a coordinate that is not a finite number, an index
-out of range or given twice, a graph whose number of vertices differs from the number of points, a
-surface that is not a simple triangulated manifold where one is needed, and what else the functions
-name. The message says what is wrong and where, on one line. Input is checked before the first
-change of the triangulation.
+is thrown if the input is refused: for a coordinate that is not a finite number, an index out of
+range or given twice, a graph whose number of vertices differs from the number of points, a surface
+that is not a simple triangulated manifold if one is required, and in other cases that the functions
+document. The message says on one line what is wrong and where. Input is checked before the
+triangulation is modified.
 */
 class Surface_input_error : public std::invalid_argument
 {
 public:
-  /// is constructed from the message, as `std::invalid_argument` is.
+  /// inherits the constructors, which take the message.
   using std::invalid_argument::invalid_argument;
 };
 

@@ -28,20 +28,20 @@ enum Vertex_info_range_tag { vertex_info_range_tag };
 \ingroup PkgDelaunayFromSurface3Points
 
 begins a sequence of \ref bgl_namedparameters "Named Parameters" with a property map whose values
-the `info()` of the vertices gets. Others may follow, joined by dots:
+become the `info()` of the vertices. Other parameters may follow, joined by dots:
 
 \code{.cpp}
 namespace DFS = CGAL::Delaunay_from_surface_3;
 CGAL::insert_surface_vertices_3(tr, mesh, DFS::vertex_info_map(colors).random_seed(7));
 \endcode
 
-Of points that are equal the one with the smallest index gives the info, whatever the order of the
-insertions; %CGAL's own insertion of pairs lets the last of its order win. A vertex that was there
-before the call gets a new info too.
+Of several equal points, the one with the smallest index determines the info, whatever the order of
+insertion. With %CGAL's own insertion of pairs, the last in its order does. A vertex that existed
+before the call gets a new info, too.
 
-\tparam InfoMap a model of `ReadablePropertyMap` from what the function writes into
-`vertex_to_vertex_output_iterator` (the vertices of a mesh, else the indices of the points) to a
-type that can be assigned to the info. It is copied.
+\tparam InfoMap a model of `ReadablePropertyMap` whose keys are what the function writes into
+`vertex_to_vertex_output_iterator` (the vertices of a mesh, otherwise the indices of the points),
+and whose values can be assigned to the info. It is copied.
 */
 template <class InfoMap>
 auto vertex_info_map(const InfoMap& map)
@@ -53,8 +53,8 @@ auto vertex_info_map(const InfoMap& map)
 \ingroup PkgDelaunayFromSurface3Points
 
 does the same for a range whose i-th item is the info of the i-th point, or of the i-th vertex of a
-mesh in the order of `vertices(mesh)`. Where their numbers differ the functions that insert throw a
-`Surface_input_error` before they change anything.
+mesh in the order of `vertices(mesh)`. If the numbers of items and points differ, the functions that
+insert throw a `Surface_input_error` before they change anything.
 
 \tparam InfoRange a model of `RandomAccessRange`; a reference to it is kept
 */

@@ -38,27 +38,27 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Hints
 
 is the paper's location structure (\cgalCite{choi-dtsm-02}): the history of a Delaunay triangulation
-in dimension 3 while points are inserted, as a graph of conflicts (\cgalCite{bt-rcdt-93},
-\cgalCite{cms-frric-93}). Every cell that ever was, infinite ones too, is a node. A new cell is
-linked to two older ones, its father and its stepfather: the destroyed and the surviving cell at the
-facet on which it stands. A point in conflict with a cell is in conflict with one of these two.
+in dimension 3 during the insertion of points, as a graph of conflicts (\cgalCite{bt-rcdt-93},
+\cgalCite{cms-frric-93}). Every cell that ever existed, including infinite ones, is a node. A new
+cell is linked to its father and its stepfather: the destroyed and the surviving cell at the facet
+on which it is created. A point in conflict with a cell is in conflict with one of these two.
 
-`find_conflicts()` visits the nodes that are in conflict with a point, each once, and gives those
-that are cells of today. It starts from the root, all cells that there were when the triangulation
-was handed over or became 3-dimensional, or from all cells that were in conflict with the point at
-some time before: the point's *conflict set* then. One of these would not do: cells of today may
-descend from the others only.
+`find_conflicts()` visits the nodes in conflict with a point, each once, and reports those that are
+current cells. It starts either from the root, all cells that existed when the history began or the
+triangulation became 3-dimensional; or from the point's *conflict set* at some earlier time, all
+cells then in conflict with it. One of these is not enough: current cells may descend from others.
 
-Let points be inserted in random order, and let \f$c_j\f$ be the expected number of cells in
-conflict with a point p in the triangulation of j points. Each of them was made by the j-th
-insertion with probability \f$4/j\f$, or \f$3/j\f$ if it is infinite. So from the triangulation of k
-points to that of i at most \f$\sum_{k < j \le i} 4 c_j / j\f$ nodes are visited in expectation,
-which is \f$O(\log(i/k))\f$ if \f$c_j\f$ is \f$O(1)\f$ (\cgalCite{choi-dtsm-02}, Lemma 4). At each
-node at most eight tests are made in vain, four of sons and one for each facet, whatever the degrees
-of the vertices are: work is proportional to nodes.
+<b>Complexity</b>: let points be inserted in random order, and let \f$c_j\f$ be the expected number
+of cells in conflict with a point p in the triangulation of j points. Each of these was created by
+the j-th insertion with probability \f$4/j\f$, or \f$3/j\f$ if it is infinite. So from the
+triangulation of k points to that of i points, at most \f$\sum_{k < j \le i} 4 c_j / j\f$ nodes are
+visited in expectation, which is \f$O(\log(i/k))\f$ if \f$c_j\f$ is \f$O(1)\f$
+(\cgalCite{choi-dtsm-02}, Lemma 4). At each node at most eight tests fail, four of sons and one for
+each facet, whatever the degrees of the vertices. So the work is proportional to the nodes.
 
-Memory: 104 bytes per cell that ever was, where handles have 8 bytes, and 24 per cell of today.
-Points may only be inserted, all conflict zones must be reported, and predicates must be exact.
+<b>Memory</b>: 104 bytes per cell that ever existed (with 64-bit handles), 24 per current cell.
+
+\pre Points are only inserted, never removed; all conflict zones are reported; predicates are exact.
 
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`, not with `Fast_location`
 
@@ -79,18 +79,18 @@ public:
   /// stands for no node.
   static constexpr Node none = (std::numeric_limits<Node>::max)();
 
-  /// what a search did.
+  /// the result of a search.
   struct Search
   {
-    Vertex vertex;             ///< the vertex at the point; none if there is none.
-    std::size_t nodes_visited; ///< those in conflict with the point, but for those given at first.
+    Vertex vertex;             ///< the vertex at the point, if there is one.
+    std::size_t nodes_visited; ///< nodes in conflict with the point, except those given at first.
     std::size_t nodes_tested;  ///< nodes that were tested.
   };
 
-  /// `true`: the conflict zone is what becomes history.
+  /// `true`: the conflict zone becomes history.
   static constexpr bool observes_conflict_zone = true;
 
-  /// begins the history of `tr` with what it is now; keeps a reference to it.
+  /// begins the history with the current state of `tr`; keeps a reference to it.
   explicit Conflict_history_3(const Triangulation& tr)
     : m_tr(tr)
     , m_test(tr)
@@ -119,8 +119,8 @@ public:
     m_boundary.sort();
   }
 
-  /// adds the star of `v`, or the root if the triangulation has just become 3-dimensional. A point
-  /// that was there already changes nothing.
+  /// adds the star of `v`, or the root if the triangulation has just become 3-dimensional. A
+  /// duplicate point changes nothing.
   void after_update(std::size_t, Vertex v)
   {
     if (!m_zone.empty()) {
@@ -142,8 +142,8 @@ public:
   /// \name Location
   /// @{
 
-  /// writes the cells of today that are in conflict with `p`, as nodes; searches from the root. If
-  /// `p` is a vertex the search ends with it, and what has been written means nothing.
+  /// writes the current cells that are in conflict with `p`, as nodes, found from the root. If `p`
+  /// is a vertex, the search ends with this vertex, and the nodes written have no meaning.
   /// \pre `!is_empty()`
   template <class NodeOutputIterator>
   Search find_conflicts(const Point& p, NodeOutputIterator out)
@@ -155,8 +155,8 @@ public:
     return finish_search(p, 0, out, search);
   }
 
-  /// does the same from the nodes in `[first, last)`: the conflict set of `p` at the time when
-  /// there were `number_of_nodes_then` nodes.
+  /// does the same from the nodes in `[first, last)`, which are the conflict set of `p` at the time
+  /// when there were `number_of_nodes_then` nodes.
   /// \pre `p` was no vertex then.
   template <class NodeIterator, class NodeOutputIterator>
   Search find_conflicts(const Point& p, NodeIterator first, NodeIterator last,
@@ -171,7 +171,7 @@ public:
   }
 
   /// returns whether `p` is in conflict with node `n`: inside its circumscribing sphere, or beyond
-  /// the finite facet of an infinite cell; %CGAL's perturbation decides where it is on either.
+  /// the finite facet of an infinite cell. If `p` is on one of these, %CGAL's perturbation decides.
   bool is_in_conflict(Node n, const Point& p) const
   {
     return m_test(m_records[n].vertices, p) == Conflict::YES;
@@ -182,22 +182,22 @@ public:
   /// \name Access
   /// @{
 
-  /// returns whether there is no node: the triangulation has not become 3-dimensional yet.
+  /// returns whether there is no node, because the triangulation is not 3-dimensional yet.
   bool is_empty() const { return m_records.empty(); }
 
-  /// returns the number of nodes: of all cells that ever were.
+  /// returns the number of nodes, which is that of all cells that ever existed.
   std::size_t number_of_nodes() const { return m_records.size(); }
 
-  /// returns whether `n` is a cell of today.
+  /// returns whether `n` is a current cell.
   bool is_leaf(Node n) const { return m_records[n].cell != Cell(); }
 
   /// returns the vertices of `n`.
   const std::array<Vertex, 4>& vertices(Node n) const { return m_records[n].vertices; }
 
-  /// returns the cell of today that leaf `n` is.
+  /// returns the current cell of leaf `n`.
   Cell cell(Node n) const { return m_records[n].cell; }
 
-  /// returns the node of `c`, a cell of today.
+  /// returns the node of `c`, a current cell.
   Node node(Cell c) const { return m_node_of_cell[c]; }
 
   /// @}

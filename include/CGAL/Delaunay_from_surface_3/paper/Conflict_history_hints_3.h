@@ -33,20 +33,22 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-starts every insertion in a cell in conflict with the point, found in the history of all conflicts
-(\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b): the paper's own location structure. The search
-starts at the conflict set that the last trace recorded for the point, and at the root if there was
-no trace. A trace is that of `Traced_hints_3`; it records sets of nodes instead of vertices. The
-paper records only the cell that contains the point; from that cell alone cells can be lost
+starts every insertion in a cell in conflict with the point, found in the history of all conflicts,
+the paper's own location structure (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). The search
+starts at the conflict set that the last trace recorded for the point, or at the root if there was
+no trace. A trace is that of `Traced_hints_3`, but records sets of nodes instead of vertices. The
+paper records only the cell that contains the point; a search from that cell alone can miss cells
 (`Conflict_history_3`).
 
-It takes several times the memory of the triangulation and is slower than a walk on all surfaces
-measured: it is here for the theory.
+This policy serves the study of the theory: it takes several times the memory of the triangulation,
+and is slower than a walk on all surfaces measured.
 
-A trace takes \f$O(n)\f$ expected time, and a search \f$O(\log(i/k))\f$ expected for point i after a
-trace in the triangulation of k points (Theorem 3 and Lemma 4), under the assumptions of the paper.
-Memory besides the history: 25 bytes per point, and 8 for each cell of a record; during a trace also
-the records before it, and 16 bytes per point at most.
+<b>Complexity</b>, under the assumptions of the paper: a trace takes expected \f$O(n)\f$ time. The
+search for point i after a trace in the triangulation of k points takes expected
+\f$O(\log(i/k))\f$ time (Theorem 3 and Lemma 4).
+
+<b>Memory</b> besides the history: 25 bytes per point, and 8 bytes for each cell of a record. During
+a trace, in addition, the previous records, and at most 16 bytes per point.
 
 \tparam Target `Triangulation_target_3`, not of a triangulation with `Fast_location`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
@@ -70,13 +72,13 @@ public:
   /// a node of it.
   using Node = typename History::Node;
 
-  /// `true`: the subgraph is what is traced.
+  /// `true`: the subgraph is traced.
   static constexpr bool uses_subgraph = true;
 
-  /// `true`: the conflict zone is what becomes history.
+  /// `true`: the conflict zone becomes history.
   static constexpr bool observes_conflict_zone = true;
 
-  /// keeps references to target and subgraph. The plan is not looked at.
+  /// keeps references to target and subgraph. The plan is not used.
   Conflict_history_hints_3(const Target& target, const Subgraph& subgraph,
                            const Insertion_order& = Insertion_order())
     : m_target(target)
@@ -86,8 +88,8 @@ public:
   {
   }
 
-  /// returns a cell in conflict with point `i`, finite if there is one, or a cell of the vertex at
-  /// the point; below dimension 3, a cell of the vertex inserted last.
+  /// returns a cell in conflict with point `i`, a finite one if possible, or a cell of the vertex
+  /// at the point; below dimension 3, a cell of the vertex inserted last.
   Cell start(std::size_t i)
   {
     const Record& record = m_record[i];
@@ -111,14 +113,14 @@ public:
         [&](const auto out) { return m_history.find_conflicts(m_target.point(i), out); });
   }
 
-  /// hands the conflict zone to the history.
+  /// passes the conflict zone to the history.
   template <class CellIterator>
   void before_update(std::size_t i, CellIterator first, CellIterator last)
   {
     m_history.before_update(i, first, last);
   }
 
-  /// hands the update to the history.
+  /// passes the update to the history.
   void after_update(std::size_t i, Vertex v)
   {
     m_previous = v;

@@ -23,12 +23,13 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-draws a random order and cuts it into rounds that grow geometrically; each round is then sorted by
-halves: across the longest extent at the median, the half that is nearer to the point before comes
-first, and so on. This is a biased randomised insertion order (\cgalCite{acr-icbr-03}): random
-enough for the expected size of the conflict zones, coherent enough for short walks and warm caches.
+draws a random order and cuts it into rounds that grow geometrically. Each round is then sorted by
+halves: it is split at the median across its longest extent, the half that is nearer to the
+preceding point comes first, and so on. This is a biased randomised insertion order
+(\cgalCite{acr-icbr-03}): random enough for the expected size of the conflict zones, and coherent
+enough for short walks and good use of caches.
 
-Expected \f$O(n \log n)\f$ for n points.
+<b>Complexity</b>: expected \f$O(n \log n)\f$ for n points.
 
 \cgalModels{InsertionPlan}
 */
@@ -38,10 +39,9 @@ public:
   /*!
   makes the plan.
 
-  \param seed draws the random order
-  \param ratio the size of everything before a round, divided by the size of everything up to its
-  end
-  \param first_round rounds are cut off until at most so many points are left for the first
+  \param seed determines the random order
+  \param ratio the number of points before a round, divided by the number of points up to its end
+  \param first_round the largest number of points of the first round
 
   \pre 0 < `ratio` < 1
   \pre `first_round` > 0
@@ -55,7 +55,7 @@ public:
     CGAL_precondition(0 < ratio && ratio < 1 && first_round > 0);
   }
 
-  /// returns order and rounds of `points`. The graph is not looked at.
+  /// returns order and rounds of `points`. The graph is not used.
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&, const Graph&,
                              VertexIndexMap) const
@@ -63,7 +63,7 @@ public:
     return internal::order_by_core(points, order_request());
   }
 
-  /// returns …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n; nothing for n = 0.
+  /// returns the round ends …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n, and none for n = 0.
   std::vector<std::size_t> round_ends(std::size_t n) const
   {
     return internal::geometric_round_ends(n, m_ratio, m_first_round);

@@ -27,11 +27,11 @@ rounds that end at \f$N_h = \lceil n / \log^{(h)} n \rceil\f$ (log to base 2, it
 all h with \f$\log^{(h)} n \ge 1\f$, of which the largest is \f$\log^* n\f$, and at n. Where two
 round ends coincide, or one is not less than n, the empty round is dropped.
 
-Rounds may be sorted: the set of points that are inserted by the end of each is random all the same,
-and walks from one point to the next are short.
+Rounds may be sorted. The set of points inserted by the end of each round is still random, and walks
+from one point to the next are short.
 
-\f$O(n)\f$ for n points, and expected \f$O(k \log k)\f$ for the k points of rounds that are sorted:
-\f$O(n)\f$ in all for the first round.
+<b>Complexity</b>: \f$O(n)\f$ for n points, plus expected \f$O(k \log k)\f$ for the k points of
+sorted rounds, which is \f$O(n)\f$ for the first round.
 
 \cgalModels{InsertionPlan}
 */
@@ -40,19 +40,19 @@ class Log_star_rounds
 public:
   /// the rounds that follow a Hilbert curve.
   enum Sorted_rounds {
-    NO_ROUND,    ///< the paper's order, and what the bounds of `Conflict_history_hints_3` need
-    FIRST_ROUND, ///< for points that are located by walking: this round has no trace to start from
-    ALL_ROUNDS   ///< the order inside a round decides what it costs on a machine with caches
+    NO_ROUND,    ///< the paper's order, required by the bounds of `Conflict_history_hints_3`
+    FIRST_ROUND, ///< for location by walking: in this round there is no trace to start from
+    ALL_ROUNDS   ///< for speed on a machine with caches
   };
 
-  /// draws the random order from `seed`.
+  /// makes the plan. `seed` determines the random order.
   explicit Log_star_rounds(unsigned int seed = 0, Sorted_rounds sorted = FIRST_ROUND)
     : m_seed(seed)
     , m_sorted(sorted)
   {
   }
 
-  /// returns order and rounds of `points`. The graph is not looked at.
+  /// returns order and rounds of `points`. The graph is not used.
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt, const Graph&,
                              VertexIndexMap) const
@@ -68,7 +68,7 @@ public:
     return plan;
   }
 
-  /// returns N_1 < N_2 < … < n, n included; nothing for n = 0.
+  /// returns the round ends N_1 < N_2 < … < n, including n; none for n = 0.
   static std::vector<std::size_t> round_ends(std::size_t n)
   {
     std::vector<std::size_t> ends;

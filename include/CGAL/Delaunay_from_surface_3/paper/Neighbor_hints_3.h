@@ -22,12 +22,13 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-starts every insertion from a cell of the nearest neighbour in T, the subgraph of the traits, that
-is already inserted; `Full_graph` makes all neighbours on the surface count. A point none of whose
-neighbours is inserted starts from the vertex inserted last: early rounds are that sparse, and a
+starts every insertion from a cell of the nearest already inserted neighbour in T, the subgraph of
+the traits. With `Full_graph` these are all neighbours on the surface. If no neighbour of a point is
+inserted yet, the start is a cell of the vertex inserted last. Early rounds are that sparse, so a
 plan should keep them coherent.
 
-As many distance comparisons per point as it has neighbours in T. No trace, no memory of its own.
+<b>Complexity</b>: per point as many distance comparisons as it has neighbours in T. It needs no
+trace and no memory of its own.
 
 \tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points
@@ -43,7 +44,7 @@ public:
   /// `true`: the neighbours are those in the subgraph.
   static constexpr bool uses_subgraph = true;
 
-  /// keeps references to target and subgraph. The plan is not looked at.
+  /// keeps references to target and subgraph. The plan is not used.
   Neighbor_hints_3(const Target& target, const Subgraph& subgraph,
                    const Insertion_order& = Insertion_order())
     : m_target(target)

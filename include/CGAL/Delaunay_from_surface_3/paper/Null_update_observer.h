@@ -13,13 +13,13 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
 
-watches nothing and costs nothing; to be derived from.
+observes nothing and costs nothing; it serves as a base class.
 
 \cgalModels{UpdateObserver_3}
 */
 struct Null_update_observer
 {
-  /// `false`: the conflict zone need not be known, and the target may take its fastest way.
+  /// `false`: the conflict zone is not needed, and the target may insert in the fastest way.
   static constexpr bool observes_conflict_zone = false;
 
   /// does nothing.

@@ -23,11 +23,12 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion from a cell of the point that the plan names in
-`Insertion_order::starting_places`; if that has no vertex, since it was left out, from the point that
-the plan names for it, and so on. If the plan names none, the start is a cell of the vertex inserted
-last. Traits with this policy go through the core, which starts in the same way.
+`Insertion_order::starting_places`. If that point was left out, and so has no vertex, the point that
+the plan names for it is used instead, and so on. If the plan names no point, the start is a cell of
+the vertex inserted last. Traits with this policy go through the core, which starts in the same way.
 
-\f$O(1)\f$ per point where all are inserted. No trace, no subgraph, no memory of its own.
+<b>Complexity</b>: \f$O(1)\f$ per point if all points are inserted. It needs no trace, no subgraph,
+and no memory of its own.
 
 \tparam Target a `Triangulation_target_3`
 \tparam Subgraph is not used
@@ -40,7 +41,7 @@ class Planned_hints_3 : public Null_update_observer
   using Vertex = typename Target::Vertex;
 
 public:
-  /// `false`: no subgraph need be computed.
+  /// `false`: no subgraph is needed.
   static constexpr bool uses_subgraph = false;
 
   /// keeps references to `target` and `plan`.

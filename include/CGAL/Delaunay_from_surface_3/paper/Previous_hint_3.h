@@ -22,10 +22,10 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion from a cell of the vertex inserted last, as
-`Delaunay_triangulation_3::insert(first, last)` does. The surface is not looked at. Traits with this
+`Delaunay_triangulation_3::insert(first, last)` does. The surface is not used. Traits with this
 policy go through the core, which starts in the same way.
 
-\f$O(1)\f$ per point. No trace, no subgraph, no memory of its own.
+<b>Complexity</b>: \f$O(1)\f$ per point. It needs no trace, no subgraph, and no memory of its own.
 
 \tparam Target a `Triangulation_target_3`
 \tparam Subgraph is not used
@@ -36,7 +36,7 @@ template <class Target, class Subgraph>
 class Previous_hint_3 : public Null_update_observer
 {
 public:
-  /// `false`: no subgraph need be computed.
+  /// `false`: no subgraph is needed.
   static constexpr bool uses_subgraph = false;
 
   /// keeps a reference to `target`.

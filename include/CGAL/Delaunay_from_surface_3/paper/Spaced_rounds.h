@@ -21,18 +21,18 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-makes rounds of well-spaced points, where there is no surface. The points are sorted once by halves,
-as `Geometric_rounds` sorts a round. Along that order a point is a centre unless one of the last six
-centres is nearer than .35 of the diagonal (in the root mean square of three) of the boxes of eight
-successive points; the others are the last round. The same with the centres gives the round before,
-and so on, until a few dozen are left; where fewer than an eighth of the points are near a centre,
-every second point is one. Each point starts at its centre
-(`Insertion_order::starting_places`).
+makes rounds of well-spaced points without using a surface. The points are sorted once by halves, as
+`Geometric_rounds` sorts a round. Along that order a point becomes a centre unless one of the last
+six centres is nearer than .35 of the diagonal of a box of eight successive points: the root mean
+square over the point's own box and the two beside it. The points that are not centres form the last
+round. The same is done with the centres to get the round before, and so on, until at most 64 are
+left. If fewer than an eighth of the points are near a centre, only every second centre is kept.
+Each point starts at its centre (`Insertion_order::starting_places`).
 
-Points that come late are crowded ones, which destroy few cells. That is measured on surfaces and in
-volumes, and no bound is proved: there is a budget.
+Points that come late are crowded, and so destroy few cells. This was measured on surfaces and in
+volumes. No bound is proved, so there is a budget.
 
-\f$O(n \log n)\f$ for n points.
+<b>Complexity</b>: \f$O(n \log n)\f$ for n points.
 
 \cgalModels{InsertionPlan}
 */
@@ -42,13 +42,13 @@ public:
   /// the budget (`InsertionPlan::cells_per_point`).
   static constexpr std::size_t cells_per_point = internal::cells_per_point_of_nets;
 
-  /// makes the plan. The seed is for `fallback_plan()`: this order has no random numbers.
+  /// makes the plan. Only `fallback_plan()` uses the seed: this order has no random numbers.
   explicit Spaced_rounds(unsigned int seed = 0)
     : m_seed(seed)
   {
   }
 
-  /// returns order, rounds and starting places of `points`. The graph is not looked at.
+  /// returns order, rounds and starting places of `points`. The graph is not used.
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&, const Graph&,
                              VertexIndexMap) const
@@ -56,7 +56,7 @@ public:
     return internal::order_by_core(points, order_request());
   }
 
-  /// returns the plan that serves when the budget is exceeded: the bound of \cgalCite{acr-icbr-03}
+  /// returns the plan that is used when the budget is exceeded; the bound of \cgalCite{acr-icbr-03}
   /// holds for it.
   Geometric_rounds fallback_plan() const { return Geometric_rounds(m_seed); }
 

@@ -24,7 +24,7 @@ orders the points by `CGAL::spatial_sort()`, all in one round. This is the order
 `Delaunay_triangulation_3::insert(first, last)` inserts; with `Previous_hint_3` it reproduces that
 function insertion by insertion. The seed is not used: `spatial_sort()` has its own.
 
-Expected \f$O(n \log n)\f$ for n points.
+<b>Complexity</b>: expected \f$O(n \log n)\f$ for n points.
 
 \cgalModels{InsertionPlan}
 */
@@ -34,7 +34,7 @@ public:
   /// is the same for every seed.
   explicit Spatial_sort_order(unsigned int /* seed */ = 0) {}
 
-  /// returns the order of `points`. The graph is not looked at.
+  /// returns the order of `points`. The graph is not used.
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt, const Graph&,
                              VertexIndexMap) const

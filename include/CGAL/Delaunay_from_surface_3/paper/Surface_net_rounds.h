@@ -23,50 +23,51 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-makes rounds and order from the surface graph. A net of the graph is a maximal independent set;
-every other vertex joins the cluster of a net vertex beside it: of the nearest if there are no more
-than 32768 vertices, or if the first one has many edges; else of the one that was chosen first. The
-clusters are contracted, and so on until a few dozen vertices are left. Rounds go from the coarsest
-net to the finest and grow four- to fivefold. Inside a round the points follow the clusters,
-children in the order of their parents: that is local on the surface, and so in space. Each point
-starts at the net vertex of its cluster, inserted in an earlier round
-(`Insertion_order::starting_places`).
+makes rounds and order from the surface graph. A net of the graph is a maximal independent set.
+Every other vertex joins the cluster of an adjacent net vertex: of the nearest if there are no more
+than 32768 vertices, or if the first of these has many edges; otherwise of the one chosen first.
+Contracting the clusters gives a smaller graph, and so on, until at most `coarsest` vertices are
+left. Rounds go from the coarsest net to the finest and grow four- to fivefold. Inside a round the
+points follow the clusters, children in the order of their parents. This order is local on the
+surface, and so in space. Each point starts at the net vertex of its cluster, which is inserted in
+an earlier round (`Insertion_order::starting_places`).
 
-A net is chosen greedily in a random order of the vertices, which the seed decides (of more than
-32768 vertices block by block of `block` successive ones, 1024, in random order inside each). In the
-order of the indices it would be as regular as the numbering: CAD numbers vertices along profiles
-and rings, and such nets destroyed 2.5 times as many cells as random rounds did on an airfoil of
-200,000 points. Vertices with
-more than three times as many edges as the average come first: it is better to insert the middle of
-a fan before the fan. The members of a cluster of more than `large_cluster` come in the order of
-`Geometric_rounds`, and start at the point before if that is nearer than the net vertex.
+A net is chosen greedily in a random order of the vertices, which the seed determines. With more
+than 32768 vertices, blocks of `block` successive vertices (1024 by default) follow each other, and
+only the order inside each block is random. In the order of the indices a net would be as regular as
+the numbering. CAD programs number vertices along profiles and rings, and such nets destroyed 2.5
+times as many cells as random rounds on an airfoil of 200,000 points (`nets_200k.json`). Vertices
+with more than three times as many edges as the average come first: it is better to insert the
+middle of a fan before the fan. The members of a cluster of more than `large_cluster` vertices come
+in the order of `Geometric_rounds`, and start at the previous point if that is nearer than the net
+vertex.
 
-Where there are no edges or more than \f$2^{32}\f$, or they join points that are not near each
-other, as a look at a thousand of them on two levels tells, `Geometric_rounds` orders the points,
-and no starting places are named.
+If there are no edges or more than \f$2^{32}\f$, or if they join points that are not near each other
+(a thousand of them are examined on two levels), `Geometric_rounds` orders the points, and there are
+no starting places.
 
 A level that keeps more than 90 % of its vertices (isolated vertices, graphs with few edges) ends
-the hierarchy; what is left then, and the last few dozen vertices, are ordered by
-`Geometric_rounds`.
+the hierarchy. `Geometric_rounds` orders the vertices left at the end.
 
-Expected \f$O((n + m) \log n)\f$ for n vertices and m edges. \f$O(n)\f$ where vertices and edges
-become fewer by a constant factor from level to level, as they do on the surfaces measured, and no
-cluster is large. Distances are asked for along the edges of net vertices only, and up to rounding.
+<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for n vertices and m edges; \f$O(n)\f$ if
+vertices and edges decrease by a constant factor from level to level, as they do on the surfaces
+measured, and no cluster is large. Distances are computed only along the edges of net vertices, and
+up to rounding.
 
 \cgalModels{InsertionPlan}
 */
 class Surface_net_rounds
 {
 public:
-  /// the share of its vertices that a level may keep.
+  /// the fraction of its vertices that a level may keep.
   static constexpr double stall = internal::net_stall;
 
   /// the number of vertices at which nets end.
   static constexpr std::size_t coarsest = internal::coarsest_net;
 
-  /// the budget (`InsertionPlan::cells_per_point`): on most surfaces nets destroy 12 to 33 cells for
-  /// each point, on smooth tori without noise more, and 3 to 4 more for each doubling of the points;
-  /// on adversarial ones any number.
+  /// the budget (`InsertionPlan::cells_per_point`). On most surfaces nets destroy 12 to 33 cells
+  /// per point. On smooth tori without noise they destroy more, and 3 to 4 more for each doubling
+  /// of the points; on adversarial surfaces any number.
   static constexpr std::size_t cells_per_point = internal::cells_per_point_of_nets;
 
   /// the size from which the inside of a cluster is ordered by `Geometric_rounds`.
@@ -75,9 +76,9 @@ public:
   /*!
   makes the plan.
 
-  \param seed draws the nets, and is handed to `Geometric_rounds`
-  \param block of more than 32768 vertices, so many successive ones, rounded up to a power of 2, are
-  a block; 1 is the order of the indices
+  \param seed determines the random nets, and is passed to `Geometric_rounds`
+  \param block the number of successive vertices in a block, rounded up to a power of 2, with more
+  than 32768 vertices; 1 gives the order of the indices
   */
   explicit Surface_net_rounds(unsigned int seed = 0, std::size_t block = 1024)
     : m_seed(seed)
@@ -88,7 +89,7 @@ public:
   /*!
   returns order, rounds and starting places.
 
-  \tparam Graph a model of `boost::EdgeListGraph`; loops and multiple edges do no harm
+  \tparam Graph a model of `boost::EdgeListGraph`; loops and multiple edges are harmless
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
   */
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
@@ -100,7 +101,7 @@ public:
     return internal::order_by_core(points, order_request(), edges, executor);
   }
 
-  /// returns the plan that serves when the budget is exceeded: the bound of \cgalCite{acr-icbr-03}
+  /// returns the plan that is used when the budget is exceeded; the bound of \cgalCite{acr-icbr-03}
   /// on the cells created and destroyed holds for it, whatever the surface.
   Geometric_rounds fallback_plan() const { return Geometric_rounds(m_seed); }
 

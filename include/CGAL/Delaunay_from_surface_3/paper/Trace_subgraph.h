@@ -17,13 +17,15 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
-is the trace (\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2a), whatever is recorded: it traverses T depth
-first from inserted vertices outwards, and locates every point not yet inserted from the cell of the
-neighbour that led to it. A hint policy of one's own may use it as `Traced_hints_3` does.
+is the trace (\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2a), independent of what is recorded. It
+traverses T depth first from inserted vertices outwards, and locates every point not yet inserted
+from the cell of the neighbour that led to it. Your own hint policy may use it as `Traced_hints_3`
+does.
 
-Time: \f$O(n)\f$ for the traversal, plus the cells that the locations enter. Memory: a byte per
-point, and during a trace at most an index and a cell handle per point. There is no recursion: T may
-be a path of millions of vertices.
+<b>Complexity</b>: \f$O(n)\f$ time for the traversal, plus the cells that the locations enter. There
+is no recursion: T may be a path of millions of vertices.
+
+<b>Memory</b>: a byte per point, and during a trace at most an index and a cell handle per point.
 
 \tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
@@ -45,7 +47,7 @@ public:
   /*!
   locates the points that are not yet inserted.
 
-  \param start `start(i)` gives the cell from which point `i` is located, where it is the first of a
+  \param start `start(i)` returns the cell from which point `i` is located, if it is the first of a
   component of T without an inserted vertex
   \param record `record(i, location)` is called for every point `i` that is located
 

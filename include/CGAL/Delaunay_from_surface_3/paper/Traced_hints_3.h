@@ -28,16 +28,19 @@ namespace Delaunay_from_surface_3 {
 
 starts every insertion where the last trace found the point (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines
 2a and 2b), with a walk in place of the paper's location structure Q. A trace traverses T depth
-first from inserted vertices outwards and locates every point not yet inserted from the cell of the
-neighbour in T that led to it. In a component without an inserted vertex the first point starts from
-its last record, or, if it has none, from the vertex inserted last.
+first from inserted vertices outwards. It locates every point not yet inserted from the cell of the
+neighbour in T that led to it. In a component without an inserted vertex, the first point is located
+from its last record, or, if it has none, from the vertex inserted last.
 
-After a trace the record of a point is a finite vertex of the cell that contains it. A vertex never
-dies while points are only inserted; the cell does.
+After a trace the record of a point is a finite vertex of the cell that contains it. While points
+are only inserted, a vertex is never destroyed, but the cell can be.
 
-A trace takes \f$O(n)\f$ expected time if T has bounded degree and consists of Delaunay edges, and
-the triangulation has linear expected size (Theorem 3); \f$O(n)\f$ of it is the traversal. Memory: a
-vertex handle and a byte per point, and during a trace at most an index and a cell handle per point.
+<b>Complexity</b>: the traversal of a trace takes \f$O(n)\f$ time. The whole trace takes expected
+\f$O(n)\f$ time if T has bounded degree and consists of Delaunay edges, and the triangulation has
+linear expected size (Theorem 3).
+
+<b>Memory</b>: a vertex handle and a byte per point, and during a trace at most an index and a cell
+handle per point.
 
 \tparam Target a `Triangulation_target_3`
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
@@ -51,10 +54,10 @@ class Traced_hints_3 : public Null_update_observer
   using Cell = typename Target::Cell;
 
 public:
-  /// `true`: the subgraph is what is traced.
+  /// `true`: the subgraph is traced.
   static constexpr bool uses_subgraph = true;
 
-  /// keeps references to target and subgraph. The plan is not looked at.
+  /// keeps references to target and subgraph. The plan is not used.
   Traced_hints_3(const Target& target, const Subgraph& subgraph,
                  const Insertion_order& = Insertion_order())
     : m_target(target)

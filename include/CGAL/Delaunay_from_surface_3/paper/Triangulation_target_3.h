@@ -30,14 +30,13 @@ namespace Delaunay_from_surface_3 {
 
 inserts points into a `CGAL::Delaunay_triangulation_3` by its own member functions: `locate()` with
 a starting cell, then `insert()` at the location found. The triangulation may be of any dimension,
-may hold points already, and may have any vertex and cell base.
+may contain points already, and may have any vertex and cell base.
 
-If the observer wants to see conflict zones, an insertion in dimension 3 goes through
-`find_conflicts()` and `insert_in_hole()` instead. It does not for `Fast_location`, whose `insert()`
-must also fill the upper levels: no conflict zone is reported there, nor where the dimension is
-below 3.
+If the observer observes conflict zones, an insertion in dimension 3 uses `find_conflicts()` and
+`insert_in_hole()` instead. With `Fast_location` it does not, since `insert()` must also fill the
+upper levels. No conflict zone is reported then, nor if the dimension is below 3.
 
-Memory: a vertex handle per point.
+<b>Memory</b>: a vertex handle per point.
 
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`
 */
@@ -57,16 +56,17 @@ public:
   struct Location
   {
     Cell cell; ///< the cell that contains the point, or an infinite cell that sees it.
-    typename Triangulation::Locate_type type; ///< on what of the cell the point lies.
+    typename Triangulation::Locate_type type; ///< on which kind of face of the cell the point lies.
     int li;                                   ///< which vertex, edge or facet of the cell that is.
     int lj;                                   ///< the second vertex of an edge.
   };
 
-  /// whether observers are told of every conflict zone in dimension 3: not with `Fast_location`.
+  /// says whether observers are told of every conflict zone in dimension 3: `false` with
+  /// `Fast_location`.
   static constexpr bool reports_conflict_zones =
       !decltype(has_hierarchy(static_cast<Triangulation*>(nullptr)))::value;
 
-  /// is to insert `points` into `tr`; keeps references to both.
+  /// prepares the insertion of `points` into `tr`; keeps references to both.
   Triangulation_target_3(Triangulation& tr, const std::vector<Point>& points)
     : m_tr(tr)
     , m_points(points)
@@ -83,13 +83,13 @@ public:
   /// returns point `i`.
   const Point& point(std::size_t i) const { return m_points[i]; }
 
-  /// returns the vertex at point `i`; none if the point is not inserted yet.
+  /// returns the vertex at point `i`, or none if the point is not inserted yet.
   Vertex vertex(std::size_t i) const { return m_vertices[i]; }
 
   /// returns a cell of `v`, or any cell if `v` is none.
   Cell cell(Vertex v) const { return v == Vertex() ? m_tr.infinite_cell() : v->cell(); }
 
-  /// locates point `i` by a walk from `start`. Outside the affine hull nothing is walked.
+  /// locates point `i` by a walk from `start`. Outside the affine hull there is no walk.
   Location locate(std::size_t i, Cell start) const
   {
     Location location = {start, Triangulation::OUTSIDE_AFFINE_HULL, 0, 0};
@@ -116,9 +116,10 @@ public:
   }
 
   /// inserts point `i` where it was just located, and tells `observer` (a model of
-  /// `UpdateObserver_3`). A point that is there already gets the vertex that is there. Linear in
-  /// the number of cells destroyed and created; with `Fast_location` the upper levels come on top.
-  /// After an exception of CGAL's insertion the triangulation may only be cleared or destroyed.
+  /// `UpdateObserver_3`). If there is already a vertex at the point, the point gets this vertex.
+  /// The time is linear in the number of cells destroyed and created, plus that of the upper levels
+  /// of `Fast_location`. After an exception of CGAL's insertion the triangulation may only be
+  /// cleared or destroyed.
   template <class Observer>
   void insert(std::size_t i, const Location& location, Observer& observer)
   {
@@ -126,11 +127,12 @@ public:
     observer.after_update(i, m_vertices[i]);
   }
 
-  /// does the same if `accepts(j, q, c)` says so, where q is the point of the vertex nearest to point
-  /// `i`, j the first of the points at it, or `std::size_t(-1)` if none of them is, and c[0], …, c[3]
-  /// the same for the vertices of the located cell, in dimension 3; else tells
-  /// `observer` of that vertex. Nothing is asked if a vertex stands at the point, or there is none.
-  /// Linear in the stars passed on the way to the nearest vertex.
+  /// does the same if `accepts(j, q, c)` returns `true`, and otherwise tells `observer` of the
+  /// vertex nearest to point `i`. Here q is the point of that vertex, and j the first of the points
+  /// at it, or `std::size_t(-1)` if none of them is there. In dimension 3, c[0], …, c[3] are what j
+  /// is, for the vertices of the located cell. `accepts` is not called if there is a vertex at the
+  /// point, or no vertex at all. The time is also linear in the stars visited on the way to the
+  /// nearest vertex.
   template <class Observer, class Accepts>
   void insert_if(std::size_t i, const Location& location, Observer& observer,
                  const Accepts& accepts)
@@ -145,15 +147,15 @@ public:
     insert(i, location, observer);
   }
 
-  /// returns nothing but zeros: CGAL's insertion does not count.
+  /// returns only zeros: CGAL's insertion does not count.
   Delaunay_from_surface_3::Insertion_counts counts() const { return {}; }
 
-  /// gives the vertices of the points away, none for points not inserted; to be called last.
+  /// moves out the vertices of the points, none for points not inserted; must be called last.
   std::vector<Vertex> take_vertices() { return std::move(m_vertices); }
 
 private:
-  // Of several at the same distance, that with the lexicographically smallest point. A vertex that is
-  // not the nearest in this order has a neighbour that is nearer, in every dimension.
+  // Of several at the same distance, that with the lexicographically smallest point. A vertex that
+  // is not the nearest in this order has a neighbour that is nearer, in every dimension.
   Vertex nearest_vertex_of_all(std::size_t i, const Location& location)
   {
     Vertex nearest = nearest_vertex(i, location);

@@ -42,40 +42,43 @@ auto reader_of(const GraphOfFaces& graph, VertexIndexMap)
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of `bounded_degree_spanning_subgraph()`: degree at most 3 on spheres and discs, and
-a bound that depends on the genus and the boundary elsewhere. Or those of one of the two trees,
-whose degree is less, and takes longer to find: traits derived from `Surface_insertion_policies_3`
-choose one in a `surface_subgraph_object()` of their own.
+writes the edges of `bounded_degree_spanning_subgraph()`, whose degree is at most 3 on spheres and
+discs, and elsewhere satisfies a bound that depends on genus and boundary. Alternatively, it writes
+the edges of one of the two trees, which have a smaller degree and take longer to find. To choose
+one, derive a traits class from `Surface_insertion_policies_3` with its own
+`surface_subgraph_object()`.
 
 \cgalModels{SurfaceSubgraph}
 */
 class Bounded_degree_subgraph
 {
 public:
-  /// what there is to choose from.
+  /// the subgraphs to choose from.
   enum Kind {
     SUBGRAPH,         ///< `bounded_degree_spanning_subgraph()`: linear time
     TREE,             ///< `bounded_degree_spanning_tree()`: nearly linear time
     NEAR_MINIMUM_TREE ///< `near_minimum_degree_spanning_tree()`
   };
 
-  /// chooses.
+  /// chooses the subgraph.
   explicit Bounded_degree_subgraph(Kind kind = SUBGRAPH)
     : m_kind(kind)
   {
   }
 
   /*!
-  writes edges of `graph` that span every component and are connected there.
+  writes edges of `graph` that form a connected spanning subgraph of every component.
 
   \tparam Graph a model of `HalfedgeListGraph` and `FaceListGraph`, or the graph that
-  `insert_points_3()` makes of a polygon soup: the cyclic order of the edges at each vertex is then
-  read from the faces, which may be oriented at random
+  `insert_points_3()` makes of a polygon soup. The cyclic order of the edges at each vertex is then
+  derived from the faces, which may have any orientations.
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
   \tparam EdgeOutputIterator accepts edge descriptors of `graph`
 
-  \throws Surface_input_error that names a vertex or an edge, if `graph` is not a simple
-  triangulated surface. Nothing has been written then.
+  \return the output iterator past the last edge written
+
+  \throws Surface_input_error if `graph` is not a simple triangulated surface. The message names a
+  vertex or an edge. Nothing has been written then.
   */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
   auto operator()(const Graph& graph, VertexIndexMap index_map, EdgeOutputIterator out) const

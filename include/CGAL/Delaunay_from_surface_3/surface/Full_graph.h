@@ -15,10 +15,9 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes all edges: the surface serves as its own spanning subgraph. The degree is that of the
-surface.
+writes all edges: the surface is its own spanning subgraph. The degree is that of the surface.
 
-\f$O(m)\f$ for m edges.
+<b>Complexity</b>: \f$O(m)\f$ for m edges.
 
 \cgalModels{SurfaceSubgraph}
 */

@@ -11,7 +11,8 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes no edge: for hint policies that trace nothing, as `Planned_hints_3` and `Previous_hint_3`.
+writes no edge. It is for hint policies that trace nothing, such as `Planned_hints_3` and
+`Previous_hint_3`.
 
 \cgalModels{SurfaceSubgraph}
 */

@@ -23,9 +23,10 @@ namespace Delaunay_from_surface_3 {
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
 writes the edges of a spanning forest, one tree per connected component: every edge that joins two
-components of those before it. It works for every graph and bounds no degree.
+components of the edges before it. It works for every graph; the degree is not bounded.
 
-\f$O(n + m \alpha(n))\f$ for n vertices and m edges. Memory: two integers per vertex.
+<b>Complexity</b>: \f$O(n + m \alpha(n))\f$ time for n vertices and m edges, and two integers of
+memory per vertex.
 
 \cgalModels{SurfaceSubgraph}
 */
@@ -40,7 +41,7 @@ public:
   \tparam EdgeOutputIterator accepts edge descriptors of `Graph`
 
   \param graph the surface
-  \param index_map the indices of its vertices
+  \param index_map maps the vertices of `graph` to their indices
   \param out receives the edges
 
   \return the output iterator past the last edge written

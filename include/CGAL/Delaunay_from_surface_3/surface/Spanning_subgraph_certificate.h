@@ -14,12 +14,12 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-is what `certify_spanning_subgraph()` finds out about a set of edges.
+is the result of `certify_spanning_subgraph()` for a set of edges.
 */
 struct Spanning_subgraph_certificate
 {
   std::size_t number_of_edges = 0;               ///< repeated ones included
-  std::size_t number_of_repeated_edges = 0;      ///< edges that have come before
+  std::size_t number_of_repeated_edges = 0;      ///< edges that occurred before
   std::size_t number_of_graph_components = 0;    ///< isolated vertices included
   std::size_t number_of_subgraph_components = 0; ///< isolated vertices included
   std::size_t number_of_independent_cycles = 0; ///< edges − vertices + components of the subgraph
@@ -38,20 +38,20 @@ struct Spanning_subgraph_certificate
   /// returns whether the edges are a spanning tree of every component.
   bool is_spanning_forest() const { return is_spanning() && number_of_independent_cycles == 0; }
 
-  /// returns whether all holds that `bounded_degree_spanning_subgraph()` promises.
+  /// returns whether everything holds that `bounded_degree_spanning_subgraph()` guarantees.
   bool is_valid_subgraph() const
   {
     return is_spanning() && number_of_repeated_edges == 0 && respects_degree_bounds;
   }
 
-  /// returns whether all holds that `bounded_degree_spanning_tree()` promises.
+  /// returns whether everything holds that `bounded_degree_spanning_tree()` guarantees.
   bool is_valid_tree() const
   {
     return is_spanning_forest() && number_of_repeated_edges == 0 && respects_tree_degree_bounds;
   }
 
-  /// returns whether all holds that `near_minimum_degree_spanning_tree()` promises and its
-  /// witnesses do not show.
+  /// returns whether everything holds that `near_minimum_degree_spanning_tree()` guarantees, except
+  /// what its witnesses prove.
   bool is_valid_near_minimum_tree() const
   {
     return is_valid_tree() && respects_near_minimum_tree_degree_bounds;

@@ -17,8 +17,8 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-tells what kind of surface a connected component is. A surface is determined, up to homeomorphism,
-by its number of boundary loops, its Euler characteristic and whether it is orientable.
+describes the topology of a connected component of a surface. Up to homeomorphism, it is determined
+by the number of boundary loops, the Euler characteristic, and orientability.
 */
 struct Surface_component_topology
 {
@@ -26,7 +26,7 @@ struct Surface_component_topology
   std::size_t number_of_edges = 0;          ///< boundary edges included
   std::size_t number_of_triangles = 0;      ///< of this component
   std::size_t number_of_boundary_loops = 0; ///< b
-  bool is_orientable = true;                ///< whether its triangles can be turned alike
+  bool is_orientable = true;                ///< whether its triangles can be oriented consistently
 
   /// returns χ: vertices − edges + triangles.
   std::ptrdiff_t euler_characteristic() const
@@ -35,14 +35,14 @@ struct Surface_component_topology
            std::ptrdiff_t(number_of_triangles);
   }
 
-  /// returns h = 2 − χ − b: twice the genus of an orientable surface, the genus of another.
+  /// returns h = 2 − χ − b: twice the genus if it is orientable, otherwise the non-orientable
+  /// genus.
   std::size_t euler_genus() const
   {
     return std::size_t(2 - euler_characteristic() - std::ptrdiff_t(number_of_boundary_loops));
   }
 
-  /// returns the genus: the number of handles, or of cross-caps where the surface is not
-  /// orientable.
+  /// returns the genus: the number of handles, or of cross-caps if the component is not orientable.
   std::size_t genus() const { return is_orientable ? euler_genus() / 2 : euler_genus(); }
 
   /// returns the bound on degrees in the subgraph of `bounded_degree_spanning_subgraph()`.
@@ -63,9 +63,10 @@ struct Surface_component_topology
     return (std::max)(std::size_t(3), 3 * h + 2 * b);
   }
 
-  /// returns the bound on degrees in the tree of `near_minimum_degree_spanning_tree()`: the largest
-  /// of 3 + ⌊(c(x) − 3) / x⌋ for all x, where c(x) bounds into how many components the surface falls
-  /// without x vertices: ⌊x (x − 1) / 3⌋, or ⌊x (x + 1) / 3⌋ if there is boundary, and 2x − 2χ.
+  /// returns the bound on degrees in the tree of `near_minimum_degree_spanning_tree()`. On a sphere
+  /// or a disc this is 3. Elsewhere it is the largest of 3 + ⌊(c(x) − 3) / x⌋ over all x, where
+  /// c(x) bounds the number of components that are left after removing x vertices: the smaller of
+  /// 2x − 2χ and ⌊x (x − 1) / 3⌋, or ⌊x (x + 1) / 3⌋ with boundary.
   std::size_t near_minimum_tree_degree_bound() const
   {
     if (euler_genus() == 0 && number_of_boundary_loops <= 1)
@@ -85,7 +86,7 @@ struct Surface_component_topology
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-is what `surface_topology()` finds.
+is the result of `surface_topology()`.
 */
 struct Surface_topology
 {
@@ -93,7 +94,7 @@ struct Surface_topology
   std::vector<Surface_component_topology> components;
 
   /// for every vertex index the position of its component in `components`, or `components.size()`
-  /// for an isolated vertex.
+  /// if the vertex is isolated.
   std::vector<std::size_t> component_of_vertex;
 
   std::size_t number_of_isolated_vertices = 0; ///< vertices without edges, in no component
@@ -116,7 +117,7 @@ struct Surface_topology
     return sum;
   }
 
-  /// returns whether every component is.
+  /// returns whether every component is orientable.
   bool is_orientable() const
   {
     return std::all_of(components.begin(), components.end(),

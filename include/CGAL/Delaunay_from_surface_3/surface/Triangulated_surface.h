@@ -13,16 +13,16 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-is a triangulated surface as the functions on subgraphs take it, whatever the user keeps it in. It
-is made by `surface_of()`, is small, and refers to what it was made of.
+is a triangulated surface as the functions on subgraphs take it, independent of the user's data
+structure. It is returned by `surface_of()`, is small, and refers to the arguments of that function.
 
-\tparam Reader is chosen by `surface_of()`
+\tparam Reader chosen by `surface_of()`
 */
 template <class Reader>
 class Triangulated_surface
 {
 public:
-  /// the type of edges: the descriptor of the mesh or graph, or two indices of a soup.
+  /// the type of edges: the descriptor of the mesh or graph, or a pair of indices for a soup.
   using edge_descriptor = typename Reader::Edge;
 
   /// \cond

@@ -14,17 +14,19 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of a cut graph of a triangulated surface: removed from the surface, together with
-its boundary, they leave one open disc of each component that is not a sphere. On a sphere or a disc
-nothing is written, and boundary edges never are.
+writes the edges of a cut graph of a triangulated surface. Removing them and the boundary leaves one
+open disc of each component that is not a sphere. On a sphere or a disc nothing is written. Boundary
+edges are never written.
 
 The cut graph is pruned: no vertex inside the surface has exactly one of its edges. On a component
-with Euler characteristic χ that is not a sphere, the degrees in cut graph and boundary together
-satisfy Σ(deg − 2) = 2(1 − χ), so a closed surface of genus g > 0 falls apart into at most 4g
-corners at any vertex.
+with Euler characteristic χ that is not a sphere, the degrees in the union of cut graph and boundary
+satisfy Σ(deg − 2) = 2(1 − χ). So on a closed surface of genus g > 0 the cut graph has degree at
+most 4g.
 
-The parameters and exceptions are those of `bounded_degree_spanning_subgraph()`.
-Complexity: linear time, for any genus.
+The parameters, the return value and the exceptions are those of
+`bounded_degree_spanning_subgraph()`.
+
+<b>Complexity</b>: linear time, for any genus.
 */
 template <class Reader, class EdgeOutputIterator>
 EdgeOutputIterator cut_graph(const Triangulated_surface<Reader>& surface, EdgeOutputIterator out)

@@ -18,12 +18,14 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-finds the components of a triangulated surface, and of each its Euler characteristic, boundary
-loops, orientability and genus.
+finds the components of a triangulated surface, and the Euler characteristic, boundary loops,
+orientability and genus of each.
 
-\param surface the surface, from `surface_of()`, which says what is thrown
+<b>Complexity</b>: linear time.
 
-Complexity: linear time.
+\param surface the surface, from `surface_of()`
+
+\throws Surface_input_error as described for `surface_of()`
 */
 template <class Reader>
 Surface_topology surface_topology(const Triangulated_surface<Reader>& surface)

@@ -24,12 +24,12 @@ namespace Delaunay_from_surface_3 {
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of a minimum spanning forest, one tree per connected component, whose edges are as
-short as can be altogether. Where the surface contains a Euclidean minimum spanning tree of its
-points (`contains_euclidean_minimum_spanning_tree()`) the forest is one: of degree at most 12 and
-Delaunay (\cgalCite{choi-dtsm-02}, §3.1). Elsewhere nothing bounds its degree.
+writes the edges of a minimum spanning forest, one tree per connected component, with the smallest
+sum of edge lengths. If the surface contains a Euclidean minimum spanning tree of its points
+(`contains_euclidean_minimum_spanning_tree()`), the forest is such a tree: its degree is at most 12,
+and its edges are Delaunay (\cgalCite{choi-dtsm-02}, §3.1). Otherwise nothing bounds its degree.
 
-A graph knows no lengths, so the points must be given. A traits class of one's own hands them over:
+A graph has no lengths, so the points must be given. Your own traits class passes them on:
 
 \code{.cpp}
 struct My_traits : CGAL::Tracing_traits_3
@@ -40,8 +40,8 @@ struct My_traits : CGAL::Tracing_traits_3
 };
 \endcode
 
-\f$O(n + m \log m)\f$ for n vertices and m edges. Lengths are compared exactly, and edges of the
-same length taken in the order of their indices.
+<b>Complexity</b>: \f$O(n + m \log m)\f$ for n vertices and m edges. Lengths are compared exactly;
+edges of the same length are taken in the order of the indices of their vertices.
 
 \tparam Point a point of a %CGAL kernel with exact predicates
 
