@@ -41,7 +41,7 @@ SHOWS = {
     "sources": "surfaces of CGAL's packages: how much is Delaunay, EMST, cells, times",
     "python": "the Python module beside SciPy and VTK",
     "python_peers": "the same beside bindings of other libraries; rebuilds of points that move",
-    "python_faults": "tetrahedra that these, SciPy and VTK miss, or that overlap",
+    "python_faults": "tetrahedra that these, a function of Open3D, SciPy and VTK miss, or that overlap",
     "python_gaussians": "`triangulate()` of points of Gaussians",
     "gaussians_2M": "points of Gaussians, beside the loop of Tetra-NeRF",
     "gaussians_5M": "the same",
