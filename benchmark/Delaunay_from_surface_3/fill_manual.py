@@ -61,6 +61,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "python_faults", ["python_faults"], use_tables.faults),
     (HOW_FAST, "tiles", ["tiles"], hard_tables.tiles),
     (HOW_FAST, "mpi", ["mpi", "tiles_load", "tiles_load_2M"], use_tables.mpi),
+    (HOW_FAST, "tiles_peers", ["tiles_peers", "tiles_peers_1M"], use_tables.tiles_peers),
     (HOW_FAST, "peers", ["compare_peers"], hard_tables.peers),
     (HOW_FAST, "clusters", ["compare_clusters"], hard_tables.peers),
     (MAIN_PAGE, "cluster", ["tiles_load_2M", "tiles_load"], use_tables.cluster),

@@ -40,8 +40,8 @@ SHOWS = {
     "thinning": "points left out, compared with COLMAP and OpenMVS",
     "sources": "surfaces of CGAL's packages: how much is Delaunay, EMST, cells, times",
     "python": "the Python module against SciPy and VTK",
-    "python_peers": "the same against bindings of Geogram and TetGen; rebuilds of points that move",
-    "python_faults": "tetrahedra that these, SciPy and VTK miss, or that overlap",
+    "python_peers": "the same against bindings of other libraries; rebuilds of points that move",
+    "python_faults": "tetrahedra that these, a function of Open3D, SciPy and VTK miss, or that overlap",
     "python_gaussians": "`triangulate()` of points of Gaussians",
     "gaussians_2M": "points of Gaussians, against the loop of Tetra-NeRF",
     "gaussians_5M": "the same",
@@ -56,6 +56,8 @@ SHOWS = {
     "tiles_load_2M": "the same for two million points",
     "out_of_core": "a hundred million points out of core: seconds of CPU, memory, disk",
     "mpi": "tiles by MPI: times and the share of exchange, one rank and two, as many points and more",
+    "tiles_peers": "the same against tess2 and MadVoro, also on a grid, duplicates and an exact sphere; whose results are right",
+    "tiles_peers_1M": "the same for a million points, against tess2",
     "location_costs": "the paper's theorems: locations, traces, crossings, by sizes",
     "location_costs_genus_50": "the same on genus 50; ended before its largest size",
     "total_work": "the total work of the paper's Q, by parts, sizes and seeds",
@@ -75,6 +77,7 @@ COMMANDS = {"demo_meshes": "scripts/check_meshes build/data/meshes --repetitions
 def command_of(name, report):
     """Without the name of the output, and of what it is told of other programs."""
     text = re.sub(r" (--output|-o) \S+", "", COMMANDS.get(name) or report["command"])
+    text = re.sub(r" --peers( \S+=\S+)+", "", text)
     text = re.sub(r" --peer ('[^']*'|\S+)", "", text).replace("--data-dir meshes", "").replace("--cache-dir surfaces", "")
     return re.sub(" +", " ", re.sub(r"(\S+\.off )+", "MESHES ", text)).strip()
 

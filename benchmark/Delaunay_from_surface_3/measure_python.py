@@ -140,7 +140,7 @@ def plate(points):
     return np.vstack([points[:len(points) - len(lattice)], lattice])
 
 
-def run_apart(work, limit=60):
+def run_apart(work, limit=120):
     """Seconds and peak memory, beyond what was there, of work() in a process of its own, and the array it returns."""
     with tempfile.TemporaryDirectory() as folder:
         file = f"{folder}/result.npz"

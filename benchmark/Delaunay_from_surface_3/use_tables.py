@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """What uses gain, from what measure_consumers, measure_thinning, measure_sources, measure_gaussians, measure_moved,
-measure_python.py and measure_compile_time.py wrote; and which parts have an inside, by inside_of_parts.py."""
+measure_python.py, measure_tiles_peers.py and measure_compile_time.py wrote; and which parts have an inside, by
+inside_of_parts.py."""
 
 from manual_tables import cell, measured, range_of, table, thousands
 
@@ -98,6 +99,59 @@ def mpi(report, *loads):
                         table(["points", "ranks", "s", "exchange, %"], rows, 2)])
 
 
+MPI_PEERS = {"ours": "this package", "tess2": "tess2", "madvoro": "MadVoro", "tess2-qhull": "tess2 by Qhull"}
+
+
+def held_in_many(of):
+    """Points that all tiles hold for each point, where a rank has many."""
+    many = sorted({key[2:] for key in of if key[3] > 1})[-1]
+    shares = {(name, peer): f'{r["points_held"] / r["points"]:.1f}' for (name, peer, *way), r in of.items()
+              if tuple(way) == many and peer in ("ours", "tess2")}
+    texts = [f'{name} {shares[name, "ours"]} and {shares[name, "tess2"]}' for name in dict.fromkeys(name for name, _ in shares)]
+    return f"Points that {many[0] * many[1]} tiles hold for each point, by this package and by tess2: {', '.join(texts)}."
+
+
+def is_wrong(r):
+    return bool(r.get("missing") or r.get("others") or abs(r.get("volume_by_box", 1) - 1) > 1e-9)
+
+
+def who_is_wrong(*results):
+    """The first of its results that is."""
+    wrong = {}
+    for of in results:
+        for (name, peer, ranks, _), r in of.items():
+            if is_wrong(r):
+                right = of[name, "ours", ranks, 1]["tetrahedra"]
+                found = f'{thousands(r["tetrahedra"])} tetrahedra, not {thousands(right)}' if "tetrahedra" in r else "other faces"
+                wrong.setdefault(f"{name}, {MPI_PEERS[peer]}", found)
+    return "Wrong: " + ("; ".join(f"{key} ({found})" for key, found in wrong.items()) or "none that ended") + "."
+
+
+def row_of_peers(name, ranks, of):
+    """Seconds of all; megabytes of a rank and sent, without those by Qhull."""
+    found = {peer: of.get((name, peer, ranks, 1), {}) for peer in MPI_PEERS}
+    few = [found[peer] for peer in list(MPI_PEERS)[:3]]
+    return [f'{name}, {thousands(found["ours"]["points"])}', str(ranks),
+            *(cell(r.get("median_wall"), "{:.2f}") for r in found.values()),
+            *(cell(r.get("peak_bytes_of_a_rank", 0) / 1e6 or None, "{:.0f}") for r in few),
+            *(cell(r.get("bytes_sent", 0) / 1e6 or None, "{:.1f}") for r in few)]
+
+
+def tiles_peers(report, large):
+    """Of Voronoi diagrams only what they have is compared. Of many points there are only some programs."""
+    of, of_large = ({(r["input"], r["peer"], r["ranks"], r["tiles_of_a_rank"]): r for r in some["results"]}
+                    for some in (report, large))
+    rows = [row_of_peers(*which, found) for found in (of, of_large)
+            for which in dict.fromkeys((name, ranks) for name, _, ranks, _ in found)]
+    names = list(MPI_PEERS.values())
+    titles = ["points", "ranks", *(f"{name}, s" for name in names),
+              *(f"{name}, MB{what}" for what in (" of a rank", " sent") for name in names[:3])]
+    reasons = sorted({r["left_out"] for r in report["results"] if "left_out" in r})
+    libraries = "; ".join(library for peer, library in report["libraries"].items() if peer != "ours")
+    return "\n\n".join([f"{libraries}. {measured(report, large)}", table(titles, rows, 2),
+                        f"–: nothing sent, {', '.join(reasons)}, or not tried. {who_is_wrong(of, of_large)} {held_in_many(of)}"])
+
+
 def python(report):
     rows = [[f'{r["consumer"]}, {thousands(r["points"])}', "SciPy", seconds(r["median_scipy_cpu"]), seconds(r["median_ours_cpu"]),
              f'{r["median_ratio"]:.0f}', cell(r.get("median_speedup"), "{:.2f}")]
@@ -149,7 +203,8 @@ def python_peers(report):
     """The same rows for all inputs."""
     cube, surface = (r["ways"] for r in report["results"])
     rows = [named(way) + [text for ways in (cube, surface) for text in
-                          (seconds(ways[way]["median_wall"]), f'{ways[way]["peak_megabytes"]:,}')] for way in cube]
+                          ((ways[way]["left_out"], "") if "left_out" in ways[way] else
+                           (seconds(ways[way]["median_wall"]), f'{ways[way]["peak_megabytes"]:,}'))] for way in cube]
     points = thousands(max(r["points"] for r in report["results"]))
     return "\n\n".join([f"{points} points, wall-clock seconds and peak megabytes. {measured(report)}",
                         table(["", "threads", "in a cube, s", "MB", "of a surface, s", "MB"], rows)])
