@@ -125,6 +125,34 @@ BOOST_AUTO_TEST_CASE(a_part_left_out_is_noticed)
   BOOST_CHECK_THROW(graph_of(surface, executor), std::logic_error);
   BOOST_CHECK_THROW(order_of(surface, executor), std::logic_error);
   BOOST_CHECK_THROW(DFS::internal::permuted(order, order, executor), std::logic_error);
+  const auto coordinates = DFS::internal::rounded_coordinates(surface.points);
+  const DFS::internal::Point_array points(coordinates.data(), surface.points.size());
+  BOOST_CHECK_THROW(DFS::internal::spaced_rounds(points, executor), std::logic_error);
+}
+
+// Of points alone, too, whose parts are sorted by whoever comes first: on a surface, in space, and where
+// the sample tells nothing, so that nothing is put in parts.
+BOOST_AUTO_TEST_CASE(the_same_order_of_points)
+{
+  const auto on_surface =
+      DFS::internal::rounded_coordinates(surfaces::genus_surface(3, 50000, 0.05).points);
+  std::vector<double> in_space(on_surface.size()), near_some(on_surface.size());
+  std::mt19937 random(1);
+  for (double& x : in_space)
+    x = std::uniform_real_distribution<double>()(random);
+  for (std::size_t i = 0; i < near_some.size(); i += 2)
+    near_some[i] = in_space[i % 9];
+  const double* const inputs[] = {on_surface.data(), in_space.data(), near_some.data()};
+  for (const double* const coordinates : inputs) {
+    const DFS::internal::Point_array points(coordinates, in_space.size() / 3);
+    const DFS::Insertion_order alone = DFS::internal::spaced_rounds(points);
+    for (const std::size_t number : {2, 5}) {
+      const auto same = DFS::internal::spaced_rounds(points, tests::Thread_executor(number));
+      BOOST_TEST((same.order == alone.order));
+      BOOST_TEST((same.round_ends == alone.round_ends));
+      BOOST_TEST((same.starting_places == alone.starting_places));
+    }
+  }
 }
 
 // An index of 8 bits stands for one of 32 that numbers the facets of too many simplices.
@@ -182,12 +210,12 @@ BOOST_AUTO_TEST_CASE(arrays)
     const auto coordinates = DFS::internal::rounded_coordinates(points);
     DFS::internal::Given_points source({coordinates.data(), points.size()});
     tests::Given_order order(DFS::internal::spaced_rounds(source.points()));
-    const auto arrays_by = [&](const DFS::internal::Executor& executor) {
+    const auto arrays_by = [&](const DFS::internal::Executor& executor, bool infinite = true) {
       DFS::internal::Watcher nobody;
       const auto built = DFS::internal::build<std::uint32_t, DFS::internal::One_thread>(
           source, order, {true, true}, nobody, executor);
       BOOST_TEST_REQUIRE(built->cells_end > 3u * 65536); // so that threads have a part
-      return DFS::internal::arrays_of_built<Index>(*built, source, executor);
+      return DFS::internal::arrays_of_built<Index>(*built, source, executor, infinite);
     };
     const CGAL::Delaunay_3_arrays<Index> alone = arrays_by(DFS::internal::Alone());
     tests::arrays::check_arrays(alone, points);
@@ -199,6 +227,15 @@ BOOST_AUTO_TEST_CASE(arrays)
       BOOST_TEST(
           std::equal(alone.vertices_data(), alone.vertices_data() + size, same.vertices_data()));
       BOOST_TEST((same.vertices_of_points() == alone.vertices_of_points()));
+    }
+    CGAL::Delaunay_3_arrays<Index> finite = alone;
+    finite.drop_infinite_cells();
+    const std::size_t size_of_finite = finite.number_of_cells() * finite.stride();
+    for (const std::size_t number : {1, 2}) {
+      const auto same = arrays_by(tests::Thread_executor(number), false);
+      BOOST_TEST_REQUIRE(same.number_of_cells() == finite.number_of_cells());
+      BOOST_TEST(std::equal(same.vertices_data(), same.vertices_data() + size_of_finite,
+                            finite.vertices_data()));
     }
   }
 }

@@ -165,11 +165,13 @@ public:
   void drop_infinite_cells()
   {
     m_number_of_cells = m_number_of_simplices;
+    const auto end = Index(m_number_of_simplices);
     if (Index* const neighbors = const_cast<Index*>(neighbors_data()))
       for (std::size_t c = 0; c < m_number_of_cells; ++c)
-        for (std::size_t k = 0; k < 4; ++k)
-          if (is_infinite(neighbors[c * m_stride + k]))
-            neighbors[c * m_stride + k] = none;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const Index neighbor = neighbors[c * m_stride + k];
+          neighbors[c * m_stride + k] = neighbor < end ? neighbor : none; // in vectors
+        }
     m_vertices.release(m_stride * m_number_of_cells, m_vertices.capacity());
     m_neighbors.release(4 * m_number_of_cells, m_neighbors.capacity());
   }

@@ -77,56 +77,63 @@ Delaunay_3_arrays<Index> arrays_at_apex(const Built<Id>& built, const Executor& 
   return Arrays(2, finite, all, std::move(rows), vertices_of_points(built, names, executor));
 }
 
-// Vertices get these names, and links become the numbers of neighbours.
+// Vertices get these names, and links become the numbers of neighbours: -1 from `end` on.
 template <class Index, class Id>
 void rename_vertices(Compact_cell<Id>* first, Compact_cell<Id>* last,
-                     const std::vector<Index>& names)
+                     const std::vector<Index>& names, Index end)
 {
-  for (Compact_cell<Id>* cell = first; cell != last; ++cell)
-    for (std::size_t k = 0; k < 4; ++k) {
-      cell->v[k] = Id(names[cell->v[k]]);
-      cell->links[k] >>= 2;
+  for (Compact_cell<Id>* cell = first; cell != last; ++cell) {
+    for (std::size_t k = 0; k < 4; ++k) { // in a vector
+      const auto neighbor = Index(cell->links[k] >> 2);
+      cell->links[k] = Id(neighbor < end ? neighbor : Index(-1));
     }
+    for (std::size_t k = 0; k < 4; ++k)
+      cell->v[k] = Id(names[cell->v[k]]);
+  }
 }
 
-// The arrays of points in space. Vertices become indices of points, and links the numbers of
-// neighbours; the memory of the cells is kept.
+// The arrays of points in space, of all cells or of finite ones alone. Vertices become indices of
+// points, and links the numbers of neighbours; the memory of the cells is kept.
 template <class Index, class Id>
-Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built, const Executor& executor)
+Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built, const Executor& executor,
+                                         bool keeps_infinite)
 {
   using Arrays = Delaunay_3_arrays<Index>;
   built.give_up_vertices();
   const Numbers_of_cells numbers = partition_cells(built.cells, built.cells_end, executor);
   const std::vector<Index> names = names_of_vertices<Index>(built, executor);
-  for_each_block(executor, numbers.all, number_of_blocks(executor, numbers.all, 65536),
+  const std::size_t number = keeps_infinite ? numbers.all : numbers.finite;
+  for_each_block(executor, number, number_of_blocks(executor, number, 65536),
                  [&](std::size_t first, std::size_t last, std::size_t) {
-                   rename_vertices(built.cells + first, built.cells + last, names);
+                   rename_vertices(built.cells + first, built.cells + last, names, Index(number));
                  });
   std::size_t capacity = 0;
   Compact_cell<Id>* const cells = built.take_cells(capacity);
-  return Arrays(3, numbers.finite, numbers.all,
+  return Arrays(3, numbers.finite, number,
                 typename Arrays::Entries(Page_array<Compact_cell<Id>>(cells, capacity)),
                 vertices_of_points(built, names, executor));
 }
 
 // The arrays of what was built of the points, with an apex if they lie in a plane; empty after a
 // stop. Throws a std::length_error if the cells are more than an Index can number. Linear, by as
-// many threads as the executor has.
+// many threads as the executor has; to leave infinite cells out costs nothing here.
 template <class Index>
 Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& built,
-                                         Point_source& source, const Executor& executor)
+                                         Point_source& source, const Executor& executor,
+                                         bool keeps_infinite = true)
 {
-  switch (built.outcome) {
-  case Insertion_outcome::TOO_FEW_IDS:
+  if (built.outcome == Insertion_outcome::TOO_FEW_IDS)
     throw Too_few_ids(std::numeric_limits<std::make_unsigned_t<Index>>::digits);
-  case Insertion_outcome::FLAT:
-    return arrays_on_line<Index>(source.points());
-  case Insertion_outcome::COMPLETE:
-    return built.has_apex ? arrays_at_apex<Index>(built, executor)
-                          : arrays_in_space<Index>(built, executor);
-  default:
-    return {};
-  }
+  if (built.outcome == Insertion_outcome::COMPLETE && !built.has_apex)
+    return arrays_in_space<Index>(built, executor, keeps_infinite);
+  Delaunay_3_arrays<Index> arrays;
+  if (built.outcome == Insertion_outcome::COMPLETE)
+    arrays = arrays_at_apex<Index>(built, executor);
+  else if (built.outcome == Insertion_outcome::FLAT)
+    arrays = arrays_on_line<Index>(source.points());
+  if (!keeps_infinite)
+    arrays.drop_infinite_cells();
+  return arrays;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -116,7 +116,7 @@ void find_numbers(const Winding_tree& tree, const Cells& cells, double* numbers,
   const Point_array queries(centers.data(), cells.number);
   std::vector<std::size_t> order(cells.number);
   std::iota(order.begin(), order.end(), std::size_t(0));
-  Sort_by_halves()(queries, order.data(), order.data() + order.size());
+  Sort_by_halves()(queries, order.data(), order.data() + order.size(), executor);
   const std::size_t groups = (order.size() + most - 1) / most;
   for_each_block(executor, groups, number_of_blocks(executor, groups, 64),
                  [&](std::size_t begin, std::size_t end, std::size_t) {

@@ -11,16 +11,20 @@
 // turn: in a box 1 : 1/100 : 1/100 it follows cells that are as long and thin as the box.
 //
 // Many points are halved six times at once, where a sample of them is halved. Each point then moves
-// once for six halvings.
+// once for six halvings. The parts are sorted by themselves, each after the place where the box before
+// comes nearest: so the order does not depend on how many threads do it.
 //
 // Cost: O(n log n).
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -42,7 +46,8 @@ public:
   };
 
   // Sorts the indices [first, last) of points.
-  void operator()(const Point_array& points, std::size_t* first, std::size_t* last)
+  void operator()(const Point_array& points, std::size_t* first, std::size_t* last,
+                  const Executor& executor = Alone())
   {
     if (first == last)
       return;
@@ -53,8 +58,11 @@ public:
       m_items.push_back({{p[0], p[1], p[2]}, *i});
     }
     const Box box(m_items.data(), m_items.data() + m_items.size());
-    std::copy(box.low, box.low + 3, m_before); // begin in a corner
-    sort(m_items.data(), m_items.data() + m_items.size(), box, nullptr);
+    begin_after(box.low); // in a corner
+    Item* const begin = m_items.data();
+    Item* const end = begin + m_items.size();
+    if (!sort_in_parts(begin, end, box, nullptr, executor))
+      sort(begin, end, box, nullptr);
     for (const Item& item : m_items)
       *first++ = item.index;
   }
@@ -80,10 +88,13 @@ private:
         }
     }
     double middle(int k) const { return low[k] / 2 + high[k] / 2; }
+    double nearest(int k, double x) const { return (std::max)(low[k], (std::min)(high[k], x)); }
     // How far beyond the middle a coordinate is, at most where the box ends.
-    double beyond(int k, double x) const
+    double beyond(int k, double x) const { return nearest(k, x) - middle(k); }
+    // Where it comes nearest to the middle of another box.
+    std::array<double, 3> point_near(const Box& box) const
     {
-      return (std::max)(low[k], (std::min)(high[k], x)) - middle(k);
+      return {nearest(0, box.middle(0)), nearest(1, box.middle(1)), nearest(2, box.middle(2))};
     }
     double low[3], high[3];
   };
@@ -100,7 +111,7 @@ private:
   void sort(Item* first, Item* last, Box box, const Box* next)
   {
     while (last - first > few) {
-      if (last - first > many && sort_in_parts(first, last, box, next))
+      if (sort_in_parts(first, last, box, next, Alone()))
         return;
       Cut cut;
       Item* const middle = halve(first, last, box, next, cut);
@@ -109,7 +120,7 @@ private:
       first = middle;
       box = second;
     }
-    std::copy(last[-1].coordinates, last[-1].coordinates + 3, m_before);
+    begin_after(last[-1].coordinates);
   }
 
   Item* halve(Item* first, Item* last, const Box& box, const Box* next, Cut& cut) const
@@ -139,7 +150,7 @@ private:
                   Cut* cuts)
   {
     if (k >= parts) {
-      std::copy(last[-1].coordinates, last[-1].coordinates + 3, m_before);
+      begin_after(last[-1].coordinates);
       return;
     }
     Item* const middle = halve(first, last, box, next, cuts[k]);
@@ -160,32 +171,41 @@ private:
     double before[3];
     std::copy(m_before, m_before + 3, before);
     cut_sample(1, sample, sample + size_of_sample, box, next, cuts);
-    std::copy(before, before + 3, m_before);
+    begin_after(before);
   }
 
   // Puts the points into parts, of which the p-th then ends at ends[p + 1]. Returns false if the
   // sample tells too little, and nothing has changed. Not part of the recursion, which has no room on
   // the stack for samples.
   CGAL_DELAUNAY_FROM_SURFACE_3_APART bool put_in_parts(Item* first, Item* last, const Box& box,
-                                                       const Box* next, std::ptrdiff_t* ends)
+                                                       const Box* next, std::ptrdiff_t* ends,
+                                                       const Executor& executor)
   {
     Cut cuts[parts];
     cut_by_sample(first, last, box, next, cuts);
-    std::vector<unsigned char> part;
-    part.reserve(std::size_t(last - first));
+    const auto n = std::size_t(last - first);
+    std::vector<unsigned char> part(n);
+    for_each_block(executor, n, number_of_blocks(executor, n, 4096),
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     for (std::size_t i = begin; i < end; ++i)
+                       part[i] = part_of(first[i], cuts);
+                   });
     std::fill(ends, ends + parts + 1, 0);
-    for (const Item* item = first; item != last; ++item) {
-      std::size_t set = 1;
-      while (set < parts)
-        set = 2 * set + !cuts[set].is_before(*item);
-      part.push_back(static_cast<unsigned char>(set - parts));
-      ++ends[set - parts + 1];
-    }
+    for (const unsigned char p : part)
+      ++ends[p + 1];
     if (*std::max_element(ends, ends + parts + 1) > (last - first) / 4)
       return false;
     std::partial_sum(ends, ends + parts + 1, ends);
     move_to_parts(first, part.data(), ends);
     return true;
+  }
+
+  static unsigned char part_of(const Item& item, const Cut* cuts)
+  {
+    std::size_t set = 1;
+    while (set < parts)
+      set = 2 * set + !cuts[set].is_before(item);
+    return static_cast<unsigned char>(set - parts);
   }
 
   // In place: what is not in its part changes places with what is there.
@@ -202,16 +222,20 @@ private:
         }
   }
 
-  bool sort_in_parts(Item* first, Item* last, const Box& box, const Box* next)
+  bool sort_in_parts(Item* first, Item* last, const Box& box, const Box* next,
+                     const Executor& executor)
   {
-    std::ptrdiff_t ends[parts + 1];
-    if (!put_in_parts(first, last, box, next, ends))
+    if (last - first <= many)
       return false;
-    sort_parts(first, ends, next);
+    std::ptrdiff_t ends[parts + 1];
+    if (!put_in_parts(first, last, box, next, ends, executor))
+      return false;
+    sort_parts(first, ends, next, executor);
     return true;
   }
 
-  void sort_parts(Item* items, const std::ptrdiff_t* ends, const Box* next)
+  void sort_parts(Item* items, const std::ptrdiff_t* ends, const Box* next,
+                  const Executor& executor)
   {
     std::vector<Box> boxes;
     std::vector<std::size_t> filled;
@@ -220,10 +244,20 @@ private:
         filled.push_back(p);
         boxes.emplace_back(items + ends[p], items + ends[p + 1]);
       }
-    for (std::size_t k = 0; k < filled.size(); ++k)
-      sort(items + ends[filled[k]], items + ends[filled[k] + 1], boxes[k],
-           k + 1 < filled.size() ? &boxes[k + 1] : next);
+    for_each_block(executor, filled.size(), filled.size(),
+                   [&](std::size_t begin, std::size_t end, std::size_t) {
+                     for (std::size_t k = begin; k < end; ++k) {
+                       Sort_by_halves part;
+                       part.begin_after(k > 0 ? boxes[k - 1].point_near(boxes[k]).data()
+                                              : m_before);
+                       part.sort(items + ends[filled[k]], items + ends[filled[k] + 1], boxes[k],
+                                 k + 1 < filled.size() ? &boxes[k + 1] : next);
+                     }
+                   });
+    begin_after(items[ends[parts] - 1].coordinates);
   }
+
+  void begin_after(const double* point) { std::copy(point, point + 3, m_before); }
 
   std::vector<Item> m_items;
   double m_before[3] = {};

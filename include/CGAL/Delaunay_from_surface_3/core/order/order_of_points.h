@@ -36,7 +36,7 @@ inline Insertion_order order_of_points(const Point_array& points, Edge_source& e
   Insertion_order order =
       has_nets ? surface_net_rounds(points, edges, request, executor)
       : request.kind == Order_request::SPACED && are_few
-          ? spaced_rounds(points)
+          ? spaced_rounds(points, executor)
           : geometric_rounds(points, request.seed, request.ratio, request.first_round);
   CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(is_order(order, points.size()));
   return order;

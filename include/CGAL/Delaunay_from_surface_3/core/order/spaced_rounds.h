@@ -18,6 +18,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -132,8 +133,8 @@ private:
   std::vector<Position> m_left; // ascending
 };
 
-// Of fewer than 2^32 points.
-inline Insertion_order spaced_rounds(const Point_array& points)
+// Of fewer than 2^32 points. By as many threads as the executor has the points are sorted.
+inline Insertion_order spaced_rounds(const Point_array& points, const Executor& executor = Alone())
 {
   const std::size_t n = points.size();
   Insertion_order result;
@@ -142,7 +143,7 @@ inline Insertion_order spaced_rounds(const Point_array& points)
   result.order.resize(n);
   std::iota(result.order.begin(), result.order.end(), std::size_t(0));
   Sort_by_halves sort;
-  sort(points, result.order.data(), result.order.data() + n);
+  sort(points, result.order.data(), result.order.data() + n, executor);
   const Spaced_centers centers(sort.items());
   const std::vector<std::size_t>& sizes = centers.sizes;
   result.round_ends.assign(sizes.rbegin(), sizes.rend());
