@@ -26,34 +26,35 @@ that of the vertex with the smallest id, *owns* it, so each cell is owned once.
 */
 struct Delaunay_3_tile
 {
-  /// Four vertices, as places in `ids`, in positive orientation; -1 is the infinite vertex, always
-  /// last.
+  /// four vertices, as positions in `ids`, in positive orientation; -1 is the infinite vertex,
+  /// which is always last.
   using Cell = std::array<std::int32_t, 4>;
 
-  /// The number of the tile.
+  /// the number of the tile.
   std::uint32_t number = 0;
 
-  /// The ids of the vertices, which are places in the input; of equal points the smallest. First
-  /// those of the tile's own vertices, ascending, then those of others, ascending.
+  /// the ids of the vertices, which are positions in the input, and for equal points the smallest:
+  /// first those of the tile's own vertices, then those of others, both in ascending order.
   std::vector<std::uint64_t> ids;
 
-  /// Their coordinates.
+  /// the coordinates of these vertices.
   std::vector<std::array<double, 3>> points;
 
-  /// How many of them are the tile's own.
+  /// the number of the tile's own vertices.
   std::size_t number_of_own_vertices = 0;
 
-  /// All cells that have a vertex of the tile's own: first those that the tile owns and that are
-  /// finite, then the infinite ones that it owns, then all others.
+  /// all cells that have a vertex of the tile's own: first the finite cells that the tile owns,
+  /// then the infinite cells that it owns, then all others.
   std::vector<Cell> cells;
 
-  /// How many cells the tile owns.
+  /// the number of cells that the tile owns.
   std::size_t number_of_owned_cells = 0;
 
-  /// How many of these are finite.
+  /// the number of finite cells that the tile owns.
   std::size_t number_of_owned_finite_cells = 0;
 
-  /// Points of the tile that have the place of another: their ids, and those of their vertices.
+  /// the tile's points that are equal to another: pairs of the id of the point and that of its
+  /// vertex.
   std::vector<std::array<std::uint64_t, 2>> equal_points;
 };
 

@@ -30,18 +30,18 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-has the points of one file or of several, one after the other, which are read by ranges. By their
-extensions: `.npy`, NumPy's, with n × 3 numbers `float64` or `float32`, row by row; `.ply`, binary,
-with `x`, `y`, `z` of any type; `.raw`, `.bin` and `.f64`, nothing but little-endian numbers of 64
-bits.
+is a source of the points of one or several files, one after the other, which are read by ranges.
+The extension determines the format: `.npy` is NumPy's, with n × 3 numbers of type `float64` or
+`float32`, row by row; `.ply` is binary, with `x`, `y` and `z` of any type; `.raw`, `.bin` and
+`.f64` contain only little-endian floating-point numbers of 64 bits.
 */
 class Point_files_3 : public Tile_source_3
 {
 public:
-  /// looks at the files' heads.
+  /// reads the headers of the files.
   ///
-  /// \throws Tile_files_error if a file cannot be read, is none of these, or has another size than
-  /// it says
+  /// \throws Tile_files_error if a file cannot be read, has none of these formats, or does not have
+  /// the size that its header says
   explicit Point_files_3(const std::vector<std::filesystem::path>& files)
   {
     for (const std::filesystem::path& file : files) {
@@ -50,10 +50,10 @@ public:
     }
   }
 
-  /// returns how many points all files have.
+  /// returns the number of points of all files.
   std::uint64_t size() const override { return m_size; }
 
-  /// reads a range, which may end in another file.
+  /// reads a range of points, which may extend over several files.
   void read(std::uint64_t first, std::size_t n, double* coordinates) const override
   {
     while (n > 0) {
@@ -67,7 +67,7 @@ public:
     }
   }
 
-  /// returns a number of the sizes of the files and the times at which they were written last.
+  /// returns a number derived from the sizes of the files and their times of last modification.
   std::uint64_t stamp() const override
   {
     std::uint64_t stamp = 0;
@@ -82,7 +82,7 @@ public:
     return stamp;
   }
 
-  /// returns the file of a point, and its place in there.
+  /// returns the file of point `i`, and its position in this file.
   std::string name_of(std::uint64_t i) const override
   {
     const File& file = file_of(i);

@@ -17,13 +17,13 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is thrown where a file cannot be read or written, or holds something else than it should. The
-message names the file and the place, on one line.
+is thrown if a file cannot be read or written, or does not contain what it should. The message names
+the file and the place, on one line.
 */
 class Tile_files_error : public std::runtime_error
 {
 public:
-  /// is constructed from the message.
+  /// inherits the constructors, which take the message.
   using std::runtime_error::runtime_error;
 };
 

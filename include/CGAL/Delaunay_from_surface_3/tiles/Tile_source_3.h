@@ -21,8 +21,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is where `delaunay_3_tiles()` takes points from: any range of them at any time, by any thread. A
-point's id is its place, from 0 on.
+is the base class of the sources of points for `delaunay_3_tiles()`, which reads any range of points
+at any time, by any thread. The id of a point is its position, from 0 on.
 */
 class Tile_source_3
 {
@@ -32,34 +32,35 @@ public:
   /// returns the number of points.
   virtual std::uint64_t size() const = 0;
 
-  /// writes the coordinates of the points `first`, …, `first + n - 1`, three of each.
+  /// writes the coordinates of the points `first`, …, `first + n - 1` to `coordinates`, three of
+  /// each.
   virtual void read(std::uint64_t first, std::size_t n, double* coordinates) const = 0;
 
-  /// returns the first point of one of so many parts, which ascend; part `parts` begins at `size()`.
-  /// Processes that share the work read one part each, and nothing else: whose points are in the
-  /// memory of many of them says here who has which, and need have no others.
+  /// returns the first point of part `part` of `parts` consecutive parts; part `parts` begins at
+  /// `size()`. Processes that share the work read one part each, and nothing else. If the points
+  /// are distributed over the memories of several processes, redefine this function accordingly.
   virtual std::uint64_t first_of_part(std::uint64_t part, std::uint64_t parts) const
   {
     return size() / parts * part + size() % parts * part / parts;
   }
 
-  /// returns another number when the points may have changed, as the times of files say; a run goes
-  /// on only with what it began with.
+  /// returns a number that differs if the points may have changed, for example by the times of
+  /// files. An interrupted run continues only with the points with which it began.
   virtual std::uint64_t stamp() const { return 0; }
 
-  /// returns a name of a point, for messages.
+  /// returns a name of point `i`, for messages.
   virtual std::string name_of(std::uint64_t i) const { return "point " + std::to_string(i); }
 };
 
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-has `n` points that lie in memory, as `3 n` numbers that are somebody else's.
+is a source of `n` points in memory, stored as `3 n` numbers that the caller owns.
 */
 class Tile_array_source_3 : public Tile_source_3
 {
 public:
-  /// keeps the pointer.
+  /// keeps the pointer, not a copy of the numbers.
   Tile_array_source_3(const double* coordinates, std::uint64_t n)
     : m_coordinates(coordinates)
     , m_size(n)
@@ -69,7 +70,7 @@ public:
   /// returns `n`.
   std::uint64_t size() const override { return m_size; }
 
-  /// copies.
+  /// copies the coordinates.
   void read(std::uint64_t first, std::size_t n, double* coordinates) const override
   {
     std::copy(m_coordinates + 3 * first, m_coordinates + 3 * (first + n), coordinates);

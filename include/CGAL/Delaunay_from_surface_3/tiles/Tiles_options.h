@@ -20,37 +20,39 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-is what can be asked of `delaunay_3_tiles()`.
+has the options of `delaunay_3_tiles()`.
 */
 struct Tiles_options
 {
-  /// How many tiles; 0: as many as `memory` asks for.
+  /// the number of tiles; 0 stands for as many as `memory` requires.
   std::uint32_t number_of_tiles = 0;
 
-  /// There are no more tiles than one for so many points: smaller ones come to rest too early, and
-  /// are told the rest one after the other. That takes many rounds with fewer than a thousand.
+  /// the least average number of points of a tile, which limits the number of tiles. Small tiles
+  /// come to rest too early, and are told the remaining points one after the other. With fewer than
+  /// a thousand points this takes many rounds.
   std::uint32_t least_points = 64;
 
-  /// How many bytes the tiles that are in memory at once may have, roughly; 0: any number. A tile
-  /// has 300 bytes for each point that it keeps, and the worst one keeps up to five times its own.
-  /// Where all tiles are in memory, it is one that may have so much.
+  /// the approximate number of bytes that the tiles in memory at the same time may take; 0 stands
+  /// for no limit. A tile takes 300 bytes for each point that it keeps, and the worst one keeps up
+  /// to five times its own points. If all tiles are in memory, the limit holds for each of them.
   std::uint64_t memory = 0;
 
-  /// The sample that all tiles are offered has about as many points as this part of one tile: 1 of
-  /// `sample_share`, but no more than 16384.
+  /// determines the size of the sample that all tiles are offered: about the number of points of a
+  /// tile divided by `sample_share`, but at most 16384.
   std::size_t sample_share = 8;
 
-  /// How many points are read at once.
+  /// the number of points that are read at a time.
   std::size_t points_at_once = 4000000;
 
-  /// Whether the certificate compares cells, and not sums of their hashes.
+  /// whether the certificate compares cells instead of sums of their hashes.
   bool compares_cells = false;
 
-  /// Whether the work begins again with more tiles if one becomes larger than `memory` allows.
+  /// whether the work begins again with more tiles if one becomes larger than `memory` allows.
   bool starts_again = true;
 
-  /// Is called, by any thread but by one at a time, with a word for what is done ("reading", "round
-  /// 0", …), how much of it is done and how much there is; if it returns `false`, the work stops.
+  /// is called, by any thread but by only one at a time, with the name of the current stage
+  /// ("reading", "round 0", …), how much of it is done, and how much there is in all. If it returns
+  /// `false`, the work stops.
   std::function<bool(const char*, std::size_t, std::size_t)> progress;
 };
 
@@ -62,7 +64,7 @@ is thrown by `delaunay_3_tiles()` when `Tiles_options::progress` returns `false`
 class Tiles_stopped : public std::runtime_error
 {
 public:
-  /// is constructed with a message of its own.
+  /// constructs the exception with a fixed message.
   Tiles_stopped()
     : std::runtime_error("stopped before all was done")
   {
@@ -72,19 +74,19 @@ public:
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
-tells what `delaunay_3_tiles()` did.
+is the result of `delaunay_3_tiles()`: counts, and whether the certificate holds.
 */
 struct Tiles_report
 {
-  std::uint64_t points = 0;    ///< How many there are.
-  std::uint32_t tiles = 0;     ///< How many there are.
-  std::size_t rounds = 0;      ///< In how many rounds tiles told each other of points,
-  std::uint64_t told = 0;      ///< how many points they told,
-  std::uint64_t kept = 0;      ///< how many they keep, their own included,
-  std::uint64_t most_kept = 0; ///< and how many the largest of them keeps.
-  std::uint64_t cells = 0;     ///< How many cells there are, infinite ones included.
-  std::uint64_t hash = 0;      ///< The sum of hashes of all cells, as ids.
-  bool is_certified = false;   ///< Whether the certificate holds.
+  std::uint64_t points = 0;    ///< the number of points.
+  std::uint32_t tiles = 0;     ///< the number of tiles.
+  std::size_t rounds = 0;      ///< the number of rounds in which tiles told each other of points.
+  std::uint64_t told = 0;      ///< the number of points that they told.
+  std::uint64_t kept = 0;      ///< the number of points that they keep, including their own.
+  std::uint64_t most_kept = 0; ///< the number of points that the largest tile keeps.
+  std::uint64_t cells = 0;     ///< the number of cells, including infinite ones.
+  std::uint64_t hash = 0;      ///< the sum of the hashes of all cells, as ids.
+  bool is_certified = false;   ///< whether the certificate holds.
 };
 
 /// \cond SKIP_IN_MANUAL
