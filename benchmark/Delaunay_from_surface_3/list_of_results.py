@@ -40,6 +40,7 @@ SHOWS = {
     "thinning": "points left out, beside what COLMAP and OpenMVS do",
     "sources": "surfaces of CGAL's packages: how much is Delaunay, EMST, cells, times",
     "python": "the Python module beside SciPy and VTK",
+    "python_threads": "one and two threads of it by the number of points; import, wheel",
     "python_peers": "the same beside bindings of Geogram and TetGen; rebuilds of points that move",
     "python_faults": "tetrahedra that these, SciPy and VTK miss, or that overlap",
     "python_gaussians": "`triangulate()` of points of Gaussians",
