@@ -89,7 +89,7 @@ py::tuple views_of(Arrays&& moved, bool with_neighbors)
   return py::make_tuple(view(arrays->vertices_data()), neighbors, vertices, arrays->dimension());
 }
 
-// What the core makes of points and edges, if it was not stopped.
+// The finite cells of what the core makes of points and edges, if it was not stopped.
 Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::Watcher& watcher,
                  const core::Executor& executor)
 {
@@ -101,7 +101,7 @@ Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::W
   if (built->outcome == core::Insertion_outcome::FLAT && points.points().size() > 0 &&
       !watcher.go_further(0))
     return Arrays();
-  return core::arrays_of_built<std::int32_t>(*built, points, executor);
+  return core::arrays_of_built<std::int32_t>(*built, points, executor, false);
 }
 
 // Of the faces of a surface, if there is any; read with the lock, and gone when it is given back.
@@ -136,7 +136,6 @@ py::tuple triangulated(const py::array& array, const py::object& faces, bool nei
   try {
     const py::gil_scoped_release unlocked;
     arrays = arrays_of(points, *orders, watcher, executor);
-    arrays.drop_infinite_cells();
     if (!neighbors)
       arrays.drop_neighbors();
   } catch (const CGAL::Delaunay_from_surface_3::Too_few_ids& error) {
@@ -172,14 +171,19 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
 #endif
 {
   py::register_exception<Stopped>(m, "Stopped").attr("__doc__") =
-      "Raised by delaunay3() when progress returns False.";
+      "Raised when progress returns False, by delaunay3() and delaunay3_tiles().";
   m.attr("__version__") = DELAUNAY_FROM_SURFACE_3_VERSION;
   py::class_<Kept>(
       m, "InsertionOrder",
       "The order of insertion of the last call of delaunay3() that it was given to; of "
       "nothing at first.")
       .def(py::init<>())
-      .def("__len__", [](const Kept& kept) { return kept.order.order.size(); });
+      .def("__len__", [](const Kept& kept) { return kept.order.order.size(); })
+      .def("__repr__", [](const Kept& kept) {
+        return "<InsertionOrder of " + std::to_string(kept.order.order.size()) + " points>";
+      });
+  for (const char* const name : {"Stopped", "InsertionOrder"})
+    m.attr(name).attr("__module__") = "delaunay_from_surface"; // where they are found, and pickled
   m.def("delaunay3", &delaunay3);
   python::define_surface_functions(m);
   python::define_queries(m);

@@ -4,7 +4,11 @@
 
 """Tests the installed module, against SciPy and against the program delaunay_from_surface."""
 
+import ast
+import copy
 import doctest
+import importlib.util
+import inspect
 import itertools
 import os
 import pickle
@@ -13,12 +17,15 @@ import signal
 import subprocess
 import sys
 import tempfile
+import textwrap
 import threading
 import time
 import types
 import typing
 import unittest
 import unittest.mock
+import warnings
+import weakref
 from fractions import Fraction
 from pathlib import Path
 
@@ -130,6 +137,14 @@ def smallest_sphere(corners):
     return corners[0] + offset, np.linalg.norm(offset)
 
 
+class OfPoints(np.ndarray):
+    """As np.matrix, which is never flat, and arrays of PyVista."""
+
+
+class OfUser(dfs.Delaunay3):
+    """A derived class, with the constructor that it has."""
+
+
 def torus():
     words = [w for line in TORUS.read_text().splitlines() for w in line.split("#")[0].split()]
     n, m = int(words[1]), int(words[2])
@@ -207,6 +222,9 @@ class Results(unittest.TestCase):
         for given in (points, points.astype(float)[:, :], np.asfortranarray(points), points[::-1][::-1],
                       points.astype(">f8"), points.tolist(), np.repeat(points, 2, axis=1)[:, ::2]):
             self.assertEqual(cell_set(dfs.delaunay3(given).simplices), expected)
+        ours = dfs.delaunay3(points.view(OfPoints))
+        self.assertEqual((type(ours.points), cell_set(ours.simplices)), (np.ndarray, expected))
+        self.assertTrue(np.shares_memory(ours.points, points))
         integers = np.random.default_rng(2).integers(0, 99, (200, 3))
         self.assertEqual(cell_set(dfs.delaunay3(integers).simplices),
                          cell_set(dfs.delaunay3(integers.astype(float)).simplices))
@@ -499,6 +517,14 @@ class AsScipy(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "check: expected one of links, .*, delaunay, got 'all'"):
             self.ours.check("all")
 
+    def test_huge_numbers(self):
+        """Measures may be infinite, and nobody is warned."""
+        huge = dfs.delaunay3((self.points - .5) * 1.7e308)
+        self.assertTrue(huge.check())
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(len(huge.alpha_complex(np.inf).simplices), huge.nsimplex)
+
     def test_pickle(self):
         for ours in (self.ours, dfs.delaunay3(self.points, neighbors=True), dfs.delaunay3([])):
             again = pickle.loads(pickle.dumps(ours))
@@ -506,6 +532,10 @@ class AsScipy(unittest.TestCase):
                 self.assertTrue(np.array_equal(getattr(again, name), getattr(ours, name)))
             self.assertEqual(again.dimension, ours.dimension)
         self.assertTrue(again.check())
+        of_a_user = pickle.loads(pickle.dumps(OfUser(self.points, self.ours.simplices, None, self.ours.vertices, 3)))
+        self.assertIs(type(of_a_user), OfUser)
+        self.assertTrue(copy.deepcopy(self.ours).check())
+        self.assertIs(weakref.ref(self.ours)(), self.ours)
 
 
 class Inside(unittest.TestCase):
@@ -622,6 +652,40 @@ class StandsForTetraNerf(unittest.TestCase):
         self.assertTrue((cells.array == dfs.delaunay3(points).simplices).all() and cells.array.flags.writeable)
 
 
+class Meshes(unittest.TestCase):
+    """to_meshio() and to_pyvista(), which are asked for the names that they have; meshio itself where it is there."""
+
+    points = {3: random_points(30).astype(np.float32), 2: random_points(30) * [1, 1, 0], 1: random_points(30) * [1, 0, 0],
+              0: np.ones((2, 3)), -1: np.zeros((0, 3))}
+
+    def test_meshio(self):
+        names = {3: "tetra", 2: "triangle", 1: "line", 0: "vertex", -1: "vertex"}
+        stand_in = types.SimpleNamespace(Mesh=lambda points, cells: types.SimpleNamespace(points=points, cells=cells))
+        for dimension, points in self.points.items():
+            ours = dfs.delaunay3(points, neighbors=True)
+            with unittest.mock.patch.dict(sys.modules, meshio=stand_in):
+                (name, cells), = ours.to_meshio().cells
+            self.assertEqual((ours.dimension, name), (dimension, names[dimension]))
+            self.assertTrue(np.array_equal(cells, ours.simplices) and cells.flags.c_contiguous)
+        if importlib.util.find_spec("meshio"):
+            block, = dfs.delaunay3(self.points[3]).to_meshio().cells
+            self.assertEqual((block.type, block.data.shape[1]), ("tetra", 4))
+
+    def test_pyvista(self):
+        stand_in = types.SimpleNamespace(CellType=types.SimpleNamespace(TETRA=10, TRIANGLE=5, LINE=3),
+                                         UnstructuredGrid=lambda *arguments: arguments)
+        for dimension, points in self.points.items():
+            ours = dfs.delaunay3(points, neighbors=True)
+            with unittest.mock.patch.dict(sys.modules, pyvista=stand_in):
+                grid = ours.to_pyvista()
+            if dimension < 1:
+                self.assertEqual(grid, ())
+                continue
+            cells = grid[0][{3: 10, 2: 5, 1: 3}[dimension]]
+            self.assertTrue(np.array_equal(cells, ours.simplices) and cells.flags.c_contiguous)
+            self.assertIs(grid[1], ours.points)
+
+
 class Examples(unittest.TestCase):
     def test_run(self):
         for name, line in (("interpolate", "mean error inside the hull: 0.0"), ("show_tetrahedra", "tetrahedra")):
@@ -643,6 +707,13 @@ class Refusals(unittest.TestCase):
         self.refuses(TypeError, "points: expected numbers, got entries of type complex128", points.astype(complex))
         self.refuses(TypeError, "points: expected", points.astype(str))
         self.refuses(TypeError, "points: expected", [[1, 2, 3], [4, 5]])
+
+        class Tensor:
+            def __array__(self, *arguments, **keywords):
+                raise RuntimeError("detach it first")
+        with self.assertRaisesRegex(TypeError, "^points: expected an array of numbers$") as caught:
+            dfs.delaunay3(Tensor())
+        self.assertEqual(str(caught.exception.__cause__), "detach it first")
         for masked in (np.ma.masked_array(points, mask=points > 0.5), np.ma.masked_array(points),
                        list(np.ma.masked_array(points, mask=points > 0.5))):
             self.refuses(ValueError, "points: a masked array is not read", masked)
@@ -674,12 +745,24 @@ class Refusals(unittest.TestCase):
         for threads in (0, -1):
             self.refuses(ValueError, f"threads: expected a whole number from 1 on, or None for all, got {threads}",
                          random_points(5), threads=threads)
-        self.refuses(TypeError, "threads: expected a whole number from 1 on, or None for all, got 1.5", random_points(5),
-                     threads=1.5)
+        for threads in (1.5, "all"):
+            self.refuses(TypeError, f"threads: expected a whole number from 1 on, or None for all, got {threads!r}",
+                         random_points(5), threads=threads)
+        self.assertEqual(dfs.delaunay3(random_points(5), threads=2 ** 70).npoints, 5)
         self.refuses(TypeError, "order: expected an InsertionOrder, got int", random_points(5), order=3)
         for seed in (-1, 2 ** 32):
             self.refuses(ValueError, "seed: expected a whole number from 0 to 4294967295", random_points(5), seed=seed)
-        self.refuses(TypeError, "", random_points(5), seed="one")
+        self.refuses(TypeError, "seed: expected a whole number from 0 to 4294967295, got 'one'", random_points(5), seed="one")
+        for faces in (7, [0, 1, 2]):
+            self.refuses(TypeError, "faces: expected sequences of integers", random_points(5), faces, inside=True)
+        for number, error in ((-1, ValueError), (2 ** 31, ValueError), (3.5, TypeError)):
+            for function in (dfs.subgraph, dfs.surface_topology):
+                with self.assertRaisesRegex(error, f"number_of_vertices: expected a whole number from 0 to 2147483647, got {number}"):
+                    function([[0, 1, 2]], number)
+        flat = dfs.delaunay3(random_points(9) * [1, 1, 0])
+        for name in ("transform", "volumes", "circumcenters", "circumradii", "voronoi_volumes"):
+            with self.assertRaisesRegex(ValueError, f"{name}: there are no tetrahedra, the points have dimension 2"):
+                getattr(flat, name)
         with self.assertRaises(TypeError):
             dfs.delaunay3(random_points(5), None, True)
 
@@ -710,6 +793,10 @@ class Control(unittest.TestCase):
             dfs.delaunay3(random_points(20000), progress=fail)
         with self.assertRaises(TypeError):
             dfs.delaunay3(random_points(20000), progress=7)
+        with self.assertRaises(dfs.Stopped):  # NumPy's False, too, as comparisons make it
+            dfs.delaunay3(random_points(20000), progress=lambda share: np.float64(share) < 0)
+        for nothing in (None, 0, ""):
+            self.assertEqual(dfs.delaunay3(random_points(300), progress=lambda share: nothing).npoints, 300)
 
     def test_kept_order(self):
         """Of points that move: the same simplices, in the order of the first call."""
@@ -735,6 +822,7 @@ class Control(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "order: another call uses it"):
                 dfs.delaunay3(points, order=order)
         dfs.delaunay3(points, order=order, progress=again)
+        self.assertEqual(repr(order), "<InsertionOrder of 3000 points>")
         with self.assertRaises(TypeError):
             dfs.delaunay3(points, order=[1, 2])
 
@@ -943,9 +1031,13 @@ class OutOfCore(unittest.TestCase):
                                   ("flat.npy", ValueError, "one plane"), ("nan.npy", ValueError, "point 0")):
             with self.assertRaisesRegex(error, says):
                 dfs.delaunay3_tiles(self.folder / file, output / file, tiles=2)
-        for arguments in ({"memory": "8X"}, {"memory": 5}, {"tiles": 0}, {"workers": 0}):
-            with self.assertRaises(ValueError):
-                dfs.delaunay3_tiles(self.file, output, **arguments)
+        for name, wrong, error in (("memory", "8X", ValueError), ("memory", 5, ValueError), ("memory", None, TypeError),
+                                   ("tiles", 0, ValueError), ("tiles", 2.5, TypeError), ("workers", 0, ValueError),
+                                   ("workers", "2", TypeError)):
+            with self.assertRaisesRegex(error, f"^{name}: "):
+                dfs.delaunay3_tiles(self.file, output, **{name: wrong})
+        with self.assertRaisesRegex(ValueError, "^files: there is none$"):
+            dfs.delaunay3_tiles([], output)
         with self.assertRaisesRegex(MemoryError, "tiles would do"):
             np.save(self.file, random_points(5000))
             dfs.delaunay3_tiles(self.file, output, tiles=1, memory=10**6)
@@ -959,14 +1051,92 @@ class Module(unittest.TestCase):
         for library in (b"libgmp", b"libmpfr", b"libtbb", b"libboost"):
             self.assertNotIn(library, Path(core.__file__).read_bytes())
 
+    def test_import_is_quick(self):
+        """20 ms beyond NumPy's are allowed: it takes a third, and brings none of what others may have installed."""
+        program = """if True:
+            import sys, time
+            import numpy
+            begin = time.process_time()
+            import delaunay_from_surface
+            print(time.process_time() - begin)
+            print(*sys.modules)
+            """
+        times = []
+        for _ in range(5):
+            done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+            seconds, modules = done.stdout.splitlines()
+            times.append(float(seconds))
+        self.assertLess(min(times), .02)
+        self.assertFalse({"scipy", "dask", "distributed", "pyvista", "meshio", "torch"} & set(modules.split()))
+
     def test_documentation(self):
         self.assertEqual(doctest.testmod(dfs).failed, 0)
         for name in dfs.__all__:
             self.assertTrue(getattr(dfs, name).__doc__, name)
         for function in (dfs.delaunay3, dfs.delaunay3_dask, dfs.delaunay3_tiles, dfs.subgraph, dfs.surface_topology):
             self.assertIn("return", typing.get_type_hints(function))
+            self.assertEqual([name for name in inspect.signature(function).parameters
+                              if not re.search(rf"\b{name}\b", function.__doc__)], [])
+        for name, member in vars(dfs.Delaunay3).items():
+            if not name.startswith("_") and (callable(member) or hasattr(member, "__get__")):
+                self.assertTrue(member.__doc__, name)
         self.assertRegex(dfs.__version__, r"^\d+\.\d+\.\d+$")
         self.assertTrue(Path(dfs.__file__).with_name("py.typed").exists())
+
+
+class Types(unittest.TestCase):
+    """What type checkers are told."""
+
+    def test_stub(self):
+        """It has what the extension has, with as many parameters."""
+        stub = Path(core.__file__).with_name("_delaunay_from_surface.pyi")
+        functions, others = {}, set()
+        for node in ast.parse(stub.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.FunctionDef):
+                functions[node.name] = len(node.args.args)
+            elif isinstance(node, ast.ClassDef):
+                others.add(node.name)
+        self.assertEqual({name for name in vars(core) if not name.startswith("__")}, set(functions) | others)
+        self.assertEqual({name: len(re.findall(r"\barg\d+:", getattr(core, name).__doc__)) for name in functions}, functions)
+
+    def test_checker(self):
+        """The package itself, and what users may write; what they may not is found."""
+        if importlib.util.find_spec("mypy") is None:
+            self.skipTest("mypy was not found")
+        program = """if True:
+            from typing import List
+            import numpy as np
+            import delaunay_from_surface as dfs
+            from delaunay_from_surface import cpp
+            points, shares = np.zeros((5, 3)), [0.]
+            dfs.delaunay3([[0, 1, 2], (3., 4, 5)], [[0, 1, 1]], threads=np.int64(2), seed=np.uint8(3))
+            ours = dfs.delaunay3(points.astype(np.float32), np.zeros((2, 3), dtype=np.uint16), inside=True, threads=None,
+                                 progress=shares.append, order=dfs.InsertionOrder())
+            dfs.delaunay3(points, progress=lambda share: share < .5)
+            number: int = ours.simplices[0, 0] + ours.neighbors[0, 0] + ours.find_simplex([.5, .5, .5], threads=None)
+            weights = ours.barycentric([[.5, .5, .5]], [3]) * ours.volumes[0]
+            edges = ours.alpha_complex(np.float32(3)).edges.max() + dfs.subgraph([[0, 1, 2]], np.int64(3))
+            cpp.triangulate(points, threads=2)
+            for some, cells in dfs.delaunay3_tiles("cloud.npy", "tiles", memory="8G"):
+                some[cells]
+            try:
+                print(dfs.__version__, ours.check("links"))
+            except dfs.Stopped as stopped:
+                print(stopped.args)
+            """
+        wrong = ['dfs.delaunay3(points, threads="all")', "dfs.delaunay3(points, [1, 2, 3])", "ours.check(3)",
+                 "ours.simplices.no_such_member", "ours.points = 3", "dfs.no_such_function()"]
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "user.py"
+            file.write_text("\n".join([textwrap.dedent(program.replace("if True:\n", "", 1)), *wrong]), encoding="utf-8")
+            checker = [sys.executable, "-m", "mypy", "--strict", "--no-warn-return-any", "--ignore-missing-imports",
+                       "--cache-dir", folder]
+            done = subprocess.run([*checker, file], capture_output=True, text=True, cwd=folder, check=False)
+            found = {int(line.split(":")[1]) for line in done.stdout.splitlines() if ": error:" in line}
+            first = len(file.read_text(encoding="utf-8").splitlines()) - len(wrong) + 1
+            self.assertEqual(found, set(range(first, first + len(wrong))), done.stdout + done.stderr)
+            done = subprocess.run([*checker, Path(dfs.__file__).parent], capture_output=True, text=True, cwd=folder, check=False)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 
 if __name__ == "__main__":

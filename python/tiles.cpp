@@ -4,6 +4,7 @@
 
 // Tiles out of core: from files to files, so nothing but names and numbers crosses.
 
+#include "Interruptible_watcher.h"
 #include "functions.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
@@ -75,7 +76,7 @@ py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::strin
       const py::gil_scoped_acquire lock;
       if (PyErr_CheckSignals() != 0)
         throw py::error_already_set();
-      return progress.is_none() || !progress(what, done, all).is(py::bool_(false));
+      return progress.is_none() || !python::says_no(progress(what, done, all));
     };
     return core::Tiles_to_files(output, workers, vtu).run(run.points, run.options);
   });

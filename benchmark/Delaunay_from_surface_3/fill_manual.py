@@ -39,6 +39,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (README, "collections", ["orders_200k", "demo_meshes"], speed_tables.collections),
     (README, "peers", ["compare_peers"], hard_tables.peers_of_readme),
     (README, "python", ["python"], use_tables.python_of_readme),
+    (PYTHON, "threads", ["python_threads"], use_tables.python_threads),
     (PYTHON, "gaussians", ["python_gaussians", "gaussians_2M", "gaussians_5M", "gaussians_10M"], use_tables.gaussians),
     (BENCHMARK, "results", list(list_of_results.SHOWS), list_of_results.list_of_results),
     (MAIN_PAGE, "parts_counts", ["parts"], use_tables.counts_of_parts),

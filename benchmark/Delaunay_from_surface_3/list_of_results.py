@@ -40,6 +40,7 @@ SHOWS = {
     "thinning": "points left out, compared with COLMAP and OpenMVS",
     "sources": "surfaces of CGAL's packages: how much is Delaunay, EMST, cells, times",
     "python": "the Python module against SciPy and VTK",
+    "python_threads": "its times on one and two threads, by the number of points; import, wheel",
     "python_peers": "the same against bindings of other libraries; rebuilds of points that move",
     "python_faults": "tetrahedra that these, a function of Open3D, SciPy and VTK miss, or that overlap",
     "python_gaussians": "`triangulate()` of points of Gaussians",

@@ -7,12 +7,14 @@
     python3 measure_python.py [--points N] [--queries N] [--repetitions N] [--output FILE]
     python3 measure_python.py --peers MODULE... [--points N] [--repetitions N] [--faults] [--output FILE]
     python3 measure_python.py --gaussians N... [--repetitions N] [--output FILE]
+    python3 measure_python.py --sizes N... [--wheel FILE] [--repetitions N] [--output FILE]
 
 Triangulations, with neighbours, of N points; and with --queries so many searches in as many points. With --peers only
 what follows, by the clock on the wall, each triangulation in a process of its own: modules that have
 `delaunay(points, threads)`, bindings of other libraries, beside this one, and rebuilds of points that move; with --faults
 what they, SciPy and VTK make of a grid and of a plane that is added to other points. With --gaussians only tetrahedra of
-N points as of boxes of Gaussians.
+N points as of boxes of Gaussians. With --sizes one and two threads on N points in a cube, what an import takes, and how
+large a wheel is.
 
 Run it with a Python into which the module is installed. Times are of the process, on all processors; those of one
 and two threads of the module by the clock on the wall. VTK is left out where it is not found.
@@ -26,6 +28,7 @@ import platform
 import resource
 import signal
 import statistics
+import subprocess
 import sys
 import tempfile
 import time
@@ -75,17 +78,17 @@ def line(name, points, faces, repetitions):
     return {**as_line(name, len(points), scipy_times, our_times), **by_threads(points, faces, repetitions)}
 
 
-def by_threads(points, faces, repetitions):
-    """Medians by the clock on the wall, one and two threads in turns."""
+def by_threads(points, faces, repetitions, kind="median", of_many=statistics.median):
+    """Medians by the clock on the wall, or what else is asked for; one and two threads in turns."""
     times = {1: [], 2: []}
     for _ in range(repetitions):
         for threads, of_threads in times.items():
             begin = time.perf_counter()
             dfs.delaunay3(points, faces, neighbors=True, threads=threads)
             of_threads.append(time.perf_counter() - begin)
-    one, two = (statistics.median(of_threads) for of_threads in times.values())
-    return {"median_wall_1_thread": round(one, 4), "median_wall_2_threads": round(two, 4),
-            "median_speedup": round(one / two, 3)}
+    one, two = (of_many(of_threads) for of_threads in times.values())
+    return {f"{kind}_wall_1_thread": round(one, 5), f"{kind}_wall_2_threads": round(two, 5),
+            f"{kind}_speedup": round(one / two, 3)}
 
 
 def bumpy_sphere(n):
@@ -295,6 +298,25 @@ def report_on_gaussians(options, report):
         report["results"].append({"points": len(points), "ways": in_turns(ways, options.repetitions)})
 
 
+def cpu_of_import(repetitions):
+    """Median of the seconds beyond NumPy's, each in a process of its own whose files have been read before."""
+    program = ("import numpy, time; begin = time.process_time(); import delaunay_from_surface; "
+               "print(time.process_time() - begin)")
+    times = [float(subprocess.run([sys.executable, "-c", program], capture_output=True, check=True).stdout)
+             for _ in range(repetitions + 1)]
+    return round(statistics.median(times[1:]), 5)
+
+
+def report_on_sizes(options, report):
+    """The least times, which other programs on the second core spoil less than medians."""
+    rng = np.random.default_rng(2024)
+    report["results"] = [{"points": n, **by_threads(rng.random((n, 3)), None, options.repetitions, "least", min)}
+                         for n in options.sizes]
+    report["import_cpu"] = cpu_of_import(options.repetitions)
+    if options.wheel:
+        report["wheel_bytes"] = os.path.getsize(options.wheel)
+
+
 def report_beside_scipy(options, report):
     surface, faces = torus(options.points)
     cube = np.random.default_rng(2024).random((options.points, 3))
@@ -314,13 +336,17 @@ def main():
     parser.add_argument("--peers", nargs="+", metavar="MODULE", default=[])
     parser.add_argument("--faults", action="store_true")
     parser.add_argument("--gaussians", nargs="+", type=int, metavar="N", default=[])
+    parser.add_argument("--sizes", nargs="+", type=int, metavar="N", default=[])
+    parser.add_argument("--wheel", metavar="FILE")
     parser.add_argument("--repetitions", type=int, default=3)
     parser.add_argument("--output", default="python.json")
     options = parser.parse_args()
-    report = {"command": " ".join(["measure_python.py", *sys.argv[1:]]), "machine": machine(),
+    words = [os.path.basename(word) if word == options.wheel else word for word in sys.argv[1:]]
+    report = {"command": " ".join(["measure_python.py", *words]), "machine": machine(),
               "python": platform.python_version(), "numpy": np.__version__, "scipy": scipy.__version__,
               "repetitions": options.repetitions}
-    (report_on_peers if options.peers else report_on_gaussians if options.gaussians else report_beside_scipy)(options, report)
+    (report_on_peers if options.peers else report_on_gaussians if options.gaussians else
+     report_on_sizes if options.sizes else report_beside_scipy)(options, report)
     with open(options.output, "w", encoding="utf-8") as file:
         json.dump(report, file, indent=1)
         file.write("\n")

@@ -17,6 +17,14 @@ namespace python {
 
 namespace py = pybind11;
 
+// Whether a user's function has returned False, Python's or NumPy's, and not merely nothing.
+inline bool says_no(const py::object& answer)
+{
+  if (py::isinstance<py::bool_>(answer))
+    return !answer.cast<bool>();
+  return py::isinstance(answer, py::module_::import("numpy").attr("bool_")) && !py::bool_(answer);
+}
+
 // Says at once, and then every 50 ms, that it is time; it is asked every 256 points.
 class Alarm_clock
 {
@@ -79,7 +87,7 @@ public:
 private:
   bool is_content(double inserted)
   {
-    m_is_stopped = m_progress(inserted / double(m_number_of_points)).is(py::bool_(false));
+    m_is_stopped = says_no(m_progress(inserted / double(m_number_of_points)));
     return !m_is_stopped;
   }
 

@@ -148,13 +148,26 @@ inline void refuse_mask(const std::string& name, const py::object& object)
     throw py::value_error(name + ": a masked array is not read; leave out what is masked");
 }
 
+// What NumPy makes an array of; why it does not is the cause of the exception.
+inline py::array array_from_any(const std::string& name, const py::object& object,
+                                const std::string& what)
+{
+  try {
+    return py::array(py::module_::import("numpy").attr("asanyarray")(object));
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError) &&
+        !error.matches(PyExc_RuntimeError))
+      throw;
+    py::raise_from(error, PyExc_TypeError, (name + ": expected an array of " + what).c_str());
+    throw py::error_already_set();
+  }
+}
+
 // An array whose entries are `kind`s of 4 or 8 bytes; others are converted if they are of `kinds`.
 inline py::array array_of(const std::string& name, const py::object& object,
                           const std::string& kinds, const std::string& what, const char* converted)
 {
-  const py::array array = py::array::ensure(object);
-  if (!array)
-    throw py::type_error(name + ": expected an array of " + what);
+  const py::array array = array_from_any(name, object, what);
   const char kind = array.dtype().kind();
   if (kinds.find(kind) == std::string::npos)
     throw py::type_error(name + ": expected " + what + ", got entries of type " +

@@ -15,22 +15,20 @@ points make it faster; they never change the result.
 
 from __future__ import annotations
 
-import operator
-from typing import Any, Callable, Iterable, List, NamedTuple, Optional, Union
+from typing import Callable, Iterable, List, NamedTuple, Optional, SupportsIndex, Tuple
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
-from ._delaunay_from_surface import InsertionOrder, Stopped, __version__
+from ._arguments import number_of_threads, whole_number
 from ._dask import DaskTiles, delaunay3_dask
-from ._result import AlphaComplex, Delaunay3, number_of_threads
+from ._delaunay_from_surface import InsertionOrder, Stopped, __version__ as __version__
+from ._result import AlphaComplex, Delaunay3
 from ._tiles import Tile, Tiles, delaunay3_tiles
+from ._types import Faces, Indices, Points
 
 __all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "Stopped", "SurfaceComponent", "Tile", "Tiles",
            "delaunay3", "delaunay3_dask", "delaunay3_tiles", "subgraph", "surface_topology"]
-
-Points = Union[np.ndarray, Iterable[Any]]
-Faces = Union[np.ndarray, Iterable[Iterable[int]]]
 
 
 class SurfaceComponent(NamedTuple):
@@ -49,16 +47,17 @@ class SurfaceComponent(NamedTuple):
     """Whether its triangles can be turned alike; else `genus` is the number of cross-caps."""
 
 
-def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool = False, inside: bool = False, seed: int = 0,
-              progress: Optional[Callable[[float], Optional[bool]]] = None,
-              threads: Optional[int] = 1, order: Optional[InsertionOrder] = None) -> Delaunay3:
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool = False, inside: bool = False, seed: SupportsIndex = 0,
+              progress: Optional[Callable[[float], object]] = None,
+              threads: Optional[SupportsIndex] = 1, order: Optional[InsertionOrder] = None) -> Delaunay3:
     """Return the Delaunay triangulation of points in space.
 
     Parameters
     ----------
     points
-        Array of shape (n, 3) with finite numbers of any type. It is copied while the order is made, so
-        another thread may change it. float64 and float32 are not copied into the result.
+        Array of shape (n, 3) with finite numbers. float64 and float32 are read where they are, and the result refers
+        to them; other integers and reals are rounded to float64 first, so integers beyond 2**53 may coincide. They
+        are copied while the order is made, so another thread may change them.
     faces
         Indices of points: an integer array of shape (m, k), or a sequence of sequences of any lengths.
         They need not be a manifold. Without them the points are taken alone.
@@ -76,7 +75,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         Ctrl-C is seen, once the order of the points is made. The interpreter lock is released in between.
     threads
         How many threads work; None: as many as there are processors. With more than one the simplices are the
-        same in another order at every call.
+        same in another order at every call. Few points take longer with two than with one: the README has the figures.
     order
         The order of insertion of the last call, for points that move a little from call to call: make an
         `InsertionOrder()` and give it to all. A new one is made and kept if it is one of another number of points, or
@@ -98,25 +97,35 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
 
     Memory: about 270 bytes per point at the peak, the result included, where points have 6.8 cells each; more with `inside`.
     """
-    if not 0 <= operator.index(seed) < 2 ** 32:
-        raise ValueError(f"seed: expected a whole number from 0 to 4294967295, got {seed}")
-    number = number_of_threads(threads)
-    array = _core.array_of_points(points, "points")
-    if inside and faces is None:
-        raise ValueError("inside: there are no faces")
-    if inside and not isinstance(faces, np.ndarray):
-        faces = [tuple(face) for face in faces]  # they are read twice
+    chosen = whole_number("seed", seed, 0, 2 ** 32 - 1)
+    number = number_of_threads("threads", threads)
+    array = np.asarray(_core.array_of_points(points, "points"))  # not one of a derived class
+    if inside:
+        if faces is None:
+            raise ValueError("inside: there are no faces")
+        if not isinstance(faces, np.ndarray):
+            faces = _kept(faces)
     if order is not None and not isinstance(order, InsertionOrder):
         raise TypeError(f"order: expected an InsertionOrder, got {type(order).__name__}")
-    result = Delaunay3(array, *_core.delaunay3(array, faces, neighbors, seed, progress, number, order), threads=number)
-    if inside:
-        across = result.neighbors if neighbors else _core.neighbors(result.simplices, len(array), number)
-        result.winding_numbers = _core.winding_numbers(array, result.simplices, across, result.vertices, faces, number)
+    simplices, across, vertices, dimension = _core.delaunay3(array, faces, neighbors, chosen, progress, number, order)
+    result = Delaunay3(array, simplices, across, vertices, dimension, number)
+    if faces is not None and inside:
+        if across is None:
+            across = _core.neighbors(simplices, len(array), number)
+        result.winding_numbers = _core.winding_numbers(array, simplices, across, vertices, faces, number)
     return result
 
 
-def subgraph(faces: Faces, number_of_vertices: Optional[int] = None, *, tree: bool = False) -> np.ndarray:
-    """Return a spanning subgraph of small degree of a triangulated surface: (e, 2) indices of vertices.
+def _kept(faces: Iterable[Iterable[SupportsIndex]]) -> List[Tuple[SupportsIndex, ...]]:
+    """What may be read once, to be read twice."""
+    try:
+        return [tuple(face) for face in faces]
+    except TypeError as error:
+        raise TypeError("faces: expected sequences of integers") from error
+
+
+def subgraph(faces: Faces, number_of_vertices: Optional[SupportsIndex] = None, *, tree: bool = False) -> Indices:
+    """Return a spanning subgraph of small degree of a triangulated surface: its edges, (e, 2) int32.
 
     Parameters
     ----------
@@ -131,12 +140,20 @@ def subgraph(faces: Faces, number_of_vertices: Optional[int] = None, *, tree: bo
     The degree of every vertex is at most 3 on spheres and discs, and at most 8 g + 2 b + 1 on an orientable
     component of genus g with b boundary loops (Choi, SoCG 2002).
     """
-    return _core.subgraph(faces, number_of_vertices, tree)
+    return _core.subgraph(faces, _number_or_none(number_of_vertices), tree)
 
 
-def surface_topology(faces: Faces, number_of_vertices: Optional[int] = None) -> List[SurfaceComponent]:
+def surface_topology(faces: Faces, number_of_vertices: Optional[SupportsIndex] = None) -> List[SurfaceComponent]:
     """Return the connected components of a triangulated surface, in the order of their smallest vertex.
 
-    The parameters and exceptions are those of `subgraph`. Vertices in no face are left out. Linear time.
+    `faces` and `number_of_vertices` are those of `subgraph`, and so is what is raised. Vertices in no face are left out.
+    Linear time.
     """
-    return [SurfaceComponent(*component) for component in _core.surface_topology(faces, number_of_vertices)]
+    components = _core.surface_topology(faces, _number_or_none(number_of_vertices))
+    return [SurfaceComponent(*component) for component in components]
+
+
+def _number_or_none(number_of_vertices: Optional[SupportsIndex]) -> Optional[int]:
+    if number_of_vertices is None:
+        return None
+    return whole_number("number_of_vertices", number_of_vertices, 0, 2 ** 31 - 1)

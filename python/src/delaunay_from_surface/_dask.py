@@ -14,12 +14,13 @@ import os
 import shutil
 import uuid
 from pathlib import Path
-from typing import Any, Dict, Iterable, List, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, List, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
-from ._tiles import Place, Tile, Tiles, bytes_of
+from ._tiles import Place, Tile, Tiles, bytes_of, number_of_tiles
+from ._types import Places
 
 
 class DaskTiles:
@@ -54,7 +55,7 @@ class DaskTiles:
 
 
 def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int, str] = "1G",
-                   tiles: Optional[int] = None, vtu: bool = False) -> DaskTiles:
+                   tiles: Optional[SupportsIndex] = None, vtu: bool = False) -> DaskTiles:
     """Write the Delaunay triangulation of more points than one machine holds, tile by tile, by a Dask cluster.
 
     The union of the tiles is what `delaunay3` would return for all points, and a certificate is checked before this
@@ -103,12 +104,11 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
     A round has a task for each tile that was told of something in the one before, and no others; in the dashboard they
     are named after the round. The number of rounds is about six, whatever the number of points.
     """
-    if tiles is not None and not 1 <= tiles <= 10**6:
-        raise ValueError("tiles: a number from 1 to 1000000 is needed")
+    number = number_of_tiles(tiles)
     folder = os.fspath(output)
     files = _files_of(points, client, folder)
     run = _Run(client, (files, folder), (bytes_of(memory), vtu))
-    run.to_the_end(tiles or 0)
+    run.to_the_end(number)
     report, numbers = run.call("report", _report, folder)
     return DaskTiles(folder, report, numbers)
 
@@ -209,7 +209,7 @@ def _claim(folder: str, name: str) -> None:
         raise OSError(f"{folder}: is of another array: remove the folder, or name another one")
 
 
-def _write_chunk(chunk: np.ndarray, file: str) -> None:
+def _write_chunk(chunk: Any, file: str) -> None:
     """Written aside and renamed; not again if it is there."""
     place = Path(file)
     if place.exists():
@@ -235,5 +235,5 @@ def _read_tile(folder: str, k: int, _hash: Any) -> Tile:
     return Tiles(folder)[k]
 
 
-def _read_cells(folder: str, k: int, _hash: Any) -> np.ndarray:
+def _read_cells(folder: str, k: int, _hash: Any) -> Places:
     return np.asarray(np.load(Tiles(folder).file("cells", k)))

@@ -7,41 +7,29 @@
 from __future__ import annotations
 
 import numbers
-import operator
-import os
 from functools import cached_property
-from typing import Any, NamedTuple, Optional, Tuple
+from typing import Any, NamedTuple, Optional, SupportsIndex, Tuple
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
+from ._arguments import number_of_threads
+from ._types import ArrayLike, Coordinates, Indices, Lists, Points, Radius, Reals, Spheres, Truths
 
 LEVELS = ("links", "euler", "orientation", "delaunay")
 NAMES = {3: "tetrahedra", 2: "triangles", 1: "segments", 0: "vertices", -1: "simplices"}
 
 
-def number_of_threads(threads: Optional[int]) -> int:
-    """The number that is meant by None, or refused."""
-    if threads is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    expected = f"threads: expected a whole number from 1 on, or None for all, got {threads!r}"
-    if not hasattr(threads, "__index__"):
-        raise TypeError(expected)
-    if operator.index(threads) <= 0:
-        raise ValueError(expected)
-    return operator.index(threads)
-
-
 class AlphaComplex(NamedTuple):
     """The simplices of `Delaunay3.alpha_complex()`."""
 
-    simplices: np.ndarray
-    """Numbers of tetrahedra, ascending."""
+    simplices: Indices
+    """(j,) int32: numbers of tetrahedra, ascending."""
 
-    triangles: np.ndarray
+    triangles: Indices
     """(k, 3) int32: indices of points, ascending; those of the tetrahedra included."""
 
-    edges: np.ndarray
+    edges: Indices
     """(e, 2) int32: the same."""
 
 
@@ -69,29 +57,30 @@ class Delaunay3:
     incremental          yes                                          no: all points at once
     ===================  ===========================================  =============================================
 
-    There are no `add_points`, `close`, `equations`, `good`, `lift_points`, `paraboloid_scale`, `plane_distance`.
+    There are no `add_points`, `close`, `equations`, `good`, `lift_points`, `paraboloid_scale`, `plane_distance`, and
+    SciPy's interpolators take only its own class: `barycentric` has the weights for linear interpolation.
     """
 
-    points: np.ndarray
+    points: Coordinates
     """(n, 3): the array that was given, which should not be changed as long as this is asked; or a copy in float64,
     if it was neither float64 nor float32."""
 
-    simplices: np.ndarray
+    simplices: Indices
     """(m, d + 1) int32: indices of points; tetrahedra with positive orientation if d is 3."""
 
-    vertices: np.ndarray
+    vertices: Indices
     """(n,) int32: for each point the smallest index of a point equal to it, which stands in `simplices`."""
 
     dimension: int
     """d: 3; less if all points lie in a plane, on a line or in one place; -1 if there are none."""
 
-    winding_numbers: Optional[np.ndarray]
+    winding_numbers: Optional[Reals]
     """(m,) float64: how often the faces go around the centre of each tetrahedron, up to about 0.01 (Jacobson, Kavan,
     Sorkine-Hornung 2013); None unless `delaunay3(…, inside=True)` was called. Near 1 or another whole number inside a
     surface that is nearly closed, near 0 outside; in between near its gaps."""
 
-    def __init__(self, points: np.ndarray, simplices: np.ndarray, neighbors: Optional[np.ndarray],
-                 vertices: np.ndarray, dimension: int, threads: int = 1, winding_numbers: Optional[np.ndarray] = None):
+    def __init__(self, points: Coordinates, simplices: Indices, neighbors: Optional[Indices], vertices: Indices,
+                 dimension: int, threads: int = 1, winding_numbers: Optional[Reals] = None) -> None:
         self.points = points
         self.simplices = simplices
         self.vertices = vertices
@@ -105,8 +94,8 @@ class Delaunay3:
         return f"<Delaunay3: {self.npoints} points, {self.nsimplex} {NAMES[self.dimension]}>"
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return (Delaunay3, (self.points, self.simplices, self.__dict__.get("neighbors"), self.vertices,
-                            self.dimension, self._threads, self.winding_numbers))
+        return (type(self), (self.points, self.simplices, self.__dict__.get("neighbors"), self.vertices,
+                             self.dimension, self._threads, self.winding_numbers))
 
     @property
     def ndim(self) -> int:
@@ -124,24 +113,24 @@ class Delaunay3:
         return len(self.simplices)
 
     @property
-    def inside(self) -> np.ndarray:
+    def inside(self) -> Truths:
         """(m,) bool: which tetrahedra are inside the faces: their winding numbers are 1/2 or more, or -1/2 or less."""
         if self.winding_numbers is None:
             raise ValueError("inside: it has not been asked for: delaunay3(…, inside=True)")
         return np.abs(self.winding_numbers) >= 0.5
 
     @property
-    def min_bound(self) -> np.ndarray:
+    def min_bound(self) -> Coordinates:
         """(3,): the least coordinates."""
         return self.points.min(axis=0)
 
     @property
-    def max_bound(self) -> np.ndarray:
+    def max_bound(self) -> Coordinates:
         """(3,): the greatest coordinates."""
         return self.points.max(axis=0)
 
     @cached_property
-    def neighbors(self) -> np.ndarray:
+    def neighbors(self) -> Indices:
         """(m, d + 1) int32: the simplex opposite to each vertex, -1 outside the convex hull.
 
         With `delaunay3(…, neighbors=True)` they are there at once; else they are found when they are first asked for,
@@ -150,7 +139,7 @@ class Delaunay3:
         return _core.neighbors(self.simplices, self.npoints, self._threads)
 
     @cached_property
-    def convex_hull(self) -> np.ndarray:
+    def convex_hull(self) -> Indices:
         """(k, d) int32: the facets of the convex hull; triangles counterclockwise as seen from outside."""
         simplex, corner = np.nonzero(self.neighbors < 0)
         facets = {3: [[1, 2, 3], [2, 0, 3], [0, 1, 3], [2, 1, 0]], 2: [[1, 2], [2, 0], [0, 1]],
@@ -160,7 +149,7 @@ class Delaunay3:
         return self.simplices[simplex[:, None], np.array(facets)[corner]]
 
     @cached_property
-    def vertex_to_simplex(self) -> np.ndarray:
+    def vertex_to_simplex(self) -> Indices:
         """(n,) int32: a simplex of each point; -1 for one that equals another with a smaller index."""
         simplex = np.full(self.npoints, -1, dtype=np.int32)
         for corner in self.simplices.T:
@@ -168,21 +157,21 @@ class Delaunay3:
         return simplex
 
     @cached_property
-    def coplanar(self) -> np.ndarray:
+    def coplanar(self) -> Indices:
         """(k, 3) int32: points that are no vertices, with a simplex and the vertex in the same place."""
         point = np.flatnonzero(self.vertices != np.arange(self.npoints)).astype(np.int32)
         vertex = self.vertices[point]
         return np.stack([point, self.vertex_to_simplex[vertex], vertex], axis=1)
 
     @cached_property
-    def vertex_neighbor_vertices(self) -> Tuple[np.ndarray, np.ndarray]:
-        """(indptr, indices): the vertices that share an edge with point i, ascending, are
-        indices[indptr[i]:indptr[i + 1]]."""
+    def vertex_neighbor_vertices(self) -> Lists:
+        """(indptr, indices), (n + 1,) int64 and (2 e,) int32 for e edges: the vertices that share an edge with point i,
+        ascending, are indices[indptr[i]:indptr[i + 1]]."""
         return _core.adjacent_vertices(self.simplices, self.npoints, self._threads)
 
-    def find_simplex(self, xi: Any, bruteforce: bool = False, tol: Optional[float] = None, *,
-                     threads: Optional[int] = 1) -> np.ndarray:
-        """Return the numbers of the tetrahedra that contain the points `xi`, of shape (…, 3); -1 outside.
+    def find_simplex(self, xi: Points, bruteforce: bool = False, tol: Optional[float] = None, *,
+                     threads: Optional[SupportsIndex] = 1) -> Indices:
+        """Return the numbers of the tetrahedra that contain the points `xi`, of shape (…, 3); -1 outside. (…,) int32.
 
         Exact: facets and edges belong to a tetrahedron, and of several the one with the smallest number is meant.
         `bruteforce` and `tol` are there for SciPy's callers, and change nothing. The points are sorted by space, and
@@ -191,59 +180,62 @@ class Delaunay3:
         Raises ValueError if a coordinate is not a finite number, or the points of the triangulation lie in a plane.
         """
         self._needs_space("find_simplex")
-        xi, shape = self._rows_of(xi)
-        return _core.find_simplex(self.points, self.simplices, self.neighbors, xi,
-                                  number_of_threads(threads)).reshape(shape)
+        queries, shape = self._rows_of(xi)
+        number = number_of_threads("threads", threads)
+        return _core.find_simplex(self.points, self.simplices, self.neighbors, queries, number).reshape(shape)
 
     @cached_property
-    def transform(self) -> np.ndarray:
+    def transform(self) -> Reals:
         """(m, 4, 3) float64, as SciPy has it: transform[i, :3] @ (x - transform[i, 3]) are the first three
         barycentric coordinates of x in simplex i. 96 bytes each; `barycentric` needs none."""
         self._needs_space("transform")
         return self._transform(slice(None))
 
-    def barycentric(self, xi: Any, simplex: Optional[np.ndarray] = None, *, threads: Optional[int] = 1) -> np.ndarray:
-        """Return the barycentric coordinates of the points `xi`, of shape (…, 3), in their simplices: (…, 4).
+    def barycentric(self, xi: Points, simplex: Optional[ArrayLike] = None, *,
+                    threads: Optional[SupportsIndex] = 1) -> Reals:
+        """Return the barycentric coordinates of the points `xi`, of shape (…, 3), in their simplices: (…, 4) float64.
 
         `simplex` is what `find_simplex(xi)` returns, which is called if it is left out. Outside they are NaN.
+
+        Raises ValueError if there are not as many simplices as points, or the points of the triangulation lie in a
+        plane; IndexError for a simplex that there is not.
         """
         self._needs_space("barycentric")
-        if simplex is None:
-            simplex = self.find_simplex(xi, threads=threads)
-        xi, shape = self._rows_of(xi)
-        simplex = np.asarray(simplex).reshape(-1)
-        if len(simplex) != len(xi):
-            raise ValueError(f"barycentric: {len(simplex)} simplices for {len(xi)} points")
-        result = np.full((len(xi), 4), np.nan)
-        inside = simplex >= 0
-        transform = self._transform(simplex[inside])
-        result[inside, :3] = np.einsum("ijk,ik->ij", transform[:, :3], xi[inside] - transform[:, 3])
+        numbers_of = np.asarray(self.find_simplex(xi, threads=threads) if simplex is None else simplex).reshape(-1)
+        queries, shape = self._rows_of(xi)
+        if len(numbers_of) != len(queries):
+            raise ValueError(f"barycentric: {len(numbers_of)} simplices for {len(queries)} points")
+        result = np.full((len(queries), 4), np.nan)
+        inside = numbers_of >= 0
+        transform = self._transform(numbers_of[inside])
+        result[inside, :3] = np.einsum("ijk,ik->ij", transform[:, :3], queries[inside] - transform[:, 3])
         result[:, 3] = 1 - result[:, :3].sum(axis=1)
         return result.reshape(*shape, 4)
 
     @cached_property
-    def volumes(self) -> np.ndarray:
+    def volumes(self) -> Reals:
         """(m,) float64: the volumes of the tetrahedra."""
         self._needs_space("volumes")
         return _core.volumes(self.points, self.simplices, self._threads)
 
     @cached_property
-    def _circumspheres(self) -> Tuple[np.ndarray, np.ndarray]:
-        self._needs_space("circumspheres")
+    def _circumspheres(self) -> Spheres:
         return _core.circumspheres(self.points, self.simplices, self._threads)
 
     @property
-    def circumcenters(self) -> np.ndarray:
+    def circumcenters(self) -> Reals:
         """(m, 3) float64: the centres of the spheres through the corners, Voronoi's vertices."""
+        self._needs_space("circumcenters")
         return self._circumspheres[0]
 
     @property
-    def circumradii(self) -> np.ndarray:
+    def circumradii(self) -> Reals:
         """(m,) float64: the radii of these spheres."""
+        self._needs_space("circumradii")
         return self._circumspheres[1]
 
     @cached_property
-    def voronoi_volumes(self) -> np.ndarray:
+    def voronoi_volumes(self) -> Reals:
         """(n,) float64: the volume of each point's Voronoi cell; -1 where it is unbounded, as on the convex hull.
         Equal points have the cell of their vertex."""
         self._needs_space("voronoi_volumes")
@@ -251,7 +243,7 @@ class Delaunay3:
         volumes[self.convex_hull] = -1
         return volumes[self.vertices]
 
-    def alpha_complex(self, alpha: float) -> AlphaComplex:
+    def alpha_complex(self, alpha: Radius) -> AlphaComplex:
         """Return the simplices that have an empty ball of radius `alpha` or less through their corners, with all
         their faces. In floating point.
 
@@ -261,12 +253,13 @@ class Delaunay3:
         if not isinstance(alpha, numbers.Real) or not alpha >= 0:
             raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
         points = np.asarray(self.points, dtype=float)
-        triangles, radii_of_triangles = self._triangles(points)
-        edges, radii_of_edges = self._edges(points, triangles, radii_of_triangles)
-        return AlphaComplex(np.flatnonzero(self.circumradii <= alpha), triangles[radii_of_triangles <= alpha],
-                            edges[radii_of_edges <= alpha])
+        with np.errstate(all="ignore"):
+            triangles, radii_of_triangles = self._triangles(points)
+            edges, radii_of_edges = self._edges(points, triangles, radii_of_triangles)
+        return AlphaComplex(np.flatnonzero(self.circumradii <= alpha).astype(np.int32),
+                            triangles[radii_of_triangles <= alpha], edges[radii_of_edges <= alpha])
 
-    def minimum_spanning_tree(self) -> np.ndarray:
+    def minimum_spanning_tree(self) -> Indices:
         """Return a Euclidean minimum spanning tree of the vertices: (k, 2) int32, from the shortest edge to the longest.
 
         Lengths are compared as they are computed; among equal ones smaller indices come first.
@@ -304,16 +297,15 @@ class Delaunay3:
             raise ValueError(f"{name}: there are no tetrahedra, the points have dimension {self.dimension}")
 
     @staticmethod
-    def _rows_of(xi: Any) -> Tuple[np.ndarray, Tuple[int, ...]]:
+    def _rows_of(xi: Any) -> Tuple[Coordinates, Tuple[int, ...]]:
         shape = np.shape(xi)
         if len(shape) == 0 or shape[-1] != 3:
             return _core.array_of_points(xi, "xi"), (0,)
-        array = xi if len(shape) == 2 else np.reshape(xi, (-1, 3))
-        if isinstance(xi, np.ma.MaskedArray):
-            array = xi
+        is_refused = isinstance(xi, np.ma.MaskedArray)
+        array = xi if len(shape) == 2 or is_refused else np.reshape(xi, (-1, 3))
         return _core.array_of_points(array, "xi"), shape[:-1]
 
-    def _transform(self, which: Any) -> np.ndarray:
+    def _transform(self, which: Any) -> Reals:
         corners = np.asarray(self.points, dtype=float)[self.simplices[which]]
         a, b, c = (corners[:, k] - corners[:, 3] for k in range(3))
         rows = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b), corners[:, 3]], axis=1)
@@ -321,7 +313,7 @@ class Delaunay3:
             rows[:, :3] /= np.einsum("ij,ij->i", a, rows[:, 0])[:, None, None]
         return rows
 
-    def _triangles(self, points: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    def _triangles(self, points: Reals) -> Tuple[Indices, Reals]:
         """Each triangle once, and the radius of its smallest ball that is empty."""
         simplex = np.repeat(np.arange(self.nsimplex), 4)
         corner = np.tile(np.arange(4), self.nsimplex)
@@ -333,8 +325,7 @@ class Delaunay3:
         u, w = (points[triangles[:, k]] - points[triangles[:, 0]] for k in (1, 2))
         uu, uw, ww = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w)))
         twice = 2 * (uu * ww - uw * uw)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            offset = (ww * (uu - uw) / twice)[:, None] * u + (uu * (ww - uw) / twice)[:, None] * w
+        offset = (ww * (uu - uw) / twice)[:, None] * u + (uu * (ww - uw) / twice)[:, None] * w
         radii = np.linalg.norm(offset, axis=1)
         center = points[triangles[:, 0]] + offset
         radii_of_simplices = np.append(self.circumradii, np.inf)
@@ -347,7 +338,7 @@ class Delaunay3:
         return triangles, np.where(is_free, radii, larger)
 
     @staticmethod
-    def _edges(points: np.ndarray, triangles: np.ndarray, radii: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    def _edges(points: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
         """The same for edges."""
         pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [0, 2]], triangles[:, [1, 2]]])
         third = np.concatenate([triangles[:, 2], triangles[:, 1], triangles[:, 0]])

@@ -7,15 +7,17 @@
 from __future__ import annotations
 
 import json
+import numbers
 import os
 import re
 from pathlib import Path
-from typing import Any, Callable, Iterable, Iterator, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, NamedTuple, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 
 from . import _delaunay_from_surface as _core
-from ._result import number_of_threads
+from ._arguments import number_of_threads, whole_number
+from ._types import Places, Reals
 
 Place = Union[str, "os.PathLike[str]"]
 
@@ -23,12 +25,12 @@ Place = Union[str, "os.PathLike[str]"]
 class Tile(NamedTuple):
     """The cells that a tile owns; each cell of the triangulation is owned by one tile."""
 
-    ids: np.ndarray
-    """By vertex its place in the input, of equal points the smallest."""
-    points: np.ndarray
-    """By vertex its coordinates: array of shape (k, 3)."""
-    cells: np.ndarray
-    """By cell its four vertices, as places in `points`: array of shape (m, 4)."""
+    ids: Places
+    """(k,) int64: by vertex its place in the input, of equal points the smallest."""
+    points: Reals
+    """(k, 3) float64: by vertex its coordinates."""
+    cells: Places
+    """(m, 4) int64: by cell its four vertices, as places in `points`."""
 
 
 class Tiles:
@@ -43,7 +45,7 @@ class Tiles:
         report = self.folder / "tiles.json"
         if not report.is_file():
             raise FileNotFoundError(f"{report}: there is none, so no run has ended there")
-        self.report: dict[str, Any] = json.loads(report.read_text(encoding="utf-8"))
+        self.report: Dict[str, Any] = json.loads(report.read_text(encoding="utf-8"))
         """How many points, tiles and cells there are, how many points were told and kept, in how many rounds."""
 
     def __len__(self) -> int:
@@ -60,7 +62,7 @@ class Tiles:
         order = np.argsort(ids)
         return Tile(ids, points, order[np.searchsorted(ids, cells, sorter=order)])
 
-    def __iter__(self) -> Iterator[Tuple[np.ndarray, np.ndarray]]:
+    def __iter__(self) -> Iterator[Tuple[Reals, Places]]:
         for k in range(len(self)):
             tile = self[k]
             yield tile.points, tile.cells
@@ -72,15 +74,22 @@ def bytes_of(memory: Union[int, str]) -> int:
         found = re.fullmatch(r"(\d+(?:\.\d*)?)([KMGT]?)B?", memory.strip().upper())
         if not found:
             raise ValueError(f"memory: {memory!r} is no size such as '500M' or '8G'")
-        memory = int(float(found.group(1)) * 1024 ** " KMGT".index(found.group(2) or " "))
-    if memory < 10**6:
-        raise ValueError("memory: a tile needs 1 MB at least")
+        return bytes_of(int(float(found.group(1)) * 1024 ** " KMGT".index(found.group(2) or " ")))
+    if not isinstance(memory, numbers.Real):
+        raise TypeError(f"memory: expected bytes, or a text such as '8G', got {memory!r}")
+    if not 10**6 <= memory < 2**63:
+        raise ValueError(f"memory: a tile needs 1 MB at least, and 2**63 bytes are too many, got {memory!r}")
     return int(memory)
 
 
+def number_of_tiles(tiles: Optional[SupportsIndex]) -> int:
+    """0 if it is None: it is not given."""
+    return 0 if tiles is None else whole_number("tiles", tiles, 1, 10**6)
+
+
 def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memory: Union[int, str] = "4G",
-                    tiles: Optional[int] = None, workers: Optional[int] = 1, vtu: bool = False,
-                    progress: Optional[Callable[[str, int, int], Optional[bool]]] = None) -> Tiles:
+                    tiles: Optional[SupportsIndex] = None, workers: Optional[SupportsIndex] = 1, vtu: bool = False,
+                    progress: Optional[Callable[[str, int, int], object]] = None) -> Tiles:
     """Write the Delaunay triangulation of more points than fit into memory, tile by tile.
 
     What was stopped, by whatever, goes on when it is called again. The union of the tiles is what `delaunay3`
@@ -116,10 +125,9 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
     MemoryError
         If a tile keeps more points than it may, and more tiles do not help or their number was given.
     """
-    if isinstance(files, (str, os.PathLike)):
-        files = [files]
-    if tiles is not None and not 1 <= tiles <= 10**6:
-        raise ValueError("tiles: a number from 1 to 1000000 is needed")
-    _core.delaunay3_tiles([os.fspath(file) for file in files], os.fspath(output), tiles or 0, bytes_of(memory),
-                          number_of_threads(workers), vtu, progress)
+    names = [os.fspath(file) for file in ([files] if isinstance(files, (str, os.PathLike)) else files)]
+    if not names:
+        raise ValueError("files: there is none")
+    number = number_of_threads("workers", workers)
+    _core.delaunay3_tiles(names, os.fspath(output), number_of_tiles(tiles), bytes_of(memory), number, vtu, progress)
     return Tiles(output)

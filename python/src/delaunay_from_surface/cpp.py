@@ -14,7 +14,7 @@ and leave `cells = cpp.triangulate(points)` as it is. PyTorch is not needed, and
 from __future__ import annotations
 
 import sys
-from typing import Any, Optional
+from typing import Any, Optional, SupportsIndex
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from . import delaunay3
 __all__ = ["triangulate"]
 
 
-def triangulate(points: Any, threads: Optional[int] = 1) -> Any:
+def triangulate(points: Any, threads: Optional[SupportsIndex] = 1) -> Any:
     """Return the Delaunay tetrahedra of points as indices: (m, 4) int32.
 
     A tensor of PyTorch of shape (n, 3), on any device, gives one on the same device. Anything else that a NumPy array

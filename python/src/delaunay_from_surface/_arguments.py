@@ -1,0 +1,32 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""Numbers that are given by name, and refused by name."""
+
+from __future__ import annotations
+
+import operator
+import os
+import sys
+from typing import Optional, SupportsIndex
+
+
+def whole_number(name: str, value: SupportsIndex, least: int, most: Optional[int], besides: str = "") -> int:
+    """The number, if it is one from `least` to `most`."""
+    which = f"from {least} on" if most is None else f"from {least} to {most}"
+    expected = f"{name}: expected a whole number {which}{besides}, got {value!r}"
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(expected) from None
+    if number < least or (most is not None and number > most):
+        raise ValueError(expected)
+    return number
+
+
+def number_of_threads(name: str, threads: Optional[SupportsIndex]) -> int:
+    """As many as there are processors, if it is None."""
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return min(whole_number(name, threads, 1, None, ", or None for all"), sys.maxsize)

@@ -1,0 +1,31 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""What goes in and out, for type checkers: at run time the names stand for less, and cost no import."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Iterable, SupportsIndex, Tuple, Union
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike as ArrayLike, NDArray
+    Points = Union[ArrayLike, Iterable[Any]]
+    """Numbers of shape (n, 3)."""
+    Faces = Union[NDArray[np.integer[Any]], Iterable[Iterable[SupportsIndex]]]
+    """Indices of points, of shape (m, k), or sequences of any lengths."""
+    Coordinates = Union[NDArray[np.float64], NDArray[np.float32]]
+    Indices = NDArray[np.int32]
+    Places = NDArray[np.int64]
+    Reals = NDArray[np.float64]
+    Truths = NDArray[np.bool_]
+    Radius = Union[float, np.floating[Any], np.integer[Any]]
+else:
+    ArrayLike = Points = Faces = Any
+    Coordinates = Indices = Places = Reals = Truths = np.ndarray
+    Radius = float
+
+Lists = Tuple[Places, Indices]
+Spheres = Tuple[Reals, Reals]
