@@ -118,7 +118,7 @@ class Comparison(ProgramCase):
         lines = hard_tables.peers({"name": "threads", **report}).splitlines()
         self.assertIn("| program | threads | genus-3 | geometric mean |", lines)
         self.assertRegex("\n".join(lines), r"\n\| again \| 1 \| \d+\.\d\d \|")
-        self.assertIn("Other numbers of tetrahedra than plain %CGAL: none.", lines)
+        self.assertIn("Numbers of tetrahedra that differ from plain %CGAL's: none.", lines)
 
     def test_single_calls(self):
         program = os.path.abspath(os.environ["INSERT_ONCE"])
