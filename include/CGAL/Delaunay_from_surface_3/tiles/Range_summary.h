@@ -151,7 +151,7 @@ inline Tiling tiling_of(const std::vector<Range_summary>& ranges, std::uint64_t 
       starting_simplex(bases.size(), [&](std::size_t i) { return bases[i].coordinates; });
   if (simplex.dimension < 3)
     throw Surface_input_error("the points lie in one plane: tiles are for points in space, "
-                              "arrays for these, too");
+                              "arrays for all points");
   std::array<Tile_point, 4> start;
   for (unsigned k = 0; k < 4; ++k)
     start[k] = bases[simplex.points[k]];
