@@ -1129,8 +1129,10 @@ class Types(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "user.py"
             file.write_text("\n".join([textwrap.dedent(program.replace("if True:\n", "", 1)), *wrong]), encoding="utf-8")
-            checker = [sys.executable, "-m", "mypy", "--strict", "--no-warn-return-any", "--ignore-missing-imports",
-                       "--cache-dir", folder]
+            settings = Path(folder) / "mypy.ini"  # what Dask's own types say differs from one version to the next
+            settings.write_text("[mypy]\n[mypy-dask.*,distributed.*]\nfollow_imports = skip\n", encoding="utf-8")
+            checker = [sys.executable, "-m", "mypy", "--config-file", settings, "--strict", "--no-warn-return-any",
+                       "--ignore-missing-imports", "--cache-dir", folder]
             done = subprocess.run([*checker, file], capture_output=True, text=True, cwd=folder, check=False)
             found = {int(line.split(":")[1]) for line in done.stdout.splitlines() if ": error:" in line}
             first = len(file.read_text(encoding="utf-8").splitlines()) - len(wrong) + 1
