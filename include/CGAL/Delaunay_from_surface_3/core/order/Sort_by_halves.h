@@ -146,8 +146,7 @@ private:
     return middle;
   }
 
-  // The cuts of a sample: that of set k, from 1 on, makes sets 2 k and 2 k + 1. A compiler that puts
-  // the recursion into itself makes ten kilobytes of it, and nothing faster.
+  // The cuts of a sample: that of set k, from 1 on, makes sets 2 k and 2 k + 1.
   void cut_sample(std::size_t k, Item* first, Item* last, const Box& box, const Box* next,
                   Cut* cuts)
   {
