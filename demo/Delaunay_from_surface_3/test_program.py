@@ -186,13 +186,15 @@ class Surfaces(ProgramCase):
             struct.pack("<12fH", *3 * [float("nan")], *(x for p in t for x in p), 0) for t in triangles)
         for content in (text, text.upper(), "\ufeff" + text, text.replace("\n", "\r\n"), text.replace("\n", "\r"),
                         text.replace("\n", " "), text.replace("nan 0 0", "1 0"), "\n \n" + text, "made by hand\n" + text,
-                        "\n".join(f"solid {k}\n{f}endsolid" for k, f in enumerate(facets)), binary, binary + b"more"):
+                        "\n".join(f"solid {k}\n{f}endsolid" for k, f in enumerate(facets)), binary, binary + b"more",
+                        text.replace("endsolid a", "endsolid Solid"), text.replace("endsolid a", "endsolid a solid part")):
             with self.subTest(content[:40]):
                 self.write("part.stl", content if isinstance(content, bytes) else content.encode())
                 self.works("part.stl", "--output", "part.mesh", prints=[
                     r"\nsurface: +triangle mesh\n", r"\nsurface vertices: +4\n", r"\nsurface faces: +4\n"])
         for message, content in (
                 ("it is cut short: the keyword endsolid is missing", text[:-len("endsolid a\n")]),
+                ("it is cut short: the keyword endsolid is missing", text + "solid b\n"),
                 ("line 8: 'facet' stands where endfacet should", text.replace("\tendfacet\n", "", 1)),
                 ("line 6: 'endloop' stands where vertex should", text.replace("\t\t\tvertex 1 0 0.0e+00\n", "", 1)),
                 ("line 7: 'vertex' stands where endloop should", text.replace("\t\tendloop", "\t\t\tvertex 1 1 1\n\t\tendloop", 1)),

@@ -108,11 +108,19 @@ private:
     bool is_solid = false, is_open = true; // until "endsolid"
     std::string_view before;
     try {
-      for (std::string_view w = word(lines); !w.empty(); before = w, w = word(lines)) {
+      for (;;) {
+        const bool begins_line = is_at_end_of_line(lines);
+        const std::string_view w = word(lines);
+        if (w.empty())
+          break;
         is_solid = is_solid || is(w, "solid");
-        is_open = (is_open || is(w, "solid")) && !is(w, "endsolid");
+        if (is(w, "endsolid"))
+          is_open = false;
+        else if (begins_line && is(w, "solid")) // else it may be a name
+          is_open = true;
         if (is(before, "outer") && is(w, "loop"))
           read_loop(lines);
+        before = w;
       }
     } catch (const Bad_content& error) {
       throw Bad_content(lines.place() + error.what());
@@ -143,6 +151,12 @@ private:
     while (word.empty() && lines.next())
       word = lines.word();
     return word;
+  }
+
+  static bool is_at_end_of_line(const Lines& lines)
+  {
+    std::string_view rest = lines.line();
+    return next_word(rest).empty();
   }
 
   // In capital letters, too.
