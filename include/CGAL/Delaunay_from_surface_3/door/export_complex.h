@@ -154,7 +154,7 @@ Cells_made<Tds, Id> export_cells(Tds& tds, Built<Id>& built, const std::vector<V
 {
   using Range = typename Tds::Cell_range;
   const std::size_t n = built.cells_end, number = blocks_of_export<Range>(executor, n);
-  const Cells_made<Tds, Id> cells(built, n / number + 1);
+  const Cells_made<Tds, Id> cells(built, size_of_block(n, number));
   std::vector<Range> ranges(number);
   std::vector<Export_block<Tds, Id>> blocks(number);
   ranges[0].swap(tds.cells());

@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
@@ -26,7 +27,7 @@ class Thread_executor final : public Executor
 {
 public:
   explicit Thread_executor(std::size_t number)
-    : m_number(number)
+    : m_number((std::max)(number, std::size_t(1)))
   {
   }
   Thread_executor(const Thread_executor&) = delete;

@@ -63,6 +63,12 @@ void call_each(const Executor& executor, std::size_t n, const Body& body)
                            " were executed");
 }
 
+// How many of n things a block has, but for the last ones.
+inline std::size_t size_of_block(std::size_t n, std::size_t blocks)
+{
+  return (n + blocks - 1) / blocks;
+}
+
 // Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. When all are
 // done, throws what the first of those that threw has thrown.
 template <class Body>
@@ -71,7 +77,7 @@ void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks,
   std::vector<std::exception_ptr> errors(blocks);
   call_each(executor, blocks, [&](std::size_t b) {
     try {
-      const std::size_t size = n / blocks + 1;
+      const std::size_t size = size_of_block(n, blocks);
       body((std::min)(n, b * size), (std::min)(n, (b + 1) * size), b);
     } catch (...) {
       errors[b] = std::current_exception();
