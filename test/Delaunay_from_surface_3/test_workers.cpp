@@ -11,6 +11,9 @@
 #include "Owning_worker.h"
 #include "parallel_case.h"
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Starting_cells.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -61,6 +64,31 @@ BOOST_AUTO_TEST_CASE(a_worker_left_out_is_noticed)
 {
   const auto points = tests::points_of("cube", 600, 7);
   BOOST_CHECK_THROW(tests::insert_by_many(points, tests::Forgetful_executor(8)), std::logic_error);
+}
+
+// Each worker's first walk in a round leads along a bar, through more cells than one walk may see: it is
+// taken up where it was left, and not begun again for each of the points behind.
+BOOST_AUTO_TEST_CASE(walks_from_afar_come_near)
+{
+  constexpr std::size_t n = 40000, first_round = 2000;
+  auto points = tests::points_of("cube", n, 5);
+  for (auto& p : points)
+    p[0] *= 5000;
+  const auto along_bar = [](const auto& p, const auto& q) { return p[0] < q[0]; };
+  std::sort(points.begin(), points.begin() + first_round, along_bar);
+  std::sort(points.begin() + first_round, points.end(), along_bar);
+  tests::Subject subject(points);
+  const tests::Thread_executor executor(8);
+  CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Id> triangulation(
+      subject.complex, executor);
+  const CGAL::Delaunay_from_surface_3::internal::Starting_cells<tests::Id> hints(
+      subject.complex, subject.vertex_of, nullptr, subject.any_vertex);
+  triangulation.insert_round(0, first_round, subject.vertex_of, hints, tests::Never_stop());
+  triangulation.insert_round(first_round, n, subject.vertex_of, hints, tests::Never_stop());
+  triangulation.finish();
+  BOOST_TEST(triangulation.counts().cells_tested_to_start < 100 * n);
+  BOOST_TEST(subject.complex.is_valid());
+  BOOST_TEST(CGAL::Delaunay_from_surface_3::internal::is_delaunay(subject.complex));
 }
 
 // What the handshake promises, by another protocol: if this fails, too, the error is elsewhere.

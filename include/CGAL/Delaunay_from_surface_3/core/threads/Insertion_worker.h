@@ -46,18 +46,22 @@ public:
 
   const Compact_cell<Id>& operator()(const Compact_cell<Id>& cell)
   {
-    unsigned tries_left = m_cells_left-- > 0 ? 20 : 0;
+    m_is_too_far = m_cells_left == 0;
+    unsigned tries_left = m_is_too_far ? 0 : 20;
+    m_cells_left -= !m_is_too_far;
     while (tries_left > 0 && !read_cell(cell, m_copy))
       --tries_left;
     m_is_lost = tries_left == 0;
     return m_copy;
   }
   bool is_lost() const { return m_is_lost; }
-  Id word() const { return m_copy.v[0]; } // of the cell read last
+  bool is_too_far() const { return m_is_too_far; } // lost after too many cells
+  Id word() const { return m_copy.v[0]; }          // of the cell read last
+  Id vertex() const { return m_copy.v[m_copy.v[0] == Compact_complex<Id>::infinite]; }
 
 private:
   std::size_t m_cells_left;
-  bool m_is_lost = false;
+  bool m_is_lost = false, m_is_too_far = false;
   Compact_cell<Id> m_copy;
 };
 
@@ -65,6 +69,7 @@ enum class Insertion_try {
   DONE,    // the point is a vertex
   PRESENT, // another point was there
   CLASH,   // another insertion was in the way; nothing was written
+  TOO_FAR, // the walk would have been too long, and came to another point; nothing was written
   NO_CELLS // no fresh cells are left; nothing was written
 };
 
@@ -111,24 +116,28 @@ public:
   {
   }
 
-  // Tries to insert vertex p by a walk from cell `start` that may be stale. `present` is the vertex
-  // that is there already. A walk of more than `most_cells` counts as a clash.
-  Insertion_try insert(Id p, Id start, Id& present,
+  // Tries to insert vertex p by a walk of `most_cells` cells from cell `start`, which may be stale.
+  // `other` is the vertex that is there already, or to which the walk came.
+  Insertion_try insert(Id p, Id start, Id& other,
                        std::size_t most_cells = (std::numeric_limits<std::size_t>::max)())
   {
-    const Insertion_try outcome = announce(p, start, present, most_cells);
+    const Insertion_try outcome = announce(p, start, other, most_cells);
     return outcome == Insertion_try::DONE ? write(p) : outcome;
   }
 
   // The first half: finds the zone and announces it; DONE: as far as that goes.
-  Insertion_try announce(Id p, Id start, Id& present, std::size_t most_cells)
+  Insertion_try announce(Id p, Id start, Id& other, std::size_t most_cells)
   {
     Read_announced<Id> read(most_cells);
     const Compact_location<Id> location = m_inserter.walk(p, start, read);
+    if (read.is_too_far()) {
+      other = read.vertex();
+      return Insertion_try::TOO_FAR;
+    }
     if (read.is_lost())
       return Insertion_try::CLASH;
     if (location.vertex != 0) {
-      present = location.vertex;
+      other = location.vertex;
       return Insertion_try::PRESENT;
     }
     m_zone.words[0] = read.word();

@@ -202,6 +202,9 @@ private:
     case Insertion_try::CLASH:
       ++own.clashes;
       return false;
+    case Insertion_try::TOO_FAR:
+      own.hints.after_update(i, vertex); // from where the next one goes on
+      return false;
     case Insertion_try::NO_CELLS:
       round.is_full = true;
       return false;
@@ -234,7 +237,8 @@ private:
     return true;
   }
 
-  // A walk that takes longer may go round in circles, in a triangulation that changes under it.
+  // A walk that takes longer may go round in circles, in a triangulation that changes under it. Or it
+  // comes from afar, as the first one of a worker may.
   static constexpr std::size_t most_cells_of_walk = 10000;
 
   Shared_complex<Id> m_shared;
