@@ -12,6 +12,7 @@
 
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
 #include <CGAL/delaunay_3_arrays.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -245,6 +247,36 @@ BOOST_AUTO_TEST_CASE(inputs_that_change)
   fs::remove(output / "cells-00002.npy");
   check_refused([&] { core::join_tiles(output, folder.path / "all.npy"); }, "cells-00002.npy",
                 "cannot be read");
+}
+
+// Files are read twice: for what all tiles know, and to bring each point home.
+BOOST_AUTO_TEST_CASE(input_that_changes_while_it_is_read)
+{
+  const Folder folder;
+  const fs::path file = folder.path / "points.raw", output = folder.path / "tiles";
+  const Points points = some_points(1000);
+  Points other = points;
+  other[500] = {1e300, 1e300, 1e300};
+  write_bytes(file, bytes_of(points));
+  CGAL::Tiles_options options = options_of(3);
+  bool has_changed = false;
+  options.progress = [&](const std::string& what, std::size_t, std::size_t) {
+    if (what == "sorting" && !has_changed) {
+      has_changed = true;
+      write_bytes(file, bytes_of(other));
+      fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(2));
+    }
+    return true;
+  };
+  const auto run = [&] {
+    return core::Tiles_to_files(output, 1, false).run(CGAL::Point_files_3({file}), options);
+  };
+  BOOST_CHECK_EXCEPTION(run(), CGAL::Surface_input_error, [](const std::exception& error) {
+    return std::string(error.what()) == "the input has changed while it was read";
+  });
+  BOOST_TEST(has_changed);
+  BOOST_TEST(run().is_certified); // nothing is left of it
+  BOOST_TEST(core::join_tiles(output, folder.path / "all.npy") == finite_cells(other).size());
 }
 
 // Task by task, too, nothing is left of a refused input.

@@ -8,6 +8,7 @@
 // The stages of a run in a folder (Tile_folder.h), and their tasks: to read the ranges of the
 // input, to bring their points home, rounds, and what all is for.
 
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
@@ -115,9 +116,11 @@ public:
     const Rounding_to_nearest rounding;
     if (m_stage == SAMPLE)
       m_folder.write_tiling(tasks().make_tiling());
-    else if (m_stage == HOME)
+    else if (m_stage == HOME) {
+      if (m_input.fingerprint != fingerprint_of(*m_source))
+        throw Surface_input_error("the input has changed while it was read");
       m_folder.write_mark("homes");
-    else if (m_stage == ROUND)
+    } else if (m_stage == ROUND)
       close_round();
     else if (m_stage == PIECES && is_certified(certificates(), m_input.tiles, m_input.points))
       m_folder.write_mark("certified"); // else the driver goes on, by show()

@@ -29,7 +29,7 @@ constexpr std::uint64_t most_points_of_tile = std::uint64_t(1) << 27; // 30 bits
 inline std::size_t most_points_kept(const Tiles_options& options, std::size_t at_once)
 {
   const std::uint64_t memory = options.memory / (std::max)(at_once, std::size_t(1));
-  return std::size_t(memory == 0
+  return std::size_t(options.memory == 0
                          ? most_points_of_tile
                          : (std::min)(most_points_of_tile, (std::max)(memory / bytes_per_point_kept,
                                                                       std::uint64_t(64))));
