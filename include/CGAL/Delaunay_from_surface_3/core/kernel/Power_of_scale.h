@@ -48,7 +48,7 @@ public:
       choose();
   }
 
-  // No coordinate becomes so small that it is rounded.
+  // No coordinate becomes so small that it is rounded; one that is made larger never does.
   bool is_exact() const { return m_is_exact; }
 
   std::array<double, 3> operator()(const double* p) const
@@ -77,7 +77,7 @@ private:
     int exponent = 0;
     std::frexp(m_largest, &exponent);
     m_factor = std::ldexp(1., (std::min)(58 - exponent, 1000));
-    m_is_exact = m_least * m_factor > (std::numeric_limits<double>::min)();
+    m_is_exact = m_factor >= 1 || m_least * m_factor > (std::numeric_limits<double>::min)();
   }
 
   double m_largest = 0, m_least = (std::numeric_limits<double>::max)();
