@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -35,12 +36,15 @@ public:
     : m_points(points)
     , m_watcher(watcher)
     , m_triangulation(points.complex)
-    , m_starting_cells(points.starting_cells())
     , m_follows_points(watcher.follows_points())
     , m_leaves_points_out(watcher.leaves_points_out())
     , m_looks_at_corners(watcher.looks_at_corners())
+    , m_starts(m_leaves_points_out ? points.vertex_of : std::vector<Id>())
+    , m_starting_cells(points.starting_cells(m_leaves_points_out ? m_starts : points.vertex_of))
   {
   }
+  Insert_alone(const Insert_alone&) = delete; // m_starting_cells refers to m_starts
+  Insert_alone& operator=(const Insert_alone&) = delete;
 
   // How many points the next piece should have.
   static constexpr std::size_t size_of_piece(std::size_t /* inserted */) { return 256; }
@@ -79,6 +83,13 @@ private:
       if (vertex == 0)
         vertex = m_triangulation.insert(p, location.cell); // 2c
     }
+    after_update(k, vertex);
+  }
+
+  void after_update(std::size_t k, Id vertex)
+  {
+    if (m_leaves_points_out)
+      m_starts[k] = vertex;
     m_starting_cells.after_update(k, vertex);
   }
 
@@ -91,7 +102,7 @@ private:
       return m_watcher.accepts(name_of(p), name_of(nearest), corners_of(p));
     });
     m_points.vertex_of[k] = v == p ? p : 0;
-    m_starting_cells.after_update(k, v);
+    after_update(k, v);
   }
 
   // The caller's number of the point of a vertex.
@@ -119,8 +130,11 @@ private:
   Ordered_complex<Id>& m_points;
   Watcher& m_watcher;
   Compact_triangulation<Id> m_triangulation;
-  Starting_cells<Id> m_starting_cells;
   const bool m_follows_points, m_leaves_points_out, m_looks_at_corners;
+  // By place, where points are left out: the vertex of the point or the nearest one, from which
+  // others start. A search through all that were left out before could be as long as there are points.
+  std::vector<Id> m_starts;
+  Starting_cells<Id> m_starting_cells;
 };
 
 template <>

@@ -78,9 +78,12 @@ struct Ordered_complex
   bool has_left_out(std::size_t k) const { return k < is_accepted.size() && !is_accepted[k]; }
   bool is_known(std::size_t k) const { return k < is_accepted.size(); }
 
-  Starting_cells<Id> starting_cells() const
+  Starting_cells<Id> starting_cells() const { return starting_cells(vertex_of); }
+
+  // From these vertices, by place.
+  Starting_cells<Id> starting_cells(const std::vector<Id>& vertices) const
   {
-    return Starting_cells<Id>(complex, vertex_of, order.starting_places, any_vertex);
+    return Starting_cells<Id>(complex, vertices, order.starting_places, any_vertex);
   }
 
   Order_view order = {nullptr, 0, nullptr, 0, nullptr};
