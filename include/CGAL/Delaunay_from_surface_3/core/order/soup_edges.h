@@ -114,6 +114,12 @@ void place_sides(Iterator it, std::size_t number, std::uint32_t* places, std::ui
   place_items(Edges_as_items(sides), places, items);
 }
 
+// Each block has a number for every point: as many blocks as leave these few beside the items.
+inline std::size_t most_blocks(std::size_t points, std::size_t items)
+{
+  return 1 + 4 * items / (points + 1);
+}
+
 // What one thread keeps of the lists first, …, last - 1: the items begin, …, end - 1.
 template <class Index>
 struct Kept_items
@@ -158,7 +164,9 @@ Kept_items<Index> keep_one_of_each(Lists<Index>& lists, std::size_t first, std::
 template <class Index>
 std::size_t keep_one_of_each(Lists<Index>& lists, const Executor& executor)
 {
-  const std::size_t n = lists.size(), blocks = number_of_blocks(executor, n, 4096);
+  const std::size_t n = lists.size();
+  const std::size_t blocks =
+      (std::min)(number_of_blocks(executor, n, 4096), most_blocks(n, lists.items.size()));
   std::vector<Kept_items<Index>> kept(blocks);
   for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
     if (first < last)
@@ -197,7 +205,10 @@ Soup_edges soup_edges(const FaceRange& faces, std::size_t number_of_points,
   }
   const auto begin = std::begin(faces);
   const auto n = std::size_t(std::distance(begin, std::end(faces)));
-  const std::size_t blocks = has_random_access<FaceRange> ? number_of_blocks(executor, n, 4096) : 1;
+  const std::size_t blocks =
+      !has_random_access<FaceRange>
+          ? 1
+          : (std::min)(number_of_blocks(executor, n, 4096), most_blocks(number_of_points, 3 * n));
   const auto face = [&](std::size_t f) { return std::next(begin, std::ptrdiff_t(f)); };
   const auto first = [&](std::size_t b) { return n * b / blocks; };
 
