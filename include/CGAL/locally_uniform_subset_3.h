@@ -108,7 +108,8 @@ of the larger one;
 - a point that is left out is nearer than its size to one that is kept, or equal to it.
 
 Coordinates are rounded to doubles, and points that are then equal count as one, with the first
-index and the smallest size of these. The distances hold up to rounding.
+index and the smallest size of these. The distances hold up to rounding, if sizes are 0 or at least
+1e-154: distances are compared by their squares, which must not underflow.
 
 The surface Delaunay triangulation of a locally uniform sample has bounded degree
 (\cgalCite{choi-dtsm-02}, §3.1, after \cgalCite{fr-ssrnl-02}, who thin dense samples in another way:

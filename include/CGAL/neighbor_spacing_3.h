@@ -25,7 +25,8 @@ namespace CGAL {
 computes the distance from each point to its k-th nearest neighbor, a measure of the spacing of the
 points there. Points count as one if their coordinates are equal as doubles. If there are
 fewer than k others, it is the distance to the farthest of them, and 0 if there is none. As a
-function of the points, this spacing is 1-Lipschitz, up to rounding.
+function of the points, this spacing is 1-Lipschitz, up to rounding. It is computed by squares:
+distances below about 1e-154 lose digits, and those below 1e-162 are 0.
 
 <b>Complexity</b>: \f$O(n \log n)\f$ for a tree of n points (`CGAL::Kd_tree`), which is queried n
 times. On points of a surface each query takes about \f$O(k + \log n)\f$; there is no such bound for

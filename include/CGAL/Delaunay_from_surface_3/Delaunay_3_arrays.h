@@ -146,7 +146,9 @@ public:
   /// returns the neighbours of all cells, or a null pointer if they have been dropped.
   const Index* neighbors_data() const
   {
-    return m_stride == 4 ? m_neighbors.data() : m_vertices.data() + 4;
+    if (m_stride == 4)
+      return m_neighbors.data();
+    return m_vertices.data() == nullptr ? nullptr : m_vertices.data() + 4;
   }
 
   /// returns 8 at first, since vertices and neighbours of a cell are stored side by side; 4 after
