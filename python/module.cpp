@@ -46,6 +46,7 @@ struct Kept
 {
   CGAL::Delaunay_from_surface_3::Insertion_order order;
   std::atomic<bool> is_used{false};
+  std::atomic<std::size_t> size{0}; // of the order; others may ask while a call changes that
 };
 
 class Use_of
@@ -61,8 +62,10 @@ public:
   Use_of& operator=(const Use_of&) = delete;
   ~Use_of()
   {
-    if (m_kept != nullptr)
-      m_kept->is_used = false;
+    if (m_kept == nullptr)
+      return;
+    m_kept->size = m_kept->order.order.size();
+    m_kept->is_used = false;
   }
 
 private:
@@ -178,9 +181,9 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
       "The order of insertion of the last call of delaunay3() that it was given to; of "
       "nothing at first.")
       .def(py::init<>())
-      .def("__len__", [](const Kept& kept) { return kept.order.order.size(); })
+      .def("__len__", [](const Kept& kept) { return kept.size.load(); })
       .def("__repr__", [](const Kept& kept) {
-        return "<InsertionOrder of " + std::to_string(kept.order.order.size()) + " points>";
+        return "<InsertionOrder of " + std::to_string(kept.size) + " points>";
       });
   for (const char* const name : {"Stopped", "InsertionOrder"})
     m.attr(name).attr("__module__") = "delaunay_from_surface"; // where they are found, and pickled

@@ -247,11 +247,12 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
   const py::gil_scoped_release unlocked;
   const core::Rounding_to_nearest rounding;
   std::vector<std::array<Index, 4>> cells(rows.size(), {-1, -1, -1, -1});
+  const auto is_wrong = [&](Index v) { return v < 0 || std::size_t(v) >= n; };
   for (std::size_t c = 0; c < rows.size(); ++c)
     for (std::size_t k = 0; k < rows.corners(); ++k)
-      cells[c][k] = rows.number(c, k, n);
-  if (std::any_of(vertices.begin(), vertices.end(),
-                  [&](Index v) { return v < 0 || std::size_t(v) >= n; }))
+      if (is_wrong(cells[c][k] = rows.entry(c, k)))
+        return false;
+  if (std::any_of(vertices.begin(), vertices.end(), is_wrong))
     return false;
   const auto arrays = core::complete_arrays<Index>(dimension, std::move(cells), std::move(vertices),
                                                    core::Thread_executor(threads));

@@ -114,7 +114,9 @@ class ByDask(unittest.TestCase):
         np.save(self.folder / "nan.npy", np.full((10, 3), np.nan))
         for points, error, says in ((self.folder / "none.npy", OSError, "none.npy"),
                                     ([self.folder / "nan.npy"], ValueError, "point 0"), (self.points, TypeError, "from_array"),
-                                    (dask.array.zeros((5, 2)), ValueError, r"shape \(n, 3\)")):
+                                    (dask.array.zeros((5, 2)), ValueError, r"shape \(n, 3\)"),
+                                    (dask.array.zeros((5, 3), dtype=complex), TypeError, "complex128"),
+                                    (dask.array.ma.masked_array(dask.array.zeros((5, 3)), mask=True), ValueError, "mask")):
             with self.assertRaisesRegex(error, says):
                 dfs.delaunay3_dask(points, self.client, output, tiles=2)
         for arguments in ({"memory": "8X"}, {"tiles": 0}):

@@ -509,6 +509,11 @@ class AsScipy(unittest.TestCase):
                 self.assertFalse(without.check())
         turned = dfs.Delaunay3(self.points, self.ours.simplices[:, [1, 0, 2, 3]], None, self.ours.vertices, 3)
         self.assertEqual([turned.check(level) for level in ("links", "euler", "orientation")], [True, True, False])
+        for wrong in (-1, len(self.points)):
+            simplices, vertices = self.ours.simplices.copy(), self.ours.vertices.copy()
+            simplices[3, 1] = vertices[5] = wrong
+            self.assertFalse(dfs.Delaunay3(self.points, simplices, None, self.ours.vertices, 3).check("links"))
+            self.assertFalse(dfs.Delaunay3(self.points, self.ours.simplices, None, vertices, 3).check("links"))
         moved = self.points.copy()
         moved[7] = .5
         for level, expected in (("euler", True), ("orientation", False), ("delaunay", False)):
@@ -729,6 +734,7 @@ class Refusals(unittest.TestCase):
         self.refuses(TypeError, r"faces: face 1: expected sequences of integers", points, [[0, 1, 2], [0.5, 1, 2]])
         self.refuses(TypeError, r"faces: face 0: expected sequences of integers", points, 7)
         self.refuses(ValueError, r"faces: face 0: an index is too large", points, [[0, 1, 2 ** 70]])
+        self.refuses(ZeroDivisionError, "by zero", points, ([0, 1, k // (k - 2)] for k in range(3)))
         large = np.array([[0, 1, 2], [0, 1, 2 ** 63]], dtype=np.uint64)
         masked = np.ma.masked_array([[0, 1, 2], [1, 2, 3]], mask=[[False] * 3, [True] * 3])
         for given in (large, large.astype(">u8")):
@@ -748,7 +754,9 @@ class Refusals(unittest.TestCase):
         for threads in (1.5, "all"):
             self.refuses(TypeError, f"threads: expected a whole number from 1 on, or None for all, got {threads!r}",
                          random_points(5), threads=threads)
-        self.assertEqual(dfs.delaunay3(random_points(5), threads=2 ** 70).npoints, 5)
+        many = dfs.delaunay3(random_points(5), threads=2 ** 70)
+        self.assertEqual(len(many.neighbors), len(many.simplices))
+        self.assertTrue((many.find_simplex(many.points, threads=2 ** 70) >= 0).all())
         self.refuses(TypeError, "order: expected an InsertionOrder, got int", random_points(5), order=3)
         for seed in (-1, 2 ** 32):
             self.refuses(ValueError, "seed: expected a whole number from 0 to 4294967295", random_points(5), seed=seed)
@@ -1038,6 +1046,8 @@ class OutOfCore(unittest.TestCase):
                 dfs.delaunay3_tiles(self.file, output, **{name: wrong})
         with self.assertRaisesRegex(ValueError, "^files: there is none$"):
             dfs.delaunay3_tiles([], output)
+        with self.assertRaisesRegex(OSError, "name too long"):
+            dfs.delaunay3_tiles(self.file, self.folder / ("x" * 300), tiles=2)
         with self.assertRaisesRegex(MemoryError, "tiles would do"):
             np.save(self.file, random_points(5000))
             dfs.delaunay3_tiles(self.file, output, tiles=1, memory=10**6)

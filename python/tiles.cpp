@@ -57,6 +57,8 @@ auto without_lock(const F& f)
                     "progress returned False");
   } catch (const CGAL::Tile_files_error& error) {
     PyErr_SetString(PyExc_OSError, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    PyErr_SetString(PyExc_OSError, error.what());
   } catch (const core::Tile_too_large& error) {
     PyErr_SetString(PyExc_MemoryError, error.what());
   } catch (const std::bad_alloc&) {

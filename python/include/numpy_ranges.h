@@ -248,7 +248,9 @@ auto with_faces(const py::object& object, const F& f)
             py::int_(py::reinterpret_borrow<py::object>(index.attr("__index__")()))
                 .cast<std::int64_t>());
     }
-  } catch (const py::error_already_set&) {
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_AttributeError))
+      throw; // the caller's own
     throw py::type_error("faces: face " + std::to_string(faces.empty() ? 0 : faces.size() - 1) +
                          ": expected sequences of integers");
   } catch (const py::cast_error&) {

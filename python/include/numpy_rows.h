@@ -53,10 +53,12 @@ public:
     return size() < 2 ? corners() : std::size_t(m_numbers.strides(0)) / sizeof(Index);
   }
 
-  // Entry k of row i, one of 0, …, n-1.
+  Index entry(std::size_t i, std::size_t k) const { return m_data[i * m_stride + k]; }
+
+  // The same; throws if it is not one of 0, …, n-1.
   Index number(std::size_t i, std::size_t k, std::size_t n) const
   {
-    const Index v = m_data[i * m_stride + k];
+    const Index v = entry(i, k);
     if (v < 0 || std::size_t(v) >= n)
       throw std::out_of_range("simplices: " + std::to_string(v) + " is not one of the " +
                               std::to_string(n) + " points");

@@ -74,8 +74,9 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         returns False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and
         Ctrl-C is seen, once the order of the points is made. The interpreter lock is released in between.
     threads
-        How many threads work; None: as many as there are processors. With more than one the simplices are the
-        same in another order at every call. Few points take longer with two than with one: the README has the figures.
+        How many threads work, at most 64; None: as many as there are processors. With more than one the simplices
+        are the same in another order at every call. Few points take longer with two than with one: the README has
+        the figures.
     order
         The order of insertion of the last call, for points that move a little from call to call: make an
         `InsertionOrder()` and give it to all. A new one is made and kept if it is one of another number of points, or

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import operator
 import os
-import sys
 from typing import Optional, SupportsIndex
 
 
@@ -25,8 +24,11 @@ def whole_number(name: str, value: SupportsIndex, least: int, most: Optional[int
     return number
 
 
-def number_of_threads(name: str, threads: Optional[SupportsIndex]) -> int:
-    """As many as there are processors, if it is None."""
+def number_of_threads(name: str, threads: Optional[SupportsIndex], most: int = 64) -> int:
+    """As many as there are processors, if it is None; never more than `most`. By default that is what one insertion can
+    use, and others need memory for each."""
     if threads is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return min(whole_number(name, threads, 1, None, ", or None for all"), sys.maxsize)
+        number = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    else:
+        number = whole_number(name, threads, 1, None, ", or None for all")
+    return min(number, most)

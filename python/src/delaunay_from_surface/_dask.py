@@ -105,9 +105,10 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
     are named after the round. The number of rounds is about six, whatever the number of points.
     """
     number = number_of_tiles(tiles)
+    how = bytes_of(memory), vtu
     folder = os.fspath(output)
     files = _files_of(points, client, folder)
-    run = _Run(client, (files, folder), (bytes_of(memory), vtu))
+    run = _Run(client, (files, folder), how)
     run.to_the_end(number)
     report, numbers = run.call("report", _report, folder)
     return DaskTiles(folder, report, numbers)
@@ -186,6 +187,8 @@ def _write_array(points: Any, client: Any, folder: Path) -> List[str]:
     from distributed import wait
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"points: an array of shape (n, 3) is needed, and this one has {points.shape}")
+    meta = points.rechunk({1: 3})._meta  # of no rows, but of the chunks' kind
+    _core.array_of_points(meta.reshape(0, 3), "points")
     chunks = points.rechunk({1: 3}).to_delayed().ravel()
     files = [str(folder / f"{k:05}.npy") for k in range(len(chunks))]
     client.submit(_claim, str(folder), points.name, key=f"claim-{uuid.uuid4()}", pure=False).result()
@@ -210,14 +213,16 @@ def _claim(folder: str, name: str) -> None:
 
 
 def _write_chunk(chunk: Any, file: str) -> None:
-    """Written aside and renamed; not again if it is there."""
+    """Written aside and renamed; not again if it is there. What an array of points may not be is refused."""
     place = Path(file)
     if place.exists():
         return
     aside = place.with_name(f"{place.name}-{uuid.uuid4()}.unfinished")
     try:
         with open(aside, "wb") as stream:
-            np.save(stream, np.ascontiguousarray(chunk, dtype=np.float64))
+            np.save(stream, np.ascontiguousarray(_core.array_of_points(chunk, "points"), dtype=np.float64))
+            stream.flush()
+            os.fsync(stream.fileno())  # before the name that says that it is whole
         if not place.exists():  # else another worker was asked, too
             os.replace(aside, place)
     finally:

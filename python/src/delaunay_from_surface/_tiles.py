@@ -10,6 +10,7 @@ import json
 import numbers
 import os
 import re
+import sys
 from pathlib import Path
 from typing import Any, Callable, Dict, Iterable, Iterator, NamedTuple, Optional, SupportsIndex, Tuple, Union
 
@@ -128,6 +129,6 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
     names = [os.fspath(file) for file in ([files] if isinstance(files, (str, os.PathLike)) else files)]
     if not names:
         raise ValueError("files: there is none")
-    number = number_of_threads("workers", workers)
+    number = number_of_threads("workers", workers, most=sys.maxsize)
     _core.delaunay3_tiles(names, os.fspath(output), number_of_tiles(tiles), bytes_of(memory), number, vtu, progress)
     return Tiles(output)
