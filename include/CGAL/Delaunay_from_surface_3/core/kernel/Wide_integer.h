@@ -11,7 +11,7 @@
 // digits, least first, with a sign beside (Knuth 1969), in the object's own memory: nothing is
 // allocated, and only digits in use are touched.
 //
-// Cost: O(s t) for a product of s digits that are not 0 and t.
+// Cost: O(s t) for a product of s digits that are not 0 and t in a row; zeros at the end are no digits.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/inlining.h>
@@ -61,21 +61,22 @@ class Wide_integer
 public:
   // 0.
   Wide_integer()
-    : m_size(0)
+    : m_begin(0)
+    , m_size(0)
     , m_is_negative(false)
   {
   }
 
   // d 2^-unit, which must be an integer.
   CGAL_DELAUNAY_FROM_SURFACE_3_APART Wide_integer(double d, int unit)
-    : m_size(0)
+    : m_begin(0)
+    , m_size(0)
     , m_is_negative(d < 0)
   {
     const Bits_of_double of(d);
     if (of.bits == 0)
       return;
-    m_size = (of.exponent - unit) / digit_bits;
-    std::fill_n(m_digits, m_size, Digit(0));
+    m_size = m_begin = (of.exponent - unit) / digit_bits;
     std::uint64_t bits = of.bits;
     for (int offset = (of.exponent - unit) % digit_bits; bits != 0; offset = 0) {
       m_digits[m_size++] = Digit(bits << offset);
@@ -90,9 +91,10 @@ public:
   CGAL_DELAUNAY_FROM_SURFACE_3_APART Wide_integer& operator=(const Wide_integer& other)
   {
     if (this != &other) {
+      m_begin = other.m_begin;
       m_size = other.m_size;
       m_is_negative = other.m_is_negative;
-      std::copy_n(other.m_digits, m_size, m_digits);
+      std::copy(other.m_digits + m_begin, other.m_digits + m_size, m_digits + m_begin);
     }
     return *this;
   }
@@ -111,19 +113,35 @@ public:
     return sum(s, t, !t.m_is_negative);
   }
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_APART friend Wide_integer operator*(const Wide_integer& s,
-                                                                   const Wide_integer& t)
+  friend Wide_integer operator*(const Wide_integer& s, const Wide_integer& t)
+  {
+    return s.number_of_non_zeros() * (t.m_size - t.m_begin) <
+                   t.number_of_non_zeros() * (s.m_size - s.m_begin)
+               ? product(s, t)
+               : product(t, s);
+  }
+
+private:
+  int number_of_non_zeros() const
+  {
+    return m_size - m_begin - int(std::count(m_digits + m_begin, m_digits + m_size, Digit(0)));
+  }
+
+  // Takes as long as t is, for each digit of s that is not 0.
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART static Wide_integer product(const Wide_integer& s,
+                                                                 const Wide_integer& t)
   {
     Wide_integer product;
     product.m_is_negative = s.m_is_negative != t.m_is_negative;
+    product.m_begin = s.m_begin + t.m_begin;
     product.m_size = s.m_size + t.m_size;
-    std::fill_n(product.m_digits, product.m_size, Digit(0));
-    for (int i = 0; i < s.m_size; ++i) {
+    std::fill(product.m_digits + product.m_begin, product.m_digits + product.m_size, Digit(0));
+    for (int i = s.m_begin; i < s.m_size; ++i) {
       const Digit factor = s.m_digits[i];
       if (factor == 0)
         continue;
       Digit carry = 0;
-      for (int j = 0; j < t.m_size; ++j) { // digit, digit and digit² fit
+      for (int j = t.m_begin; j < t.m_size; ++j) { // digit, digit and digit² fit
         const Two_digits column =
             Two_digits(factor) * t.m_digits[j] + product.m_digits[i + j] + carry;
         product.m_digits[i + j] = Digit(column);
@@ -135,11 +153,14 @@ public:
     return product;
   }
 
-private:
   void trim()
   {
-    while (m_size > 0 && m_digits[m_size - 1] == 0)
+    while (m_size > m_begin && m_digits[m_size - 1] == 0)
       --m_size;
+    while (m_begin < m_size && m_digits[m_begin] == 0)
+      ++m_begin;
+    if (m_begin == m_size)
+      m_begin = m_size = 0;
   }
 
   // s, and t with another sign.
@@ -149,6 +170,8 @@ private:
     Wide_integer result;
     const bool is_less = has_less_digits(s, t);
     const Wide_integer &larger = is_less ? t : s, &smaller = is_less ? s : t;
+    result.m_begin =
+        smaller.m_size == 0 ? larger.m_begin : (std::min)(larger.m_begin, smaller.m_begin);
     result.m_is_negative = is_less ? is_t_negative : s.m_is_negative;
     if (s.m_is_negative == is_t_negative)
       result.set_sum(larger, smaller);
@@ -163,17 +186,18 @@ private:
   {
     if (s.m_size != t.m_size)
       return s.m_size < t.m_size;
+    const int begin = (std::min)(s.m_begin, t.m_begin);
     int i = s.m_size - 1;
-    while (i >= 0 && s.m_digits[i] == t.m_digits[i])
+    while (i >= begin && s.digit(i) == t.digit(i))
       --i;
-    return i >= 0 && s.m_digits[i] < t.m_digits[i];
+    return i >= begin && s.digit(i) < t.digit(i);
   }
 
   void set_sum(const Wide_integer& larger, const Wide_integer& smaller)
   {
     Digit carry = 0;
-    for (int i = 0; i < larger.m_size; ++i) {
-      const Two_digits sum = Two_digits(larger.m_digits[i]) + smaller.digit(i) + carry;
+    for (int i = m_begin; i < larger.m_size; ++i) {
+      const Two_digits sum = Two_digits(larger.digit(i)) + smaller.digit(i) + carry;
       m_digits[i] = Digit(sum);
       carry = Digit(sum >> digit_bits);
     }
@@ -184,9 +208,9 @@ private:
   void set_difference(const Wide_integer& larger, const Wide_integer& smaller)
   {
     Digit borrowed = 0;
-    for (int i = 0; i < larger.m_size; ++i) {
+    for (int i = m_begin; i < larger.m_size; ++i) {
       const Two_digits difference =
-          Two_digits(larger.m_digits[i]) - smaller.digit(i) - borrowed; // modulo digit²
+          Two_digits(larger.digit(i)) - smaller.digit(i) - borrowed; // modulo digit²
       m_digits[i] = Digit(difference);
       borrowed = Digit(difference >> digit_bits) & 1;
     }
@@ -195,10 +219,12 @@ private:
 
   Digit digit(int i) const
   {
-    return i < m_size ? m_digits[i] : 0;
+    return i >= m_begin && i < m_size ? m_digits[i] : 0;
   }
 
-  int m_size; // the highest digit is not 0
+  // Digits from m_begin on, of which the first and the last are not 0: those below are 0, and not there.
+  // Differences of coordinates of very different size have many.
+  int m_begin, m_size;
   bool m_is_negative;
   Digit m_digits[most_digits];
 };
