@@ -27,7 +27,9 @@ told.
 <b>Complexity</b>: expected \f$O(n \log^* n)\f$ time under the assumptions of the paper: T has
 bounded degree and consists of Delaunay edges, and the triangulations of the points inserted so far
 have linear expected size. \ref delaunay_from_surface_3_the_paper "The page on the paper" compares
-this with measurements.
+this with measurements. If `tr` already has many vertices, or many points come before the first that
+is not in the plane of those before, points are located by walks up to the next trace, for which
+nothing is claimed (`Conflict_history_hints_3`).
 
 \cgalModels{SurfaceInsertionTraits_3}
 */

@@ -15,6 +15,7 @@
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
@@ -28,6 +29,32 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The graph's own map is asked for only where no other is given: it need not have one.
+template <class Graph, class NamedParameters>
+auto vertex_point_map(const Graph& graph, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::vertex_point_t>::value)
+    return get_const_property_map(vertex_point, graph);
+  else
+    return parameters::get_parameter(np, internal_np::vertex_point);
+}
+
+// Different numbers for the vertices. CGAL's helper only serves graphs with ranges of its own.
+template <class Graph>
+auto numbering_of_vertices(const Graph& graph)
+{
+  if constexpr (graph_has_property<Graph, boost::vertex_index_t>::value)
+    return get_initialized_vertex_index_map(graph);
+  else {
+    const auto numbering = get(dynamic_vertex_property_t<std::size_t>(), graph);
+    std::size_t number = 0;
+    for (const auto v : make_range(vertices(graph)))
+      put(numbering, v, number++);
+    return numbering;
+  }
+}
 
 // The number of the vertex of the triangulation at each point.
 template <class Triangulation>
@@ -61,12 +88,12 @@ std::vector<std::size_t> numbers_of_points(const Triangulation& tr,
 \ingroup PkgDelaunayFromSurface3Trees
 
 returns whether the edges of a surface contain a Euclidean minimum spanning tree of its vertices. If
-they do, `Delaunay_from_surface_3::Minimum_spanning_forest` finds it without the triangulation
-(\cgalCite{choi-dtsm-02}, §3.1).
+they do, and no two vertices have the same point, `Delaunay_from_surface_3::Minimum_spanning_forest`
+finds one without the triangulation (\cgalCite{choi-dtsm-02}, §3.1).
 
 The function exactly compares the edge lengths of two trees: those of the minimum spanning forest of
 the surface, and those of `euclidean_minimum_spanning_tree_3()`. Vertices at the same point count as
-one.
+one here; in the forest they do not.
 
 <b>Complexity</b>: \f$O(m \log m)\f$ for m edges of the surface and the triangulation.
 
@@ -102,12 +129,11 @@ bool contains_euclidean_minimum_spanning_tree(
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   using Point = typename Triangulation::Point;
 
-  const auto point_map =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                   get_const_property_map(vertex_point, mesh));
-  const auto index_map = get_initialized_vertex_index_map(mesh);
-  std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> descriptors(
-      vertices(mesh).begin(), vertices(mesh).end());
+  const auto point_map = vertex_point_map(mesh, np);
+  const auto index_map = numbering_of_vertices(mesh);
+  const auto all_vertices = make_range(vertices(mesh));
+  const std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> descriptors(
+      all_vertices.begin(), all_vertices.end());
   const Numbered_vertices<Triangulation> numbered(tr);
   const std::vector<std::size_t> numbers =
       numbers_of_points(tr, numbered, read_points<Point>(descriptors, point_map));
@@ -116,7 +142,7 @@ bool contains_euclidean_minimum_spanning_tree(
   const auto number = [&](auto v) { return numbers[dense[std::size_t(get(index_map, v))]]; };
 
   std::vector<Measured_edge> forest;
-  for (const auto e : edges(mesh))
+  for (const auto e : make_range(edges(mesh)))
     if (number(source(e, mesh)) != number(target(e, mesh)))
       forest.push_back(measured_edge(number(source(e, mesh)), number(target(e, mesh)), 0));
   keep_minimum_spanning_forest(forest, numbered.points, tr.geom_traits());

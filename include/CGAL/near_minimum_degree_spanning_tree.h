@@ -35,10 +35,11 @@ The algorithm starts from the tree of `bounded_degree_spanning_tree()`. While th
 it makes this exchange.
 
 <b>Complexity</b>: that of `bounded_degree_spanning_tree()` if its tree has no vertex of degree 4 or
-more; otherwise, in addition, nearly linear time for the exchanges near heavy vertices and for each
-phase of the general search. At most \f$n \ln K\f$ exchanges and phases succeed, where K is the
-largest degree of the first tree; \ref bds_near_minimum "the manual" says how many there are in
-practice.
+more; otherwise, in addition, nearly linear time for each pass around the heaviest vertices, which
+tries exchanges near them, and for each phase of the general search. A pass goes on around a vertex
+where the last one ended, so all passes together take nearly linear time as a rule; this is not
+proved. At most \f$n \ln K\f$ exchanges and phases succeed, where K is the largest degree of the
+first tree; \ref bds_near_minimum "the manual" says how many there are in practice.
 
 \tparam Reader determined by `surface_of()`
 \tparam EdgeOutputIterator a model of `OutputIterator` that accepts

@@ -100,6 +100,18 @@ BOOST_AUTO_TEST_CASE(an_edge_that_the_graph_has_no_more_is_refused)
   check_says(refusal(g), {"the lists have edges that the graph does not have"});
 }
 
+// Vertex 3 has neither edges nor a list, but the lists of others lead there. The graph has as many
+// edges as before the lists were cleared only because another list is missing too.
+BOOST_AUTO_TEST_CASE(an_empty_list_that_others_lead_to_is_refused)
+{
+  const Embedded_graph whole = embedded(disjoint_union(tetrahedron(), tetrahedron()));
+  Embedded_graph g = whole; // whose lists name edges of `whole`
+  clear_vertex(3, g.graph);
+  g.lists[3].clear();
+  g.lists[7].clear();
+  check_says(refusal(g), {"inconsistent lists"});
+}
+
 // A tip without a mark, whose two triangles would be the same one.
 BOOST_AUTO_TEST_CASE(an_inner_vertex_of_two_edges_is_refused)
 {

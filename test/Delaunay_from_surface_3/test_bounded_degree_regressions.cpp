@@ -241,6 +241,31 @@ BOOST_AUTO_TEST_CASE(smallest_surfaces)
   BOOST_TEST(DFS::surface_topology(surface).euler_characteristic() == 2);
 }
 
+// Few faces may be those of many vertices.
+BOOST_AUTO_TEST_CASE(many_isolated_vertices_need_wide_indices)
+{
+  namespace internal = CGAL::Delaunay_from_surface_3::internal;
+  struct Reader // one that does not read, as billions of vertices would not fit into memory
+  {
+    std::size_t darts, vertices;
+    std::size_t number_of_darts() const { return darts; }
+    std::size_t number_of_vertices() const { return vertices; }
+    void read(internal::Rotation_system<std::uint32_t>&) const {}
+    void read(internal::Rotation_system<std::uint64_t>&) const {}
+  };
+  const auto bytes_of_index = [](std::size_t darts, std::size_t vertices) {
+    return internal::with_rotation_system(Reader{darts, vertices}, [](const auto& surface) {
+      return sizeof(typename std::decay_t<decltype(surface)>::Index);
+    });
+  };
+  const std::size_t many = (std::size_t(1) << 32) + 5;
+  BOOST_TEST(bytes_of_index(6, 4) == 4u);
+  BOOST_TEST(bytes_of_index(many, 4) == 8u);
+  BOOST_TEST(bytes_of_index(6, many) == 8u);
+  const std::vector<Triangle> faces = {{0, 1, 2}};
+  BOOST_TEST(CGAL::surface_of(many, faces).reader().number_of_vertices() == many);
+}
+
 // The index type for more edges than 32 bits can number, on a surface that has far fewer.
 BOOST_AUTO_TEST_CASE(wide_indices_give_the_same_subgraph)
 {

@@ -286,6 +286,43 @@ BOOST_AUTO_TEST_CASE(the_papers_algorithm_with_exact_constructions)
         .check<CGAL::History_tracing_traits_3>();
 }
 
+// Cells that were there before the history, or that became its root all at once when the first
+// point left a plane, are not tested one by one for every point: up to the next trace none is.
+BOOST_AUTO_TEST_CASE(large_roots_are_not_searched)
+{
+  using Graph = CGAL::Delaunay_from_surface_3::internal::Index_graph;
+  using Hints = DFS::Conflict_history_hints_3<Target, Graph>;
+  std::vector<Point> flat = random_points(600, 1 << 20, 13);
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    flat[i] = Point(flat[i].x(), flat[i].y(), i == 300 ? 1 << 19 : 0);
+  struct Case
+  {
+    std::vector<Point> before, points;
+    std::size_t trace_after;
+  };
+  for (const Case& c :
+       {Case{random_points(2000, 1 << 20, 11), random_points(400, 1 << 20, 12), 100},
+        Case{{}, flat, 500}}) {
+    Triangulation tr(c.before.begin(), c.before.end());
+    Target target(tr, c.points);
+    const Graph graph = tests::history::broken_path(c.points.size(), 100, 300);
+    Hints hints(target, graph);
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+      target.insert(i, target.locate(i, hints.start(i)), hints);
+      if (i + 1 != c.trace_after)
+        continue;
+      BOOST_TEST(hints.history().root_size() > 500u);
+      BOOST_TEST(hints.nodes_tested() == 0u);
+      hints.trace();
+      BOOST_TEST(hints.nodes_tested() == 0u);
+    }
+    BOOST_TEST(hints.nodes_tested() > 0u);
+    std::vector<Point> all = c.before;
+    all.insert(all.end(), c.points.begin(), c.points.end());
+    BOOST_TEST((tr == Triangulation(all.begin(), all.end())));
+  }
+}
+
 // After each trace the records are the conflict sets, with several components and duplicates; and
 // every start is in conflict with its point.
 BOOST_AUTO_TEST_CASE(records_are_conflict_sets)

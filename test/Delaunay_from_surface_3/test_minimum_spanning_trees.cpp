@@ -26,6 +26,7 @@
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 #include <CGAL/insert_points_3.h>
 
+#include <boost/graph/adjacency_list.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
@@ -238,6 +239,43 @@ BOOST_AUTO_TEST_CASE(a_graph_contains_the_tree_if_it_has_its_edges)
     BOOST_TEST(others.size() + 1 == delaunay.size());
     BOOST_TEST(!CGAL::contains_euclidean_minimum_spanning_tree(mesh_of(points, others), tr));
   }
+}
+
+// Any graph with points, not only one that is a mesh.
+BOOST_AUTO_TEST_CASE(a_graph_of_boost_is_asked)
+{
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+  const std::vector<Point> points = distinct(random_points(40, 1 << 20, 5));
+  const Triangulation tr(points.begin(), points.end());
+  std::map<Point, std::size_t> number;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    number[points[i]] = i;
+  Graph graph(points.size());
+  const auto contains = [&] {
+    return CGAL::contains_euclidean_minimum_spanning_tree(
+        graph, tr,
+        CGAL::parameters::vertex_point_map(boost::make_function_property_map<std::size_t>(
+            [&](std::size_t v) -> const Point& { return points[v]; })));
+  };
+  for (const auto& e : tree_of(tr)) {
+    BOOST_TEST(!contains());
+    add_edge(number.at(e.first->point()), number.at(e.second->point()), graph);
+  }
+  BOOST_TEST(contains());
+}
+
+// Equal points are one vertex of the triangulation, but two of the forest, which may need another
+// edge to join them: F contains the tree of the points 0, 1 and 3, and its forest is no such tree.
+BOOST_AUTO_TEST_CASE(the_forest_of_equal_points_is_another)
+{
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {0, 0, 0}};
+  const Triangulation tr(points.begin(), points.end());
+  const Mesh mesh = mesh_of(points, {{0, 1}, {1, 2}, {2, 3}});
+  BOOST_TEST(CGAL::contains_euclidean_minimum_spanning_tree(mesh, tr));
+  std::vector<Mesh::Edge_index> forest;
+  const DFS::Minimum_spanning_forest<Point> find_forest(points);
+  find_forest(mesh, get(boost::vertex_index, mesh), std::back_inserter(forest));
+  BOOST_TEST(forest.size() == 3u);
 }
 
 // On a lattice any connected graph of unit edges contains one of the many trees; one edge of

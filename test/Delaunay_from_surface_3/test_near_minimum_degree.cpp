@@ -257,6 +257,30 @@ BOOST_AUTO_TEST_CASE(bouquets_with_pockets)
   }
 }
 
+// Hundreds of exchanges near one vertex: each goes on around it where the one before ended.
+BOOST_AUTO_TEST_CASE(many_exchanges_near_one_vertex)
+{
+  using namespace DFS::internal;
+  Bouquet bouquet = orientable_bouquet(200);
+  bouquet.has_pockets = true;
+  std::mt19937 random(1);
+  const Embedded_graph g = embed(triangulated(bouquet), random);
+  Rotation_system<std::uint32_t> surface;
+  Embedding_reader(g.graph, g.embedding(), g.index_map(), g.boundary_map()).read(surface);
+  Dart_marks marks;
+  {
+    Bounded_degree_marks<std::uint32_t> find_tree(surface, Subgraph_kind::TREE);
+    marks = find_tree();
+    find_tree.close();
+  }
+  Witnesses witnesses;
+  const Reduction_counts counts = Reduce_degrees<std::uint32_t>(surface, marks)(witnesses);
+  BOOST_TEST_MESSAGE(counts.exchanges_nearby << " exchanges, " << counts.corners << " corners of "
+                                             << surface.number_of_darts());
+  BOOST_TEST(counts.exchanges_nearby > 300u);
+  BOOST_TEST(counts.corners < surface.number_of_darts());
+}
+
 BOOST_AUTO_TEST_CASE(random_surfaces)
 {
   const auto check = [](const Surface_recipe& recipe) {

@@ -9,6 +9,13 @@
 
 #include "input.h"
 
+#include <CGAL/bounded_degree_spanning_subgraph.h>
+#include <CGAL/surface_of.h>
+
+#include <iterator>
+#include <map>
+#include <vector>
+
 using namespace tests::input;
 
 BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused)
@@ -44,9 +51,8 @@ BOOST_AUTO_TEST_CASE(numbers_too_large_for_the_triangulation_are_refused)
   using Wide = CGAL::Simple_cartesian<long double>;
   std::vector<Wide::Point_3> points(9, Wide::Point_3(1, 2, 3));
   points[4] = Wide::Point_3(0, std::numeric_limits<long double>::max(), 0);
-  check_refused_input({"vertex 4", "y coordinate"}, [&](Triangulation& tr) {
-    CGAL::insert_points_3(tr, points, Faces{});
-  });
+  check_refused_input({"vertex 4", "y coordinate"},
+                      [&](Triangulation& tr) { CGAL::insert_points_3(tr, points, Faces{}); });
 }
 
 BOOST_AUTO_TEST_CASE(indices_out_of_range_are_refused)
@@ -96,6 +102,24 @@ BOOST_AUTO_TEST_CASE(index_maps_that_are_no_bijection_are_refused)
   check(std::size_t(-1), {"vertex 9", "index"});
   check(std::size_t(1) << 60, {"vertex 9", "index"});
   check(std::uint32_t(-1), {"vertex 9", "index"});
+}
+
+// So are those for subgraphs, by the function that reads them, whatever CGAL asserts.
+BOOST_AUTO_TEST_CASE(index_maps_of_surfaces_that_are_no_bijection_are_refused)
+{
+  const Mesh mesh = surfaces::to_mesh<Mesh>(torus().surface);
+  for (const int wrong : {3, -1, int(num_vertices(mesh))}) {
+    std::map<Mesh::Vertex_index, int> index;
+    for (const auto v : mesh.vertices())
+      index[v] = int(v.idx());
+    index[Mesh::Vertex_index(9)] = wrong;
+    const auto surface =
+        CGAL::surface_of(mesh, parameters::vertex_index_map(boost::make_assoc_property_map(index)));
+    std::vector<Mesh::Edge_index> edges;
+    BOOST_CHECK_THROW(CGAL::bounded_degree_spanning_subgraph(surface, std::back_inserter(edges)),
+                      CGAL::Surface_input_error);
+    BOOST_TEST(edges.empty());
+  }
 }
 
 // A mesh numbers its vertices with gaps where some were removed.

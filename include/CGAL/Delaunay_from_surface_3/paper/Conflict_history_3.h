@@ -188,6 +188,9 @@ public:
   /// returns the number of nodes, which is that of all cells that ever existed.
   std::size_t number_of_nodes() const { return m_records.size(); }
 
+  /// returns the number of nodes of the root, all of which a search from the root tests.
+  std::size_t root_size() const { return m_root_end; }
+
   /// returns whether `n` is a current cell.
   bool is_leaf(Node n) const { return m_records[n].cell != Cell(); }
 
@@ -224,10 +227,7 @@ private:
   void add_node(Cell c)
   {
     m_node_of_cell[c] = m_records.size();
-    Record record;
-    record.vertices = {c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)};
-    record.cell = c;
-    m_records.push_back(record);
+    m_records.push_back(Record{{c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)}, c});
     m_marks.push_back(0);
   }
 

@@ -36,7 +36,9 @@ namespace Delaunay_from_surface_3 {
 starts every insertion in a cell in conflict with the point, found in the history of all conflicts,
 the paper's own location structure (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). The search
 starts at the conflict set that the last trace recorded for the point, or at the root if there was
-no trace. A trace is that of `Traced_hints_3`, but records sets of nodes instead of vertices. The
+no trace. A root of more than 256 cells is not searched, but the point is located by a walk from the
+vertex inserted last: the history began with a triangulation that had vertices, or with many points
+in a plane. A trace is that of `Traced_hints_3`, but records sets of nodes instead of vertices. The
 paper records only the cell that contains the point; a search from that cell alone can miss cells
 (`Conflict_history_3`).
 
@@ -45,7 +47,7 @@ and is slower than a walk on all surfaces measured.
 
 <b>Complexity</b>, under the assumptions of the paper: a trace takes expected \f$O(n)\f$ time. The
 search for point i after a trace in the triangulation of k points takes expected
-\f$O(\log(i/k))\f$ time (Theorem 3 and Lemma 4).
+\f$O(\log(i/k))\f$ time (Theorem 3 and Lemma 4). Walks that replace a large root have no such bound.
 
 <b>Memory</b> besides the history: 25 bytes per point, and 8 bytes for each cell of a record. During
 a trace, in addition, the previous records, and at most 16 bytes per point.
@@ -89,7 +91,8 @@ public:
   }
 
   /// returns a cell in conflict with point `i`, a finite one if possible, or a cell of the vertex
-  /// at the point; below dimension 3, a cell of the vertex inserted last.
+  /// at the point; below dimension 3, and in place of a search from a large root, a cell of the
+  /// vertex inserted last.
   Cell start(std::size_t i)
   {
     const Record& record = m_record[i];
@@ -97,14 +100,17 @@ public:
       return m_target.cell(m_previous);
     if (record.vertex != Vertex())
       return m_target.cell(record.vertex);
-    return record.first == record.last ? start_from_root(i) : found_start([&](const auto out) {
+    if (record.first == record.last)
+      return m_history.root_size() > largest_root ? m_target.cell(m_previous) : start_from_root(i);
+    return found_start([&](const auto out) {
       return m_history.find_conflicts(m_target.point(i), m_recorded.begin() + record.first,
                                       m_recorded.begin() + record.last, m_number_of_nodes_at_trace,
                                       out);
     });
   }
 
-  /// returns the same, found from the root of the history, as if there had been no trace.
+  /// returns the same, found from the root of the history, as if there had been no trace, however
+  /// large the root is.
   Cell start_from_root(std::size_t i)
   {
     if (m_history.is_empty())
@@ -160,6 +166,9 @@ public:
   std::size_t nodes_tested() const { return m_nodes_tested; }
 
 private:
+  // A search from the root tests every cell of it: from here on a walk is shorter.
+  static constexpr std::size_t largest_root = 256;
+
   struct Record
   {
     std::ptrdiff_t first = 0,
@@ -200,7 +209,8 @@ private:
     for (const Node n : m_conflicts)
       if (!m_target.triangulation().is_infinite(m_history.cell(n)))
         return m_history.cell(n);
-    return m_history.cell(m_conflicts.front());
+    // Inexact predicates may have found nothing.
+    return m_conflicts.empty() ? m_target.cell(m_previous) : m_history.cell(m_conflicts.front());
   }
 
   const Target& m_target;

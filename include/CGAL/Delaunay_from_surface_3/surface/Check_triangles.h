@@ -69,6 +69,8 @@ private:
   bool has_corner(Index v, Index a, Index b) const
   {
     const Star<Index> star = surface.star(v);
+    if (star.size() == 0) // though others' lists lead to v
+      return false;
     const Index last = star.size() - 1;
     for (Index i = 0; i < last; ++i)
       if ((star[i] == a && star[i + 1] == b) || (star[i] == b && star[i + 1] == a))

@@ -52,6 +52,7 @@ public:
   }
 
   std::size_t number_of_darts() const { return 2 * std::size_t(num_edges(m_graph)); }
+  std::size_t number_of_vertices() const { return num_vertices(m_graph); }
 
   std::pair<std::size_t, std::size_t> ends(const Edge& e) const
   {

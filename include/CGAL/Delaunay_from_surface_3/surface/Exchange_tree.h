@@ -9,14 +9,16 @@
 //
 // Invariant: an edge of the forest is marked at both its darts; degrees and the links of
 // Link_cut_forest are those of the marked edges.
-// Cost: O(n) to build, times the largest degree; an exchange O(log n) amortized, and the degrees in
-// the surface of the four ends.
+// Cost: O(n) to build; an exchange O(log n) amortized. Besides, O(d log d) once for each vertex
+// with d edges in the surface, if these are many, and 8 d bytes, to look up the dart to a neighbour.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Link_cut_forest.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -111,9 +113,7 @@ private:
   void set_edge(Index v, Index w, bool is_in)
   {
     for (const auto& [from, to] : {std::pair<Index, Index>(v, w), std::pair<Index, Index>(w, v)}) {
-      const Star<Index> star = m_surface.star(from);
-      const auto position = std::find(star.begin(), star.end(), to) - star.begin();
-      m_marks[std::size_t(m_surface.first[from]) + std::size_t(position)] = is_in;
+      m_marks[dart_between(from, to)] = is_in;
       if (!is_in)
         --m_degree[from];
       else if (++m_degree[from] == 4)
@@ -121,8 +121,25 @@ private:
     }
   }
 
+  // The dart from v to w. A vertex may have millions of edges, and many of them in the tree.
+  std::size_t dart_between(Index v, Index w)
+  {
+    constexpr Index short_star = 64;
+    const Star<Index> star = m_surface.star(v);
+    if (star.size() <= short_star)
+      return std::size_t(std::find(star.begin(), star.end(), w) - m_surface.neighbor.data());
+    std::vector<std::pair<Index, Index>>& sorted = m_sorted_stars[v];
+    if (sorted.empty()) {
+      for (Index dart = m_surface.first[v]; dart < m_surface.first[v + 1]; ++dart)
+        sorted.emplace_back(m_surface.neighbor[dart], dart);
+      std::sort(sorted.begin(), sorted.end());
+    }
+    return std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(w, Index(0)))->second;
+  }
+
   const Rotation_system<Index>& m_surface;
   Dart_marks& m_marks;
+  std::unordered_map<Index, std::vector<std::pair<Index, Index>>> m_sorted_stars; // neighbour, dart
   std::vector<Index> m_degree;
   std::vector<Index> m_risen;
   Link_cut_forest<Index> m_forest;

@@ -49,6 +49,8 @@ public:
     return 6 * std::size_t(std::distance(std::begin(m_faces), std::end(m_faces)));
   }
 
+  std::size_t number_of_vertices() const { return m_number_of_vertices; }
+
   static Edge ends(const Edge& e) { return e; }
 
   template <class Index>

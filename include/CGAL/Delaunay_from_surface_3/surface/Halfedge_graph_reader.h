@@ -46,7 +46,9 @@ public:
   {
   }
 
-  std::size_t number_of_darts() const { return num_halfedges(m_graph); } // or more
+  // Or more, where some are removed.
+  std::size_t number_of_darts() const { return num_halfedges(m_graph); }
+  std::size_t number_of_vertices() const { return num_vertices(m_graph); }
 
   std::pair<std::size_t, std::size_t> ends(Edge e) const
   {

@@ -20,8 +20,11 @@
 // Bound: an exchange of the first kind, and a phase that finds something, takes one vertex of degree k away and makes
 // none. A tree on n vertices has at most (n - 2) / (k - 1) of them, so there are at most
 // (n - 2) ln((K - 1) / 2) in all, where K is the largest degree at the start.
-// Cost: O(n) if there is anything to do, O(d log n) for a look at a vertex with d edges, and
-// O(n α(n)) for each phase.
+// Cost: O(n) if there is anything to do, O(log n) for each corner of a vertex that is looked at,
+// O(1) for each heavy vertex whenever all are looked through, and O(n α(n)) for each phase. A look
+// goes around the vertex from where the last one ended: most corners passed have the same part of
+// the tree on both sides, and exchanges at the vertex only join parts. So many looks take one turn
+// together; they could take one each, since exchanges elsewhere divide parts again.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Degree_phase.h>
@@ -40,6 +43,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 struct Reduction_counts
 {
   std::size_t exchanges_nearby = 0;
+  std::size_t corners = 0; // that were looked at for these
   std::size_t phases = 0;
   std::size_t phases_in_vain = 0; // each has a witness
 };
@@ -53,6 +57,7 @@ public:
     : m_surface(surface)
     , m_tree(surface, marks)
     , m_phase(m_tree)
+    , m_next_corner(surface.number_of_vertices(), 0)
     , m_is_met(surface.number_of_vertices(), false)
   {
   }
@@ -110,31 +115,44 @@ private:
     return k;
   }
 
-  // Looks for an edge ab between successive neighbours of v, of degree k, that lie in different
-  // parts of the tree without v. Where one of them hangs on v its degree does not change.
+  // Looks at all corners of v, from the one after the last that was looked at.
   bool exchange_near(Index v)
   {
-    const Star<Index> star = m_surface.star(v);
-    const Index k = m_tree.degree(v);
-    const auto is_light = [&](Index u) { return m_tree.degree(u) + 2 <= k; };
-    for (Index i = 0; i < m_surface.number_of_corners(v); ++i) {
-      const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
-      if (!is_light(a) && !is_light(b))
-        continue;
-      const Index p = m_tree.neighbor_towards(v, a), q = m_tree.neighbor_towards(v, b);
-      if (p == q)
-        continue;
-      if (is_light(a) && is_light(b))
-        m_tree.exchange(v, m_tree.degree(p) < m_tree.degree(q) ? q : p, a, b);
-      else if (is_light(b) && p == a)
-        m_tree.exchange(v, a, a, b);
-      else if (is_light(a) && q == b)
-        m_tree.exchange(v, b, a, b);
-      else
-        continue;
-      return true;
+    const Index corners = m_surface.number_of_corners(v);
+    Index& next = m_next_corner[v];
+    for (Index looks = 0; looks < corners; ++looks) {
+      const Index i = next;
+      next = i + 1 < corners ? i + 1 : 0;
+      ++m_counts.corners;
+      if (exchange_at_corner(v, i))
+        return true;
     }
     return false;
+  }
+
+  // Exchanges an edge at v, of degree k, for that between the neighbours a and b at a corner, if
+  // these lie in different parts of the tree without v. Where one of them hangs on v its degree
+  // does not change.
+  bool exchange_at_corner(Index v, Index i)
+  {
+    const Star<Index> star = m_surface.star(v);
+    const Index a = star[i], b = star[i + 1 < star.size() ? i + 1 : 0];
+    const Index k = m_tree.degree(v);
+    const bool is_a_light = m_tree.degree(a) + 2 <= k, is_b_light = m_tree.degree(b) + 2 <= k;
+    if (!is_a_light && !is_b_light)
+      return false;
+    const Index p = m_tree.neighbor_towards(v, a), q = m_tree.neighbor_towards(v, b);
+    if (p == q)
+      return false;
+    if (is_a_light && is_b_light)
+      m_tree.exchange(v, m_tree.degree(p) < m_tree.degree(q) ? q : p, a, b);
+    else if (is_b_light && p == a)
+      m_tree.exchange(v, a, a, b);
+    else if (is_a_light && q == b)
+      m_tree.exchange(v, b, a, b);
+    else
+      return false;
+    return true;
   }
 
   void add_witness(Index k)
@@ -174,6 +192,7 @@ private:
   const Rotation_system<Index>& m_surface;
   Exchange_tree<Index> m_tree;
   Degree_phase<Index> m_phase;
+  std::vector<Index> m_next_corner; // of each vertex, to be looked at next
   std::vector<bool> m_is_met;
   std::vector<Index> m_heavy; // of degree 4 and more, in the component at hand
   std::vector<Index> m_stack;

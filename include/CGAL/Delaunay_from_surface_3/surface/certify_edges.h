@@ -46,12 +46,25 @@ private:
   std::size_t m_count;
 };
 
+// The bounds of one component. Each is computed once: the last takes time O(sqrt(g)) for genus g.
+struct Degree_bounds
+{
+  explicit Degree_bounds(const Surface_component_topology& component)
+    : subgraph(component.subgraph_degree_bound())
+    , tree(component.tree_degree_bound())
+    , near_minimum_tree(component.near_minimum_tree_degree_bound())
+  {
+  }
+
+  std::size_t subgraph, tree, near_minimum_tree;
+};
+
 inline void certify_degrees(const std::vector<std::size_t>& degree,
                             const Surface_topology& topology, Spanning_subgraph_certificate& result)
 {
-  for (const Surface_component_topology& component : topology.components)
-    result.largest_degree_bound =
-        (std::max)(result.largest_degree_bound, component.subgraph_degree_bound());
+  const std::vector<Degree_bounds> bounds(topology.components.begin(), topology.components.end());
+  for (const Degree_bounds& of_component : bounds)
+    result.largest_degree_bound = (std::max)(result.largest_degree_bound, of_component.subgraph);
   for (std::size_t v = 0; v < degree.size(); ++v) {
     if (degree[v] >= result.number_of_vertices_of_degree.size())
       result.number_of_vertices_of_degree.resize(degree[v] + 1, 0);
@@ -61,13 +74,13 @@ inline void certify_degrees(const std::vector<std::size_t>& degree,
       result.vertex_of_maximum_degree = v;
     }
     const std::size_t c = topology.component_of_vertex[v];
-    if (c == topology.components.size())
+    if (c == bounds.size())
       continue;
-    if (degree[v] > topology.components[c].subgraph_degree_bound())
+    if (degree[v] > bounds[c].subgraph)
       result.respects_degree_bounds = false;
-    if (degree[v] > topology.components[c].tree_degree_bound())
+    if (degree[v] > bounds[c].tree)
       result.respects_tree_degree_bounds = false;
-    if (degree[v] > topology.components[c].near_minimum_tree_degree_bound())
+    if (degree[v] > bounds[c].near_minimum_tree)
       result.respects_near_minimum_tree_degree_bounds = false;
   }
 }

@@ -5,11 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WITH_ROTATION_SYSTEM_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WITH_ROTATION_SYSTEM_H
 
-// Chooses the index type: 32 bits wherever the number of edges allows.
+// Chooses the index type: 32 bits wherever the numbers of edges and vertices allow.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -25,7 +26,9 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 template <class Reader, class Function>
 auto with_rotation_system(const Reader& reader, const Function& function)
 {
-  if (reader.number_of_darts() < (std::size_t(1) << 31)) {
+  // Vertices are copied where the surface is cut open, fewer than there are darts; so half of what
+  // 32 bits can number is left to them.
+  if ((std::max)(reader.number_of_darts(), reader.number_of_vertices()) < (std::size_t(1) << 31)) {
     Rotation_system<std::uint32_t> surface;
     reader.read(surface);
     return function(surface);

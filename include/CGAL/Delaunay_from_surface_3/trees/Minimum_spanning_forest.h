@@ -26,8 +26,9 @@ namespace Delaunay_from_surface_3 {
 
 writes the edges of a minimum spanning forest, one tree per connected component, with the smallest
 sum of edge lengths. If the surface contains a Euclidean minimum spanning tree of its points
-(`contains_euclidean_minimum_spanning_tree()`), the forest is such a tree: its degree is at most 12,
-and its edges are Delaunay (\cgalCite{choi-dtsm-02}, §3.1). Otherwise nothing bounds its degree.
+(`contains_euclidean_minimum_spanning_tree()`), and no two vertices have the same point, the forest
+is such a tree: its degree is at most 12, and its edges are Delaunay (\cgalCite{choi-dtsm-02},
+§3.1). Otherwise nothing bounds its degree.
 
 A graph has no lengths, so the points must be given. Your own traits class passes them on:
 
