@@ -465,3 +465,44 @@ BOOST_AUTO_TEST_CASE(no_room_on_the_disk)
                 "cannot be written");
 }
 #endif
+
+// What an earlier run left would be taken for what this one has written.
+BOOST_AUTO_TEST_CASE(tiles_of_others_without_a_state)
+{
+  const Points points = some_points(800);
+  const auto run = [&](const fs::path& place) {
+    core::Tiles_to_files(place, 1, false).run(source_of(points), options_of(3));
+  };
+  for (const char* const name : {"cells-00001.npy", "ids-00000.npy", "points-100000.npy",
+                                 "neighbors-00002.npy", "tile-00001.vtu", "tiles.pvtu"}) {
+    const Folder folder;
+    write_bytes(folder.path / name, "x");
+    check_refused([&] { run(folder.path); }, name, "another run");
+    check_refused(
+        [&] { core::Tiles_to_files(folder.path, 1, false).next(source_of(points), options_of(3)); },
+        name, "another run");
+    BOOST_TEST(!fs::exists(folder.path / "state"));
+  }
+  const Folder folder;
+  for (const char* const name :
+       {"cells-0001.npy", "cells-.npy", "cells.npy", "other-00001.npy", "cells-00001.vtu", "-"})
+    write_bytes(folder.path / name, "x");
+  run(folder.path);
+}
+
+BOOST_AUTO_TEST_CASE(an_input_that_would_be_overwritten)
+{
+  const Folder folder;
+  const std::string data = bytes_of(some_points(800));
+  const fs::path file = folder.path / "points-00000.npy";
+  write_bytes(file, npy("<f8", "800, 3", "False", data));
+  const auto run = [&](const fs::path& input, const fs::path& place) {
+    core::Tiles_to_files(place, 1, false).run(CGAL::Point_files_3({input}), options_of(3));
+  };
+  check_refused([&] { run(file, folder.path); }, file.string(), "would be overwritten");
+  fs::create_symlink(file, folder.path / "link.npy");
+  check_refused([&] { run(folder.path / "link.npy", folder.path); }, "link.npy",
+                "would be overwritten");
+  run(file, folder.path / "tiles");
+  BOOST_TEST(fs::file_size(file) == npy("<f8", "800, 3", "False", data).size());
+}

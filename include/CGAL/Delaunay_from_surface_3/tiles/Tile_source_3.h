@@ -11,7 +11,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 /// \cond SKIP_IN_MANUAL
@@ -47,6 +49,10 @@ public:
   /// returns a number that differs if the points may have changed, for example by the times of
   /// files. An interrupted run continues only with the points with which it began.
   virtual std::uint64_t stamp() const { return 0; }
+
+  /// returns the files that the points are read from, if any. A run that would overwrite one of them
+  /// is refused.
+  virtual std::vector<std::filesystem::path> files() const { return {}; }
 
   /// returns a name of point `i`, for messages.
   virtual std::string name_of(std::uint64_t i) const { return "point " + std::to_string(i); }
