@@ -506,3 +506,17 @@ BOOST_AUTO_TEST_CASE(an_input_that_would_be_overwritten)
   run(file, folder.path / "tiles");
   BOOST_TEST(fs::file_size(file) == npy("<f8", "800, 3", "False", data).size());
 }
+
+// Of an array every coordinate counts.
+BOOST_AUTO_TEST_CASE(arrays_that_change)
+{
+  const Folder folder;
+  Points points = some_points(1000);
+  const auto run = [&] {
+    return core::Tiles_to_files(folder.path, 1, false).run(source_of(points), options_of(3));
+  };
+  const auto report = run();
+  check_same(run(), report);
+  points[500][1] += .25; // none of those that a glance would see
+  check_refused(run, folder.path.string(), "another input");
+}
