@@ -520,3 +520,40 @@ BOOST_AUTO_TEST_CASE(arrays_that_change)
   points[500][1] += .25; // none of those that a glance would see
   check_refused(run, folder.path.string(), "another input");
 }
+
+// What a process left that was killed while it began again, or before it had cleaned.
+BOOST_AUTO_TEST_CASE(leftovers_of_killed_processes)
+{
+  const Folder folder;
+  const fs::path state = folder.path / "state", gone = folder.path / "state-123.unfinished";
+  fs::create_directories(gone);
+  write_bytes(gone / "tiling", "x");
+  const Points points = some_points(800);
+  const auto work = [&] { return core::Tiles_to_files(folder.path, 1, false); };
+  work().run(source_of(points), options_of(3));
+  BOOST_TEST(!fs::exists(gone));
+  const auto litter = [&] {
+    for (const char* const name : {"range-0", "home-0", "tile-0-1", "post-0-1"})
+      write_bytes(state / name, "x");
+  };
+  const auto is_clean = [&] {
+    for (const char* const name : {"range-0", "home-0", "tile-0-1", "post-0-1"})
+      if (fs::exists(state / name))
+        return false;
+    return true;
+  };
+  BOOST_TEST(is_clean());
+  litter();
+  work().run(source_of(points), options_of(3));
+  BOOST_TEST(is_clean());
+  litter();
+  BOOST_TEST(work().next(source_of(points), options_of(3)) == 0u);
+  BOOST_TEST(is_clean());
+
+  const fs::path inside = state / "inside";
+  fs::create_directories(inside);
+  work().forget();
+  for (const auto& entry : fs::directory_iterator(folder.path))
+    BOOST_TEST(entry.path().filename().string().find("state") == std::string::npos);
+  work().forget(); // there is none
+}

@@ -122,6 +122,7 @@ private:
     for (std::uint32_t t = 0; t < m_engine.number_of_tiles(); ++t)
       if (!is_written(t))
         return m_engine.number_of_tiles();
+    stages.clean(); // who closed the last stage may have been killed before
     finish();
     return 0;
   }
