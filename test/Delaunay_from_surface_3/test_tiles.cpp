@@ -13,6 +13,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/run_tasks.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
 
@@ -498,4 +499,25 @@ BOOST_AUTO_TEST_CASE(so_many_tiles_are_no_number)
 {
   const core::Tile_too_large error(0, std::size_t(1) << 40, 64, 0, 4, 1000000);
   BOOST_TEST(error.number_of_tiles() == 4000000000u);
+}
+
+// Of workers there are as many as there are tasks, or fewer.
+BOOST_AUTO_TEST_CASE(workers_for_few_tasks)
+{
+  struct Counting final : core::Executor
+  {
+    mutable std::size_t asked = 0;
+    std::size_t number_of_workers() const override { return 1000000; }
+    void run(std::size_t number, const core::Task& task) const override
+    {
+      asked = number;
+      for (std::size_t t = 0; t < number; ++t)
+        task(t);
+    }
+  };
+  const Counting executor;
+  std::size_t done = 0;
+  core::run_tasks(executor, 3, [&](std::size_t) { ++done; });
+  BOOST_TEST(done == 3u);
+  BOOST_TEST(executor.asked == 3u);
 }
