@@ -19,12 +19,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <numeric>
 #include <random>
 #include <string>
@@ -557,3 +559,23 @@ BOOST_AUTO_TEST_CASE(leftovers_of_killed_processes)
     BOOST_TEST(entry.path().filename().string().find("state") == std::string::npos);
   work().forget(); // there is none
 }
+
+#ifdef __linux__
+// Of two that would close a stage one waits for the other.
+BOOST_AUTO_TEST_CASE(stages_are_closed_in_turn)
+{
+  const Folder folder;
+  const Points points = some_points(800);
+  const auto next = [&] {
+    return core::Tiles_to_files(folder.path, 1, false).next(source_of(points), options_of(3));
+  };
+  const std::size_t n = next();
+  std::future<std::size_t> other;
+  {
+    const core::Folder_lock turn(folder.path / "state", core::Folder_lock::IN_TURN);
+    other = std::async(std::launch::async, next);
+    BOOST_TEST((other.wait_for(std::chrono::milliseconds(200)) == std::future_status::timeout));
+  }
+  BOOST_TEST(other.get() == n);
+}
+#endif

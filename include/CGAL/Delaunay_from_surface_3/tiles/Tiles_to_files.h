@@ -54,7 +54,7 @@ public:
   // Begins or goes on, to the end.
   Tiles_report run(const Tile_source_3& source, const Tiles_options& options)
   {
-    const Folder_lock lock(m_folder, true);
+    const Folder_lock lock(m_folder, Folder_lock::ALONE);
     refuse_other_tiles(source);
     const auto no_seed = [] { return std::uint64_t(0); }; // it is in the state
     const auto write = [&](const Tiles_report& report) {
@@ -70,8 +70,9 @@ public:
   // neighbors.
   std::size_t next(const Tile_source_3& source, const Tiles_options& options)
   {
-    const Folder_lock lock(m_folder, false);
+    const Folder_lock lock(m_folder, Folder_lock::SHARED);
     refuse_other_tiles(source);
+    const Folder_lock turn = my_turn(); // another would close the same stage
     try {
       return close_and_count(source, options);
     } catch (const Surface_input_error&) {
@@ -93,9 +94,9 @@ public:
   // Of those that next() has counted, by all threads.
   void do_task(const Tile_source_3& source, const Tiles_options& options, std::size_t k)
   {
-    const Folder_lock lock(m_folder, false);
+    const Folder_lock lock(m_folder, Folder_lock::SHARED);
     refuse_other_tiles(source);
-    Tiles_stages& stages = begin(source, options);
+    Tiles_stages& stages = begin_in_turn(source, options);
     const bool writes = stages.stage() == Tiles_stages::DONE;
     const std::size_t n = writes ? m_engine.number_of_tiles() : stages.number_of_tasks();
     if (k >= n)
@@ -108,6 +109,8 @@ public:
   }
 
 private:
+  Folder_lock my_turn() const { return Folder_lock(m_folder / "state", Folder_lock::IN_TURN); }
+
   std::size_t close_and_count(const Tile_source_3& source, const Tiles_options& options)
   {
     Tiles_stages& stages = begin(source, options);
@@ -131,6 +134,11 @@ private:
   {
     m_engine.stages().begin(source, options, m_executor.number_of_workers());
     return m_engine.stages();
+  }
+  Tiles_stages& begin_in_turn(const Tile_source_3& source, const Tiles_options& options)
+  {
+    const Folder_lock turn = my_turn();
+    return begin(source, options);
   }
 
   static bool is_all_done(const Tiles_stages& stages)
