@@ -560,6 +560,20 @@ BOOST_AUTO_TEST_CASE(leftovers_of_killed_processes)
   work().forget(); // there is none
 }
 
+// One task is in memory, whatever the number of threads.
+BOOST_AUTO_TEST_CASE(memory_of_tasks_done_one_by_one)
+{
+  const Points points = some_points(2000);
+  CGAL::Tiles_options options = options_of(0);
+  options.memory = core::bytes_per_point_kept * 2000;
+  for (const std::size_t threads : {1, 4}) {
+    const Folder folder;
+    core::Tiles_to_files work(folder.path, threads, false);
+    work.next(source_of(points), options);
+    BOOST_TEST(work.number_of_tiles() == core::number_of_tiles(options, 2000, 1));
+  }
+}
+
 #ifdef __linux__
 // Of two that would close a stage one waits for the other.
 BOOST_AUTO_TEST_CASE(stages_are_closed_in_turn)

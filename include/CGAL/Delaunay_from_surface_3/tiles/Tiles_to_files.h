@@ -130,9 +130,10 @@ private:
     return 0;
   }
 
+  // For tasks, of which one is in memory, and has all threads.
   Tiles_stages& begin(const Tile_source_3& source, const Tiles_options& options)
   {
-    m_engine.stages().begin(source, options, m_executor.number_of_workers());
+    m_engine.stages().begin(source, options, 1);
     return m_engine.stages();
   }
   Tiles_stages& begin_in_turn(const Tile_source_3& source, const Tiles_options& options)
