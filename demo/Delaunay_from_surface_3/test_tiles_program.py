@@ -195,6 +195,10 @@ class Tiles(unittest.TestCase):
         (output / "tiles.json").unlink()
         (output / "cells-00000.npy").unlink()
         self.fails(points, "--tiles", 3, "--output", output, says="cells-00001.npy: is of another run")
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        self.fails(points, "--output", self.folder / "others", "--join", pipe,
+                   says="pipe: cannot be written: it is no regular file")
 
 
 if __name__ == "__main__":

@@ -17,6 +17,10 @@
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
 
+#ifdef __linux__
+#include <sys/stat.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -591,5 +595,17 @@ BOOST_AUTO_TEST_CASE(stages_are_closed_in_turn)
     BOOST_TEST((other.wait_for(std::chrono::milliseconds(200)) == std::future_status::timeout));
   }
   BOOST_TEST(other.get() == n);
+}
+
+// As root a rename would put a file where the device is.
+BOOST_AUTO_TEST_CASE(what_is_no_regular_file_is_not_replaced)
+{
+  const Folder folder;
+  const fs::path pipe = folder.path / "pipe";
+  BOOST_TEST_REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  check_refused([&] { core::Bytes_writer to(pipe); }, pipe.string(), "no regular file");
+  fs::create_symlink(pipe, folder.path / "link");
+  check_refused([&] { core::Bytes_writer to(folder.path / "link"); }, "link", "no regular file");
+  BOOST_TEST(fs::is_fifo(pipe));
 }
 #endif
