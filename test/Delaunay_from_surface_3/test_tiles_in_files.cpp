@@ -362,6 +362,8 @@ BOOST_AUTO_TEST_CASE(bad_files)
   };
   const std::string ply = "ply\nformat binary_little_endian 1.0\n";
   refused("short.npy", npy("<f8", "2, 3", "False", std::string(47, ' ')), "ends early");
+  refused("two.npy", npy("<f8", "2, 3", "False", std::string(48, ' ')) + "another array",
+          " bytes, where its head says ");
   refused("flat.npy", npy("<f8", "6,", "False", std::string(48, ' ')), "shape");
   refused("cube.npy", npy("<f8", "1, 3, 2", "False", std::string(48, ' ')), "shape");
   refused("columns.npy", npy("<f8", "2, 3", "True", std::string(48, ' ')), "column");
