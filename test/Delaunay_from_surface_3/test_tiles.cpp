@@ -521,3 +521,23 @@ BOOST_AUTO_TEST_CASE(workers_for_few_tasks)
   BOOST_TEST(done == 3u);
   BOOST_TEST(executor.asked == 3u);
 }
+
+BOOST_AUTO_TEST_CASE(progress_in_memory)
+{
+  const Points points = points_of(tests::ordinary_surfaces(1500)[0]);
+  const auto ignore = [](const CGAL::Delaunay_3_tile&) {};
+  CGAL::Tiles_options options = options_of(4);
+  std::set<std::string> stages;
+  options.progress = [&](const char* what, std::size_t done, std::size_t all) {
+    BOOST_TEST(done <= all);
+    stages.insert(what);
+    return true;
+  };
+  CGAL::Tiles_here_3 engine(2);
+  CGAL::delaunay_3_tiles(engine, source_of(points), ignore, options);
+  for (const char* const stage : {"own points", "round 0", "round 1", "certificate"})
+    BOOST_TEST(stages.count(stage) == 1u, stage);
+  options.progress = [](const char*, std::size_t, std::size_t) { return false; };
+  BOOST_CHECK_THROW(CGAL::delaunay_3_tiles(engine, source_of(points), ignore, options),
+                    CGAL::Tiles_stopped);
+}
