@@ -100,7 +100,7 @@ class ByMpi(unittest.TestCase):
 
     def test_what_a_run_that_failed_left(self):
         self.output.mkdir()
-        left = [self.output / name for name in ("cells-00007.npy", "ids-00007.npy", "points-100000.npy",
+        left = [self.output / name for name in ("cells-00007.npy", "ids-00007.npy", "points-100000.npy", "neighbors-00007.npy",
                                                 "tile-00000.vtu", "tiles.pvtu", "cells-00001.npy-123.unfinished")]
         kept = [self.output / name for name in ("notes.txt", "points-a.npy", "points-1.npy")]
         for file in left + kept:

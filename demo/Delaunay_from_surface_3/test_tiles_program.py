@@ -12,6 +12,7 @@ import json
 import os
 import random
 import resource
+import shutil
 import struct
 import subprocess
 import tempfile
@@ -180,6 +181,24 @@ class Tiles(unittest.TestCase):
         fcntl.flock(folder, fcntl.LOCK_UN)
         self.works(points, "--output", output, "--quiet")
         self.fails(points, "--output", output, "--vtu", says="tiles: a tile has been removed, or tiles are written without .vtu")
+
+    def test_input_and_output_that_are_not_overwritten(self):
+        points, output = self.folder / "points.raw", self.folder / "tiles"
+        write_points(points, 500)
+        self.works(points, "--tiles", 3, "--output", output, "--quiet")
+        tile = output / "points-00001.npy"
+        before = tile.read_bytes()
+        self.fails(tile, "--output", output, says="points-00001.npy: would be overwritten")
+        self.fails(tile.name, "--output", ".", says="points-00001.npy: would be overwritten", cwd=output)
+        self.assertEqual(tile.read_bytes(), before)
+        shutil.rmtree(output / "state")
+        (output / "tiles.json").unlink()
+        (output / "cells-00000.npy").unlink()
+        self.fails(points, "--tiles", 3, "--output", output, says="cells-00001.npy: is of another run")
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        self.fails(points, "--output", self.folder / "others", "--join", pipe,
+                   says="pipe: cannot be written: it is no regular file")
 
 
 if __name__ == "__main__":

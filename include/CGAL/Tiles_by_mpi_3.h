@@ -49,7 +49,7 @@ The header is empty if the compiler does not find `mpi.h`. CMake's target
 <b>Memory</b>: about 300 bytes for each point that a tile keeps, and half as much again for the tile
 passed to `sink`.
 
-<b>Messages</b>: per rank and round at most one to each other rank, of less than 1 GB, or several of
+<b>Messages</b>: per rank and round at most one to each other rank, or several if it is longer than
 512 MB; 32 bytes for each point that is told.
 */
 using Tiles_by_mpi_3 = Delaunay_from_surface_3::internal::Tiles_by_mpi;

@@ -13,6 +13,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/run_tasks.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
 
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -461,4 +463,81 @@ BOOST_AUTO_TEST_CASE(a_certificate_needs_all_tiles_and_all_points)
   certificates.pop_back();
   BOOST_TEST(!core::is_certified(certificates, 4, points.size()));
   BOOST_TEST(!core::is_certified({}, 0, 0));
+}
+
+// Points at one place are one vertex, and count once where a tile must not keep too many.
+BOOST_AUTO_TEST_CASE(many_equal_points)
+{
+  Points points = points_of(tests::ordinary_surfaces(1500)[0]);
+  const std::size_t n = points.size();
+  for (const std::size_t place : {std::size_t(0), std::size_t(1), n / 2, n - 1})
+    points.insert(points.end(), 5000, points[place]);
+  std::mt19937 random(4);
+  std::shuffle(points.begin(), points.end(), random);
+  const Cells expected = cells_of(CGAL::delaunay_3_arrays(points));
+  for (const std::size_t threads : {1, 4})
+    for (const std::uint32_t tiles : {1u, 3u}) {
+      CGAL::Tiles_options options = options_of(tiles);
+      options.memory = core::bytes_per_point_kept * (n + 10);
+      options.starts_again = false;
+      core::Tiles_here engine(threads);
+      engine.begin(source_of(points), options);
+      BOOST_TEST(run_to_rest(engine).is_certified);
+      BOOST_TEST((cells_of(engine) == expected));
+      for (const auto& tile : engine.tiles()) {
+        std::set<std::uint64_t> ids;
+        for (const auto& [id, smaller] : tile->equal_points()) {
+          BOOST_TEST((points[id] == points[smaller] && smaller < id));
+          ids.insert(id);
+        }
+        BOOST_TEST(ids.size() == tile->equal_points().size());
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(so_many_tiles_are_no_number)
+{
+  const core::Tile_too_large error(0, std::size_t(1) << 40, 64, 0, 4, 1000000);
+  BOOST_TEST(error.number_of_tiles() == 4000000000u);
+}
+
+// Of workers there are as many as there are tasks, or fewer.
+BOOST_AUTO_TEST_CASE(workers_for_few_tasks)
+{
+  struct Counting final : core::Executor
+  {
+    mutable std::size_t asked = 0;
+    std::size_t number_of_workers() const override { return 1000000; }
+    void run(std::size_t number, const core::Task& task) const override
+    {
+      asked = number;
+      for (std::size_t t = 0; t < number; ++t)
+        task(t);
+    }
+  };
+  const Counting executor;
+  std::size_t done = 0;
+  core::run_tasks(executor, 3, [&](std::size_t) { ++done; });
+  BOOST_TEST(done == 3u);
+  BOOST_TEST(executor.asked == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(progress_in_memory)
+{
+  const Points points = points_of(tests::ordinary_surfaces(1500)[0]);
+  const auto ignore = [](const CGAL::Delaunay_3_tile&) {};
+  CGAL::Tiles_options options = options_of(4);
+  std::set<std::string> stages;
+  options.progress = [&](const char* what, std::size_t done, std::size_t all) {
+    BOOST_TEST(done <= all);
+    stages.insert(what);
+    return true;
+  };
+  CGAL::Tiles_here_3 engine(2);
+  CGAL::delaunay_3_tiles(engine, source_of(points), ignore, options);
+  for (const char* const stage : {"own points", "round 0", "round 1", "certificate"})
+    BOOST_TEST(stages.count(stage) == 1u, stage);
+  options.progress = [](const char*, std::size_t, std::size_t) { return false; };
+  BOOST_CHECK_THROW(CGAL::delaunay_3_tiles(engine, source_of(points), ignore, options),
+                    CGAL::Tiles_stopped);
 }

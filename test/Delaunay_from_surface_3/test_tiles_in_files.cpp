@@ -18,6 +18,10 @@
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
 
+#ifdef __linux__
+#include <sys/stat.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -27,6 +31,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <numeric>
 #include <random>
 #include <string>
@@ -388,6 +393,8 @@ BOOST_AUTO_TEST_CASE(bad_files)
   };
   const std::string ply = "ply\nformat binary_little_endian 1.0\n";
   refused("short.npy", npy("<f8", "2, 3", "False", std::string(47, ' ')), "ends early");
+  refused("two.npy", npy("<f8", "2, 3", "False", std::string(48, ' ')) + "another array",
+          " bytes, where its head says ");
   refused("flat.npy", npy("<f8", "6,", "False", std::string(48, ' ')), "shape");
   refused("cube.npy", npy("<f8", "1, 3, 2", "False", std::string(48, ' ')), "shape");
   refused("columns.npy", npy("<f8", "2, 3", "True", std::string(48, ' ')), "column");
@@ -495,5 +502,143 @@ BOOST_AUTO_TEST_CASE(no_room_on_the_disk)
     BOOST_TEST((entry.path().filename() == "state" || entry.path().extension() == ".unfinished"));
   check_refused([&] { core::Bytes_writer("/dev/full/file"); }, "/dev/full/file",
                 "cannot be written");
+}
+#endif
+
+// What an earlier run left would be taken for what this one has written.
+BOOST_AUTO_TEST_CASE(tiles_of_others_without_a_state)
+{
+  const Points points = some_points(800);
+  const auto run = [&](const fs::path& place) {
+    core::Tiles_to_files(place, 1, false).run(source_of(points), options_of(3));
+  };
+  for (const char* const name : {"cells-00001.npy", "ids-00000.npy", "points-100000.npy",
+                                 "neighbors-00002.npy", "tile-00001.vtu", "tiles.pvtu"}) {
+    const Folder folder;
+    write_bytes(folder.path / name, "x");
+    check_refused([&] { run(folder.path); }, name, "another run");
+    check_refused(
+        [&] { core::Tiles_to_files(folder.path, 1, false).next(source_of(points), options_of(3)); },
+        name, "another run");
+    BOOST_TEST(!fs::exists(folder.path / "state"));
+  }
+  const Folder folder;
+  for (const char* const name :
+       {"cells-0001.npy", "cells-.npy", "cells.npy", "other-00001.npy", "cells-00001.vtu", "-"})
+    write_bytes(folder.path / name, "x");
+  run(folder.path);
+}
+
+BOOST_AUTO_TEST_CASE(an_input_that_would_be_overwritten)
+{
+  const Folder folder;
+  const std::string data = bytes_of(some_points(800));
+  const fs::path file = folder.path / "points-00000.npy";
+  write_bytes(file, npy("<f8", "800, 3", "False", data));
+  const auto run = [&](const fs::path& input, const fs::path& place) {
+    core::Tiles_to_files(place, 1, false).run(CGAL::Point_files_3({input}), options_of(3));
+  };
+  check_refused([&] { run(file, folder.path); }, file.string(), "would be overwritten");
+  fs::create_symlink(file, folder.path / "link.npy");
+  check_refused([&] { run(folder.path / "link.npy", folder.path); }, "link.npy",
+                "would be overwritten");
+  run(file, folder.path / "tiles");
+  BOOST_TEST(fs::file_size(file) == npy("<f8", "800, 3", "False", data).size());
+}
+
+// Of an array every coordinate counts.
+BOOST_AUTO_TEST_CASE(arrays_that_change)
+{
+  const Folder folder;
+  Points points = some_points(1000);
+  const auto run = [&] {
+    return core::Tiles_to_files(folder.path, 1, false).run(source_of(points), options_of(3));
+  };
+  const auto report = run();
+  check_same(run(), report);
+  points[500][1] += .25; // none of those that a glance would see
+  check_refused(run, folder.path.string(), "another input");
+}
+
+// What a process left that was killed while it began again, or before it had cleaned.
+BOOST_AUTO_TEST_CASE(leftovers_of_killed_processes)
+{
+  const Folder folder;
+  const fs::path state = folder.path / "state", gone = folder.path / "state-123.unfinished";
+  fs::create_directories(gone);
+  write_bytes(gone / "tiling", "x");
+  const Points points = some_points(800);
+  const auto work = [&] { return core::Tiles_to_files(folder.path, 1, false); };
+  work().run(source_of(points), options_of(3));
+  BOOST_TEST(!fs::exists(gone));
+  const auto litter = [&] {
+    for (const char* const name : {"range-0", "home-0", "tile-0-1", "post-0-1"})
+      write_bytes(state / name, "x");
+  };
+  const auto is_clean = [&] {
+    for (const char* const name : {"range-0", "home-0", "tile-0-1", "post-0-1"})
+      if (fs::exists(state / name))
+        return false;
+    return true;
+  };
+  BOOST_TEST(is_clean());
+  litter();
+  work().run(source_of(points), options_of(3));
+  BOOST_TEST(is_clean());
+  litter();
+  BOOST_TEST(work().next(source_of(points), options_of(3)) == 0u);
+  BOOST_TEST(is_clean());
+
+  const fs::path inside = state / "inside";
+  fs::create_directories(inside);
+  work().forget();
+  for (const auto& entry : fs::directory_iterator(folder.path))
+    BOOST_TEST(entry.path().filename().string().find("state") == std::string::npos);
+  work().forget(); // there is none
+}
+
+// One task is in memory, whatever the number of threads.
+BOOST_AUTO_TEST_CASE(memory_of_tasks_done_one_by_one)
+{
+  const Points points = some_points(2000);
+  CGAL::Tiles_options options = options_of(0);
+  options.memory = core::bytes_per_point_kept * 2000;
+  for (const std::size_t threads : {1, 4}) {
+    const Folder folder;
+    core::Tiles_to_files work(folder.path, threads, false);
+    work.next(source_of(points), options);
+    BOOST_TEST(work.number_of_tiles() == core::number_of_tiles(options, 2000, 1));
+  }
+}
+
+#ifdef __linux__
+// Of two that would close a stage one waits for the other.
+BOOST_AUTO_TEST_CASE(stages_are_closed_in_turn)
+{
+  const Folder folder;
+  const Points points = some_points(800);
+  const auto next = [&] {
+    return core::Tiles_to_files(folder.path, 1, false).next(source_of(points), options_of(3));
+  };
+  const std::size_t n = next();
+  std::future<std::size_t> other;
+  {
+    const core::Folder_lock turn(folder.path / "state", core::Folder_lock::IN_TURN);
+    other = std::async(std::launch::async, next);
+    BOOST_TEST((other.wait_for(std::chrono::milliseconds(200)) == std::future_status::timeout));
+  }
+  BOOST_TEST(other.get() == n);
+}
+
+// As root a rename would put a file where the device is.
+BOOST_AUTO_TEST_CASE(what_is_no_regular_file_is_not_replaced)
+{
+  const Folder folder;
+  const fs::path pipe = folder.path / "pipe";
+  BOOST_TEST_REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  check_refused([&] { core::Bytes_writer to(pipe); }, pipe.string(), "no regular file");
+  fs::create_symlink(pipe, folder.path / "link");
+  check_refused([&] { core::Bytes_writer to(folder.path / "link"); }, "link", "no regular file");
+  BOOST_TEST(fs::is_fifo(pipe));
 }
 #endif

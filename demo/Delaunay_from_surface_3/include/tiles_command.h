@@ -107,8 +107,10 @@ inline int run_tiles_command(Tiles_command& command)
       std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
   core::Tiles_to_files tiles(command.output, command.threads, command.vtu, command.neighbors);
   // What is read at once is a part of the memory, too: 24 bytes of input and 36 of what it becomes.
-  command.options.points_at_once = std::size_t(
-      (std::min)(std::uint64_t(4000000), command.options.memory / command.threads / 100));
+  // Of tasks that are done one by one there is one in memory.
+  const std::uint64_t at_once = command.next || command.task ? 1 : command.threads;
+  command.options.points_at_once =
+      std::size_t((std::min)(std::uint64_t(4000000), command.options.memory / at_once / 100));
   command.options.progress = [&](const char* what, std::size_t done, std::size_t all) {
     const std::string text =
         std::string(what) + ": " + std::to_string(done) + " of " + std::to_string(all);

@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/files_of_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
 
@@ -25,11 +26,10 @@
 // What a run that did not end has left: it may have had more tiles.
 inline std::vector<std::filesystem::path> left_files(const std::filesystem::path& folder)
 {
-  static const std::regex name(
-      R"((cells|ids|points)-[0-9]{5,}\.npy|tile-[0-9]{5,}\.vtu|tiles\.pvtu|.*-[0-9]+\.unfinished)");
-  std::vector<std::filesystem::path> files;
+  static const std::regex unfinished(R"(.*-[0-9]+\.unfinished)");
+  auto files = CGAL::Delaunay_from_surface_3::internal::files_of_tiles(folder);
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (std::regex_match(entry.path().filename().string(), name))
+    if (std::regex_match(entry.path().filename().string(), unfinished))
       files.push_back(entry.path());
   return files;
 }

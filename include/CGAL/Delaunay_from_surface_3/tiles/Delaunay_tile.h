@@ -27,12 +27,12 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/fit_when_merged.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -63,7 +63,7 @@ public:
     for (const Tile_point& p : own)
       m_number_of_own_points += tiling.tree.owner(p.coordinates) == number;
     own.insert(own.end(), state.kept.begin(), state.kept.end());
-    if (own.size() > limit)
+    if (!fit_when_merged(own, limit, tiling.start, m_equal))
       throw too_large(limit);
     const bool is_new = state.kept.empty() && m_known.empty();
     state = {};
@@ -109,7 +109,6 @@ public:
   std::vector<Tile_message> witnesses(const std::vector<std::uint32_t>& partners) const
   {
     std::vector<Tile_message> messages;
-    messages.reserve(partners.size());
     for (const std::uint32_t to : partners)
       messages.push_back({m_number, to, points_around([&](const Cell& cell) {
                             return has_vertex_of(cell, m_number) && has_vertex_of(cell, to);
@@ -276,8 +275,9 @@ private:
         ++cells[v];
     });
     const auto hub = Id(std::max_element(cells.begin() + 1, cells.end()) - cells.begin());
-    return Tile_too_large(m_number, m_number_of_own_points, limit, m_triangulation.id(hub),
-                          cells[hub] / 2 + 2, m_tiling.tree.number_of_tiles());
+    return Tile_too_large(m_number, m_number_of_own_points - m_equal.size(), limit,
+                          m_triangulation.id(hub), cells[hub] / 2 + 2,
+                          m_tiling.tree.number_of_tiles());
   }
 
   const Tiling& m_tiling;

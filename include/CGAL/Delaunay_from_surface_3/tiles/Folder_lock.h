@@ -23,26 +23,31 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A run has its folder alone; who does tasks one by one shares it with others that do. What a
-// process has locked nobody has when it is killed. Where the system has no such locks, or
-// the folder is on another machine, nobody is refused.
+// A run has its folder alone; who does tasks one by one shares it with others that do, or takes
+// turns with them, and waits for its own. What a process has locked nobody has when it is killed.
+// Where the system has no such locks, or the folder is on another machine, nobody is refused.
 class Folder_lock
 {
 public:
-  Folder_lock(const std::filesystem::path& folder, bool alone)
+  enum Way { ALONE, SHARED, IN_TURN };
+
+  Folder_lock(const std::filesystem::path& folder, Way way)
   {
 #if !defined(_WIN32) && __has_include(<sys/file.h>)
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
     m_file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (m_file >= 0 && ::flock(m_file, (alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0 &&
-        errno == EWOULDBLOCK) {
+    const int how = way == IN_TURN ? LOCK_EX : (way == ALONE ? LOCK_EX : LOCK_SH) | LOCK_NB;
+    int failed = -1;
+    while (m_file >= 0 && (failed = ::flock(m_file, how)) != 0 && errno == EINTR) {
+    }
+    if (m_file >= 0 && failed != 0 && errno == EWOULDBLOCK) {
       ::close(m_file);
       throw Tile_files_error(folder.string() + ": another run is at work there");
     }
 #else
     (void)folder;
-    (void)alone;
+    (void)way;
 #endif
   }
   Folder_lock(const Folder_lock&) = delete;

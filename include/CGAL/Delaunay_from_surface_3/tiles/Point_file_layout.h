@@ -21,7 +21,6 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -148,14 +147,12 @@ inline Point_file_layout layout_of_npy(const std::filesystem::path& file)
     refuse_file(file, "its array is stored column by column: store it row by row (order='C')");
   const std::string shape = value_of_key(head, "shape", ")");
   char* comma = nullptr; // no stream: those of a library in a wheel may know no numbers
-  const std::uint64_t rows = std::strtoull(shape.c_str(), &comma, 10);
+  layout.number_of_points = std::strtoull(shape.c_str(), &comma, 10);
   if (comma == shape.c_str() || std::string(comma) != ",3")
     refuse_file(file, "an array of shape (" + shape + "): n × 3 numbers are needed");
-  const std::size_t size = is_float ? 4 : 8;
-  layout.number_of_points = rows;
   layout.first = first + length;
-  layout.stride = 3 * size;
-  layout.offsets = {0, size, 2 * size};
+  layout.stride = is_float ? 12 : 24;
+  layout.offsets = {0, layout.stride / 3, layout.stride / 3 * 2};
   layout.types.fill(is_float ? Number_type::FLOAT32 : Number_type::FLOAT64);
   layout.is_swapped = (type[0] == '<') != machine_is_little_endian();
   return layout;
@@ -177,9 +174,8 @@ public:
       refuse_file(file, "a .ply in text: binary ones are read");
     if (!m_has_vertices)
       refuse_file(file, "it has no vertices");
-    for (const bool has : m_has)
-      if (!has)
-        refuse_file(file, "its vertices have no x, y, z");
+    if (!m_has[0] || !m_has[1] || !m_has[2])
+      refuse_file(file, "its vertices have no x, y, z");
     m_layout.first = std::uint64_t(m_stream.tellg()) + m_before;
   }
 
@@ -288,6 +284,10 @@ inline Point_file_layout layout_of_points(const std::filesystem::path& file)
   if (layout.number_of_points > most)
     refuse_file(file, "ends early: it should have " + std::to_string(layout.number_of_points) +
                           " points, and has room for " + std::to_string(most));
+  const std::uint64_t end = layout.first + layout.number_of_points * layout.stride;
+  if (extension == ".npy" && size != end)
+    refuse_file(file, "has " + std::to_string(size) + " bytes, where its head says " +
+                          std::to_string(end));
   return layout;
 }
 

@@ -82,6 +82,15 @@ public:
     return stamp;
   }
 
+  /// returns the files.
+  std::vector<std::filesystem::path> files() const override
+  {
+    std::vector<std::filesystem::path> paths;
+    for (const File& file : m_files)
+      paths.push_back(file.path);
+    return paths;
+  }
+
   /// returns the file of point `i`, and its position in this file.
   std::string name_of(std::uint64_t i) const override
   {

@@ -57,6 +57,9 @@ public:
     std::error_code ignored;
     if (std::filesystem::is_directory(m_place, ignored)) // or renaming fails, when all is written
       fail_to_write(m_place, EISDIR);
+    const auto there = std::filesystem::status(m_place, ignored);
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+      throw Tile_files_error(m_place.string() + ": cannot be written: it is no regular file");
     std::random_device random;
     m_unfinished = m_place.string() + "-" + std::to_string(random()) + unfinished;
     errno = 0;

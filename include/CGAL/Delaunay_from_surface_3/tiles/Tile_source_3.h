@@ -5,13 +5,17 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_SOURCE_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_SOURCE_3_H
 
+#include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 /// \cond SKIP_IN_MANUAL
@@ -48,6 +52,10 @@ public:
   /// files. An interrupted run continues only with the points with which it began.
   virtual std::uint64_t stamp() const { return 0; }
 
+  /// returns the files that the points are read from, if any. A run that would overwrite one of them
+  /// is refused.
+  virtual std::vector<std::filesystem::path> files() const { return {}; }
+
   /// returns a name of point `i`, for messages.
   virtual std::string name_of(std::uint64_t i) const { return "point " + std::to_string(i); }
 };
@@ -74,6 +82,19 @@ public:
   void read(std::uint64_t first, std::size_t n, double* coordinates) const override
   {
     std::copy(m_coordinates + 3 * first, m_coordinates + 3 * (first + n), coordinates);
+  }
+
+  /// returns a hash of all coordinates. Linear: they are read once more when work in a folder begins
+  /// or continues.
+  std::uint64_t stamp() const override
+  {
+    std::uint64_t stamp = 0;
+    for (const double* x = m_coordinates; x != m_coordinates + 3 * m_size; ++x) {
+      std::uint64_t bits;
+      std::memcpy(&bits, x, sizeof(bits));
+      stamp = Delaunay_from_surface_3::internal::Split_mix(stamp ^ bits)();
+    }
+    return stamp;
   }
 
 private:

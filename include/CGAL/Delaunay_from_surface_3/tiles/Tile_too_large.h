@@ -50,7 +50,8 @@ private:
                                            std::uint32_t tiles)
   {
     const double share = 6. * double(own_points) / double(limit); // kept by the worst tile measured
-    return std::uint32_t(double(tiles) * (share > 2 ? share : 2)) + 1;
+    const double enough = double(tiles) * (share > 2 ? share : 2) + 1;
+    return std::uint32_t(enough < 4e9 ? enough : 4e9); // more than there may be
   }
   static std::string advice(std::size_t neighbors, std::size_t limit, std::uint32_t tiles)
   {

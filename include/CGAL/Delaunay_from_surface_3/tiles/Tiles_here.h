@@ -13,6 +13,7 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Stage_progress.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -60,13 +62,16 @@ public:
     m_rounds = 0;
     m_told = 0;
     m_with_cells = options.compares_cells;
+    m_progress = options.progress;
     std::vector<std::vector<Tile_point>> own(tiles);
     const std::vector<double> coordinates = read_range(source, 0, n);
     m_tiling.emplace(tiling_of({summary_of(coordinates, 0, sampling)}, n, tiles, sampling));
     for (std::size_t i = 0; i < n; ++i)
       own[m_tiling->tree.owner(&coordinates[3 * i])].push_back(tile_point(i, &coordinates[3 * i]));
     home(own);
-    m_tiles.begin(*m_tiling, 0, std::move(own), most_points_kept(options, 1), nothing);
+    const Stage_progress progress(m_progress, "own points", tiles);
+    m_tiles.begin(*m_tiling, 0, std::move(own), most_points_kept(options, 1),
+                  [&](std::size_t) { progress.tell_next(); });
   }
 
   std::uint64_t number_of_points() const { return m_tiling->number_of_points; }
@@ -85,7 +90,9 @@ public:
   std::uint64_t exchange(const Post& post)
   {
     std::uint64_t told = 0;
-    for (auto& from : m_tiles.exchange(nothing))
+    const Stage_progress progress(m_progress, "round " + std::to_string(m_rounds),
+                                  number_of_tiles());
+    for (auto& from : m_tiles.exchange([&](std::size_t) { progress.tell_next(); }))
       for (Tile_message& message : from) {
         told += message.points.size();
         post(message);
@@ -98,7 +105,8 @@ public:
 
   std::vector<Tile_certificate> gather(std::uint64_t seed) const
   {
-    return m_tiles.certificates(seed, m_with_cells, nothing);
+    const Stage_progress progress(m_progress, "certificate", number_of_tiles());
+    return m_tiles.certificates(seed, m_with_cells, [&](std::size_t) { progress.tell_next(); });
   }
 
   void show(const Tile_pairs& pairs)
@@ -127,13 +135,12 @@ public:
   const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles.tiles(); }
 
 private:
-  static void nothing(std::size_t) {} // is to be said of a tile's progress
-
   std::optional<Tiling> m_tiling;
   bool m_with_cells = false;
   std::size_t m_rounds = 0;
   std::uint64_t m_told = 0;
   Tiles_in_memory m_tiles;
+  Stage_progress::Function m_progress;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

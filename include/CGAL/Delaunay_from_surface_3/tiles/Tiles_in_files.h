@@ -49,6 +49,8 @@ public:
   {
     m_progress = options.progress;
     m_stages.begin(source, options, m_executor.number_of_workers());
+    if (m_stages.stage() == Tiles_stages::DONE) // it may have been killed before it had cleaned
+      m_stages.clean();
     while (m_stages.stage() < Tiles_stages::ROUND)
       do_stage();
   }

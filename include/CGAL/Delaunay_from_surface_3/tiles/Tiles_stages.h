@@ -19,6 +19,7 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_tasks.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/forget_folder.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
 
 #include <algorithm>
@@ -143,17 +144,38 @@ public:
     find_stage();
   }
 
-  void forget()
+  // Removes what is not read any more, and what killed processes left. When nobody does any task.
+  void clean() const
   {
-    std::filesystem::remove_all(m_folder.place());
-    m_tiling.reset();
+    std::set<std::string> kept;
+    for (std::uint32_t t = 0; m_stage != DONE && m_round > 0 && t < m_input.tiles; ++t) {
+      kept.insert(m_folder.file("tile", t, m_closed.last_rounds[t]).filename().string());
+      kept.insert(m_folder.file("post", t, m_round - 1).filename().string());
+    }
+    std::vector<std::filesystem::path> gone;
+    for (const auto& entry : std::filesystem::directory_iterator(m_folder.place())) {
+      const std::string name = entry.path().filename().string();
+      const std::string kind = name.substr(0, name.find('-'));
+      const bool is_unfinished = entry.path().extension() == unfinished;
+      const bool is_old = (kind == "tile" || kind == "post") && kept.count(name) == 0;
+      const bool is_read =
+          (kind == "range" && m_stage > SAMPLE) || (kind == "home" && m_stage == DONE);
+      if (is_unfinished || is_old || is_read)
+        gone.push_back(entry.path());
+    }
+    std::error_code ignored;
+    for (const auto& path : gone)
+      std::filesystem::remove(path, ignored);
   }
+
+  void forget() const { forget_folder(m_folder.place()); }
 
 private:
   Tile_tasks tasks(std::size_t n = 1) const { return {m_folder, *m_source, m_input, m_limit, n}; }
 
   void begin_anew(const Tiles_options& options, std::size_t at_once)
   {
+    remove_forgotten(m_folder.place());
     m_input = {m_source->size(),
                fingerprint_of(*m_source),
                options.sample_share,
@@ -214,10 +236,8 @@ private:
     } else if (m_stage == ROUND) {
       for (const Posted& posted : m_closed.posts)
         tiles.insert(posted.to);
-      for (const auto& [a, b] : m_shown) {
-        tiles.insert(a);
-        tiles.insert(b);
-      }
+      for (const auto& [a, b] : m_shown)
+        tiles.insert({a, b});
     }
     m_tasks.assign(tiles.begin(), tiles.end());
   }
@@ -255,30 +275,6 @@ private:
     std::random_device random;
     closed.seed = std::uint64_t(random()) << 32 | random();
     m_folder.write_closed(m_round, closed);
-  }
-
-  // Removes what is not read any more, and what killed processes left.
-  void clean() const
-  {
-    std::set<std::string> kept;
-    for (std::uint32_t t = 0; m_stage != DONE && m_round > 0 && t < m_input.tiles; ++t) {
-      kept.insert(m_folder.file("tile", t, m_closed.last_rounds[t]).filename().string());
-      kept.insert(m_folder.file("post", t, m_round - 1).filename().string());
-    }
-    std::vector<std::filesystem::path> gone;
-    for (const auto& entry : std::filesystem::directory_iterator(m_folder.place())) {
-      const std::string name = entry.path().filename().string();
-      const std::string kind = name.substr(0, name.find('-'));
-      const bool is_unfinished = entry.path().extension() == unfinished;
-      const bool is_old = (kind == "tile" || kind == "post") && kept.count(name) == 0;
-      const bool is_read =
-          (kind == "range" && m_stage > SAMPLE) || (kind == "home" && m_stage == DONE);
-      if (is_unfinished || is_old || is_read)
-        gone.push_back(entry.path());
-    }
-    std::error_code ignored;
-    for (const auto& path : gone)
-      std::filesystem::remove(path, ignored);
   }
 
   Tile_folder m_folder;

@@ -18,6 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_stages.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/files_of_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/run_tasks.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/run_tiles.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
@@ -53,8 +54,8 @@ public:
   // Begins or goes on, to the end.
   Tiles_report run(const Tile_source_3& source, const Tiles_options& options)
   {
-    const Folder_lock lock(m_folder, true);
-    refuse_other_tiles();
+    const Folder_lock lock(m_folder, Folder_lock::ALONE);
+    refuse_other_tiles(source);
     const auto no_seed = [] { return std::uint64_t(0); }; // it is in the state
     const auto write = [&](const Tiles_report& report) {
       write_all(options);
@@ -69,7 +70,9 @@ public:
   // neighbors.
   std::size_t next(const Tile_source_3& source, const Tiles_options& options)
   {
-    const Folder_lock lock(m_folder, false);
+    const Folder_lock lock(m_folder, Folder_lock::SHARED);
+    refuse_other_tiles(source);
+    const Folder_lock turn = my_turn(); // another would close the same stage
     try {
       return close_and_count(source, options);
     } catch (const Surface_input_error&) {
@@ -91,8 +94,9 @@ public:
   // Of those that next() has counted, by all threads.
   void do_task(const Tile_source_3& source, const Tiles_options& options, std::size_t k)
   {
-    const Folder_lock lock(m_folder, false);
-    Tiles_stages& stages = begin(source, options);
+    const Folder_lock lock(m_folder, Folder_lock::SHARED);
+    refuse_other_tiles(source);
+    Tiles_stages& stages = begin_in_turn(source, options);
     const bool writes = stages.stage() == Tiles_stages::DONE;
     const std::size_t n = writes ? m_engine.number_of_tiles() : stages.number_of_tasks();
     if (k >= n)
@@ -105,6 +109,8 @@ public:
   }
 
 private:
+  Folder_lock my_turn() const { return Folder_lock(m_folder / "state", Folder_lock::IN_TURN); }
+
   std::size_t close_and_count(const Tile_source_3& source, const Tiles_options& options)
   {
     Tiles_stages& stages = begin(source, options);
@@ -119,15 +125,21 @@ private:
     for (std::uint32_t t = 0; t < m_engine.number_of_tiles(); ++t)
       if (!is_written(t))
         return m_engine.number_of_tiles();
+    stages.clean(); // who closed the last stage may have been killed before
     finish();
     return 0;
   }
 
+  // For tasks, of which one is in memory, and has all threads.
   Tiles_stages& begin(const Tile_source_3& source, const Tiles_options& options)
   {
-    refuse_other_tiles();
-    m_engine.stages().begin(source, options, m_executor.number_of_workers());
+    m_engine.stages().begin(source, options, 1);
     return m_engine.stages();
+  }
+  Tiles_stages& begin_in_turn(const Tile_source_3& source, const Tiles_options& options)
+  {
+    const Folder_lock turn = my_turn();
+    return begin(source, options);
   }
 
   static bool is_all_done(const Tiles_stages& stages)
@@ -146,13 +158,19 @@ private:
     stages.show(differing);
   }
 
-  // What is there without a state is of another run.
-  void refuse_other_tiles() const
+  // What is there without a state is of another run, and would be taken for what is written already.
+  void refuse_other_tiles(const Tile_source_3& source) const
   {
-    for (const auto& file : {m_folder / "tiles.json", file_of_tile(m_folder, "cells", 0, "npy")})
-      if (std::filesystem::exists(file) && !std::filesystem::exists(m_folder / "state" / "input"))
-        throw Tile_files_error(file.string() +
-                               ": is of another run: remove it, or name another folder");
+    refuse_to_overwrite(source, m_folder);
+    if (std::filesystem::exists(m_folder / "state" / "input"))
+      return;
+    std::vector<std::filesystem::path> others = files_of_tiles(m_folder);
+    if (std::filesystem::exists(m_folder / "tiles.json"))
+      others.insert(others.begin(), m_folder / "tiles.json");
+    if (!others.empty())
+      throw Tile_files_error(others.front().string() +
+                             ": is of another run: remove all files of its tiles, or name another "
+                             "folder");
   }
 
   bool is_written(std::uint32_t t) const

@@ -62,7 +62,7 @@ void run_tasks(const Executor& executor, std::size_t n, const Function& task)
     }
   };
   const Worker worker(task, n);
-  executor.run(executor.number_of_workers(), worker);
+  executor.run((std::min)(n, executor.number_of_workers()), worker);
   if (worker.error)
     std::rethrow_exception(worker.error);
 }
