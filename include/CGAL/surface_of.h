@@ -9,9 +9,9 @@
 #include <CGAL/Delaunay_from_surface_3/surface/Face_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Halfedge_graph_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
-#include <CGAL/Delaunay_from_surface_3/surface/vertex_index_map_of_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -59,7 +59,14 @@ template <class HalfedgeGraph, typename CGAL_NP_TEMPLATE_PARAMETERS>
 auto surface_of(const HalfedgeGraph& g, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   namespace DFS = Delaunay_from_surface_3;
-  const auto index_map = DFS::internal::vertex_index_map_of_mesh(g, np);
+  const auto index_map = [&] {
+    // CGAL's helper asserts that a map which is given is a numbering: here it is refused by name.
+    if constexpr (parameters::is_default_parameter<CGAL_NP_CLASS,
+                                                   internal_np::vertex_index_t>::value)
+      return get_initialized_vertex_index_map(g);
+    else
+      return parameters::get_parameter(np, internal_np::vertex_index);
+  }();
   using Index_map = std::decay_t<decltype(index_map)>;
   using Reader = DFS::internal::Halfedge_graph_reader<HalfedgeGraph, Index_map>;
   return DFS::Triangulated_surface<Reader>(Reader(g, index_map));

@@ -9,7 +9,6 @@
 #include <CGAL/Delaunay_from_surface_3/door/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/vertex_index_map_of_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -37,6 +36,17 @@ std::optional<std::string> irregularity_of_mesh(const FaceGraph& mesh)
   if (non_triangles == 0)
     return std::nullopt;
   return "faces that are not triangles: " + std::to_string(non_triangles);
+}
+
+// CGAL's helper is used only where no map is given: it asserts that a map has no gaps.
+template <class FaceGraph, class NamedParameters>
+auto vertex_index_map_of_mesh(const FaceGraph& mesh, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::vertex_index_t>::value)
+    return get_initialized_vertex_index_map(mesh);
+  else
+    return parameters::get_parameter(np, internal_np::vertex_index);
 }
 
 // The vertices of a mesh, read and checked.

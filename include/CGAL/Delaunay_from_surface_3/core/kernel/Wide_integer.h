@@ -113,23 +113,8 @@ public:
     return sum(s, t, !t.m_is_negative);
   }
 
-  friend Wide_integer operator*(const Wide_integer& s, const Wide_integer& t)
-  {
-    return s.number_of_non_zeros() * (t.m_size - t.m_begin) <
-                   t.number_of_non_zeros() * (s.m_size - s.m_begin)
-               ? product(s, t)
-               : product(t, s);
-  }
-
-private:
-  int number_of_non_zeros() const
-  {
-    return m_size - m_begin - int(std::count(m_digits + m_begin, m_digits + m_size, Digit(0)));
-  }
-
-  // Takes as long as t is, for each digit of s that is not 0.
-  CGAL_DELAUNAY_FROM_SURFACE_3_APART static Wide_integer product(const Wide_integer& s,
-                                                                 const Wide_integer& t)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART friend Wide_integer operator*(const Wide_integer& s,
+                                                                   const Wide_integer& t)
   {
     Wide_integer product;
     product.m_is_negative = s.m_is_negative != t.m_is_negative;
@@ -153,6 +138,7 @@ private:
     return product;
   }
 
+private:
   void trim()
   {
     while (m_size > m_begin && m_digits[m_size - 1] == 0)
