@@ -116,7 +116,7 @@ public:
   {
   }
 
-  // Tries to insert vertex p by a walk of `most_cells` cells from cell `start`, which may be stale.
+  // Tries to insert vertex p by a walk of at most `most_cells` cells from `start`, which may be stale.
   // `other` is the vertex that is there already, or to which the walk came.
   Insertion_try insert(Id p, Id start, Id& other,
                        std::size_t most_cells = (std::numeric_limits<std::size_t>::max)())
