@@ -22,11 +22,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -55,6 +55,8 @@ delaunay_3_status status_of(std::size_t* where, const F& f)
 {
   try {
     const core::Rounding_to_nearest rounding;
+    if (core::obstacle_of_core() != nullptr)
+      return DELAUNAY_3_NOT_EXACT;
     f();
     return DELAUNAY_3_OK;
   } catch (const Refusal& refusal) {
@@ -63,6 +65,10 @@ delaunay_3_status status_of(std::size_t* where, const F& f)
     return refusal.status;
   } catch (const CGAL::Delaunay_from_surface_3::Too_few_ids&) {
     return DELAUNAY_3_TOO_MANY;
+  } catch (const std::length_error&) {
+    return DELAUNAY_3_BAD_ARGUMENT;
+  } catch (const std::invalid_argument&) { // the points have changed
+    return DELAUNAY_3_BAD_ARGUMENT;
   } catch (const std::bad_alloc&) {
     return DELAUNAY_3_NO_MEMORY;
   } catch (...) {
@@ -77,12 +83,27 @@ std::size_t checked_threads(int threads)
   return (std::min)(std::size_t(threads), std::size_t(core::Lanes::most_workers));
 }
 
+void refuse_null(const void* array, std::size_t n = 1)
+{
+  if (array == nullptr && n > 0)
+    throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
+}
+
+// Before anything is read of an array whose entries have three numbers each: that so many can be
+// numbered, and lie in memory.
+void check_number(const void* array, std::size_t n)
+{
+  constexpr std::size_t most_in_memory = std::size_t(-1) / 2 / (3 * sizeof(double));
+  if (n >= (std::min)(core::Compact_numbers<std::uint32_t>::max_vertices - 1, most_in_memory))
+    throw Refusal{DELAUNAY_3_TOO_MANY, 0};
+  refuse_null(array, n);
+}
+
 core::Point_array checked_points(const double* points, std::size_t n)
 {
-  if (points == nullptr && n > 0)
-    throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
+  check_number(points, n);
   for (std::size_t i = 0; i < 3 * n; ++i)
-    if (!std::isfinite(points[i]))
+    if (!core::is_finite_number(points[i]))
       throw Refusal{DELAUNAY_3_NOT_FINITE, i / 3};
   return core::Point_array(points, n);
 }
@@ -90,7 +111,8 @@ core::Point_array checked_points(const double* points, std::size_t n)
 std::vector<std::array<std::int32_t, 3>> checked_faces(const std::int32_t* triangles,
                                                        std::size_t number, std::size_t n)
 {
-  std::vector<std::array<std::int32_t, 3>> faces(triangles == nullptr ? 0 : number);
+  check_number(triangles, number);
+  std::vector<std::array<std::int32_t, 3>> faces(number);
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
       faces[f][k] = triangles[3 * f + k];
@@ -123,8 +145,10 @@ delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t
                                    size_t number_of_triangles, int threads, delaunay_3** result,
                                    size_t* where)
 {
-  *result = nullptr;
+  if (result != nullptr)
+    *result = nullptr;
   return status_of(where, [&] {
+    refuse_null(result);
     const core::Thread_executor executor(checked_threads(threads));
     const core::Point_array checked = checked_points(points, n);
     const auto faces = checked_faces(triangles, number_of_triangles, n);
@@ -144,11 +168,15 @@ const char* delaunay_3_message(delaunay_3_status status)
   case DELAUNAY_3_BAD_INDEX:
     return "a triangle has an index that is not one of a point";
   case DELAUNAY_3_BAD_ARGUMENT:
-    return "there is no such thread, level or array";
+    return "threads must be at least 1, levels from 0 to 3, arrays with entries not null, and the "
+           "points those of the triangulation";
   case DELAUNAY_3_TOO_MANY:
-    return "there are more cells than numbers of 32 bits can tell apart";
+    return "there are more cells, points or triangles than numbers of 32 bits can tell apart";
   case DELAUNAY_3_NO_MEMORY:
     return "there is not enough memory";
+  case DELAUNAY_3_NOT_EXACT:
+    return "the library is compiled with -ffast-math or -Ofast (remedy: -fno-fast-math), or "
+           "denormal numbers become zero in a mode that cannot be left";
   default:
     return "the library has failed";
   }
@@ -156,6 +184,11 @@ const char* delaunay_3_message(delaunay_3_status status)
 
 void delaunay_3_get(const delaunay_3* d, delaunay_3_cells* cells)
 {
+  if (cells == nullptr)
+    return;
+  *cells = {-1, 0, 0, 0, nullptr, nullptr, 0, nullptr};
+  if (d == nullptr)
+    return;
   const Arrays& arrays = d->arrays;
   *cells = {arrays.dimension(),        arrays.number_of_simplices(),
             arrays.number_of_cells(),  arrays.stride(),
@@ -173,6 +206,8 @@ delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, siz
 {
   return status_of(where, [&] {
     const core::Thread_executor executor(checked_threads(threads));
+    refuse_null(d);
+    refuse_null(found, n);
     const core::Point_array queries = checked_points(points, n);
     const Arrays& arrays = d->arrays;
     if (arrays.dimension() < 3) {
@@ -197,10 +232,12 @@ delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, siz
 int delaunay_3_is_valid(const delaunay_3* d, int level)
 {
   bool is_valid = false;
-  if (level >= 0 && level <= int(CGAL::Delaunay_validity_level::DELAUNAY))
-    status_of(nullptr, [&] {
-      checked_points(d->points.size() > 0 ? d->points[0] : nullptr, d->points.size());
-      is_valid = core::is_valid(d->arrays, d->points, CGAL::Delaunay_validity_level(level));
-    });
-  return is_valid;
+  const delaunay_3_status status = status_of(nullptr, [&] {
+    refuse_null(d);
+    if (level < 0 || level > int(CGAL::Delaunay_validity_level::DELAUNAY))
+      throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
+    checked_points(d->points.size() > 0 ? d->points[0] : nullptr, d->points.size());
+    is_valid = core::is_valid(d->arrays, d->points, CGAL::Delaunay_validity_level(level));
+  });
+  return status == DELAUNAY_3_OK ? is_valid : -int(status);
 }

@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -69,6 +70,9 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
   static_assert(!accepts_points<Visitor, Point_of_doubles>(),
                 "delaunay_3_arrays() leaves no point out: its visitor has no accept()");
   const Rounding_to_nearest rounding;
+  if (const char* const obstacle = obstacle_of_core())
+    throw std::runtime_error(std::string("arrays would be slow to make, or not exact: ") +
+                             obstacle);
   const std::vector<Point_of_doubles> not_asked_for;
   Visitor_watcher<Visitor, Point_of_doubles> watcher(visitor, rounding, not_asked_for);
   if (irregularity)
@@ -150,6 +154,8 @@ below; any other does not compile
 
 \throws Surface_input_error if a coordinate is not a finite number
 \throws std::length_error if there are more cells than `Index` can number
+\throws std::runtime_error if the core is compiled with `-ffast-math`, `-Ofast` or parts of them, or
+denormal numbers become zero in a mode that cannot be left
 
 Example: \ref Delaunay_from_surface_3/arrays_and_inside.cpp
 

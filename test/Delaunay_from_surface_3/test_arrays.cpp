@@ -421,6 +421,26 @@ BOOST_AUTO_TEST_CASE(validity_in_every_rounding_mode)
   }
 }
 
+// Whoever has set the mode: what no macro tells is found, and what lives in Rounding_to_nearest keeps
+// denormal numbers, on all threads.
+BOOST_AUTO_TEST_CASE(denormal_numbers_in_a_mode_without_them)
+{
+  for (const fuzz::Rounding_mode& mode : fuzz::rounding_modes) {
+    std::vector<std::array<double, 3>> points;
+    for (const Point& p : grid(5, 5, 5))
+      points.push_back({p.x() * 1e-310, p.y() * 1e-320, p.z() * 5e-324});
+    const fuzz::Rounding rounding(mode);
+    const bool has_obstacle = DFS::internal::obstacle_of_core() != nullptr;
+    const bool is_without = mode.takes_denormals_for_zero && fuzz::bits_of_arithmetic() != 0;
+    const auto arrays = CGAL::delaunay_3_arrays(points);
+    const bool is_valid = CGAL::is_valid_delaunay_3_arrays(arrays, points);
+    BOOST_TEST((has_obstacle || !is_without), mode.name);
+    BOOST_TEST(is_valid, mode.name);
+    BOOST_TEST(arrays.dimension() == 3, mode.name);
+    BOOST_TEST(arrays.number_of_simplices() >= 5u * 64u, mode.name);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(visitors_are_called_in_the_rounding_mode_of_the_caller)
 {
   struct Mode_visitor : CGAL::Default_surface_insertion_visitor_3
@@ -495,17 +515,21 @@ BOOST_AUTO_TEST_CASE(order_of_the_last_call)
   BOOST_CHECK_THROW(delaunay_3_arrays(points, none), CGAL::Surface_input_error);
   check_arrays(delaunay_3_arrays(std::vector<Point>(), order), std::vector<Point>());
   order = DFS::Insertion_order();
-  // One that costs too much by now: two lines, of which spaced rounds cost too much, too.
-  std::vector<Point> lines;
-  for (int i = 0; i < 1500; ++i)
-    lines.push_back(i % 2 == 0 ? Point(i, 0, 0) : Point(0, i, 1));
-  for (std::size_t i = 0; i < lines.size(); ++i)
+  // One that costs too much by now, and so does the next.
+  points = surfaces::sphere(2000, 0.05).points;
+  for (std::size_t i = 0; i < points.size(); ++i)
     order.order.push_back(i);
-  order.round_ends = {lines.size()};
+  order.round_ends = {points.size()};
   order.starting_places.clear();
+  DFS::internal::Given_edges no_edges;
+  DFS::internal::Kept_order orders(order, std::make_unique<Starved_nets>(no_edges));
+  const auto coordinates = DFS::internal::rounded_coordinates(points);
+  DFS::internal::Given_points source({coordinates.data(), points.size()});
   Reasons_visitor visitor;
-  check_arrays(delaunay_3_arrays(lines, order, CGAL::parameters::visitor(std::ref(visitor))),
-               lines);
+  check_arrays(DFS::internal::insert_into_arrays<std::int32_t>(
+                   source, orders, std::nullopt, DFS::internal::Alone(),
+                   CGAL::parameters::visitor(std::ref(visitor))),
+               points);
   BOOST_CHECK_EQUAL(visitor.orders_replaced, 2u);
-  BOOST_CHECK_EQUAL(order.order.size(), lines.size());
+  BOOST_CHECK_EQUAL(order.order.size(), points.size());
 }

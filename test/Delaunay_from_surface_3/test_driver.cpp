@@ -8,7 +8,6 @@
 #define BOOST_TEST_MODULE test_driver
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -17,6 +16,7 @@
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_3.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -88,6 +88,12 @@ struct Starved_nets : DFS::Surface_net_rounds
 using Starved_traits =
     CGAL::Surface_insertion_policies_3<DFS::No_subgraph, Starved_nets, DFS::Planned_hints_3>;
 
+struct Starved_rounds : DFS::Spaced_rounds
+{
+  static constexpr std::size_t cells_per_point = 1;
+  using DFS::Spaced_rounds::Spaced_rounds;
+};
+
 struct Watch : CGAL::Default_surface_insertion_visitor_3
 {
   std::size_t orders_replaced = 0, ends = 0, rounds = 0, plans = 0;
@@ -156,12 +162,14 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
   BOOST_TEST(replaced.ends == 1u);
   BOOST_TEST(replaced.plans == 2u);
 
-  // Points alone have a budget too, which two lines exceed.
-  const std::vector<Point> lines = surfaces::two_lines(1000).points;
+  // Points alone have a budget too.
+  const CGAL::Surface_insertion_policies_3<DFS::No_subgraph, Starved_rounds, DFS::Planned_hints_3>
+      starved_rounds;
   Watch exceeded;
-  Triangulation of_lines;
-  CGAL::insert_points_3(of_lines, lines, CGAL::parameters::visitor(std::ref(exceeded)));
-  BOOST_TEST((of_lines == Triangulation(lines.begin(), lines.end())));
+  Triangulation of_points;
+  CGAL::insert_points_3(of_points, surface.points, std::vector<std::array<int, 3>>(),
+                        starved_rounds, CGAL::parameters::visitor(std::ref(exceeded)));
+  BOOST_TEST((of_points == expected));
   BOOST_TEST(exceeded.orders_replaced == 1u);
   BOOST_TEST(exceeded.ends == 1u);
 

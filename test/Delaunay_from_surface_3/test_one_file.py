@@ -9,6 +9,7 @@ import math
 import os
 import random
 import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -17,7 +18,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "examples/Delaunay_from_surface_3/without_cgal/triangulate.c"
-OK, NOT_FINITE, BAD_INDEX, BAD_ARGUMENT = range(4)
+OK, NOT_FINITE, BAD_INDEX, BAD_ARGUMENT, TOO_MANY, NO_MEMORY, FAILED, NOT_EXACT = range(8)
 
 
 class Cells(ctypes.Structure):
@@ -82,7 +83,7 @@ class OneFile(unittest.TestCase):
                     self.c.delaunay_3_get(d, ctypes.byref(cells))
                     self.assertEqual((cells.dimension, cells.number_of_points), (dimension, len(points) // 3))
                     self.assertEqual([self.c.delaunay_3_is_valid(d, level) for level in range(-1, 5)],
-                                     [0, 1, 1, 1, 1, 0])
+                                     [-BAD_ARGUMENT, 1, 1, 1, 1, -BAD_ARGUMENT])
                     self.check_find(d, cells, points, threads)
                     self.c.delaunay_3_free(d)
         self.c.delaunay_3_free(None)
@@ -118,8 +119,73 @@ class OneFile(unittest.TestCase):
         status = self.c.delaunay_3_find(d, queries, ctypes.c_size_t(2), 1, found, ctypes.byref(where))
         self.assertEqual((status, where.value), (NOT_FINITE, 1))
         self.c.delaunay_3_free(d)
-        messages = [self.c.delaunay_3_message(status) for status in range(7)]
-        self.assertEqual(len(set(messages)), 7)
+        messages = [self.c.delaunay_3_message(status) for status in range(8)]
+        self.assertEqual(len(set(messages)), 8)
+
+    def test_sizes_are_not_believed(self):
+        _, d, _ = self.build([0.] * 30)
+        c, found = self.c, array(ctypes.c_int32, [0])
+        for n in (2 ** 31 - 1, 2 ** 32, 2 ** 40, 2 ** 61, 2 ** 64 // 3 + 1, 2 ** 64 - 1):
+            for points in (None, self.points):
+                other = ctypes.c_void_p(1)
+                self.assertEqual(c.delaunay_3_build(points, ctypes.c_size_t(n), None, ctypes.c_size_t(0), 1,
+                                                    ctypes.byref(other), None), TOO_MANY)
+                self.assertIsNone(other.value)
+                self.assertEqual(c.delaunay_3_build(self.points, ctypes.c_size_t(10), points, ctypes.c_size_t(n), 1,
+                                                    ctypes.byref(other), None), TOO_MANY)
+                self.assertEqual(c.delaunay_3_find(d, points, ctypes.c_size_t(n), 1, found, None), TOO_MANY)
+        c.delaunay_3_free(d)
+
+    def test_null_is_refused(self):
+        _, d, _ = self.build([0.] * 30)
+        c, one, none, found = self.c, ctypes.c_size_t(1), ctypes.c_size_t(0), array(ctypes.c_int32, [7])
+        other, cells = ctypes.c_void_p(), Cells()
+        for arguments, expected in (((None, one, None, none, 1, ctypes.byref(other)), BAD_ARGUMENT),
+                                    ((self.points, one, None, one, 1, ctypes.byref(other)), BAD_ARGUMENT),
+                                    ((self.points, one, None, none, 1, None), BAD_ARGUMENT),
+                                    ((None, none, None, none, 1, ctypes.byref(other)), OK)):
+            self.assertEqual(c.delaunay_3_build(*arguments, None), expected)
+        for arguments, expected in (((None, self.points, one, 1, found), BAD_ARGUMENT),
+                                    ((d, None, one, 1, found), BAD_ARGUMENT),
+                                    ((d, self.points, one, 1, None), BAD_ARGUMENT), ((d, None, none, 1, None), OK)):
+            self.assertEqual(c.delaunay_3_find(*arguments, None), expected)
+        c.delaunay_3_get(None, ctypes.byref(cells))
+        self.assertEqual((cells.dimension, cells.number, cells.number_of_points), (-1, 0, 0))
+        c.delaunay_3_get(d, None)
+        self.assertEqual(c.delaunay_3_is_valid(None, 3), -BAD_ARGUMENT)
+        c.delaunay_3_free(d)
+        c.delaunay_3_free(other)
+
+    def test_validity_that_cannot_be_checked(self):
+        rng = random.Random(2)
+        _, d, _ = self.build([rng.random() for _ in range(60000)])
+        limits, used = resource.getrlimit(resource.RLIMIT_AS), int(Path("/proc/self/statm").read_text().split()[0])
+        try:
+            resource.setrlimit(resource.RLIMIT_AS, (used * resource.getpagesize(), limits[1]))
+            is_valid = self.c.delaunay_3_is_valid(d, 3)
+        finally:
+            resource.setrlimit(resource.RLIMIT_AS, limits)
+        self.assertEqual(is_valid, -NO_MEMORY)
+        query = array(ctypes.c_double, self.points[300:303])
+        self.points[300] = math.nan
+        self.assertEqual(self.c.delaunay_3_is_valid(d, 3), -NOT_FINITE)
+        found = array(ctypes.c_int32, [0])
+        self.assertEqual(self.c.delaunay_3_find(d, query, ctypes.c_size_t(1), 1, found, None), BAD_ARGUMENT)
+        self.c.delaunay_3_free(d)
+
+    def test_compiled_for_speed_alone(self):
+        """As with -Ofast: every call says that it would not be exact; at -O0, as it is compiled faster."""
+        library = self.path / "libfast.so"
+        compiler = [*os.environ.get("CXX", "c++").split(), "-std=c++17", "-O0", "-ffast-math"]
+        subprocess.run([*compiler, "-shared", "-fPIC", "delaunay_3.cpp", "-o", library, "-pthread"], cwd=self.path,
+                       check=True)
+        # In a process of its own, as it may change the mode of this one.
+        program = (f"import ctypes; c = ctypes.CDLL({str(library)!r}); d = ctypes.c_void_p()\n"
+                   "p, n, o = (ctypes.c_double * 3)(1, 2, 3), ctypes.c_size_t(1), ctypes.c_size_t(0)\n"
+                   "print(c.delaunay_3_build(p, n, None, o, 1, ctypes.byref(d), None), d.value,\n"
+                   "      c.delaunay_3_find(None, p, n, 1, p, None), c.delaunay_3_is_valid(None, 3))")
+        done = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
+        self.assertEqual(done.stdout, f"{NOT_EXACT} None {NOT_EXACT} {-NOT_EXACT}\n")
 
 
 if __name__ == "__main__":

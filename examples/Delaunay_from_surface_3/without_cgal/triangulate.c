@@ -25,7 +25,7 @@ int main(void)
   delaunay_3_find(d, middle, 1, 1, &c, NULL);
   const int32_t* v = cells.vertices + (size_t)c * cells.stride;
   printf("%s: points %d, %d, %d and %d of %d are around the middle\n",
-         delaunay_3_is_valid(d, 3) ? "valid" : "wrong", v[0], v[1], v[2], v[3],
+         delaunay_3_is_valid(d, 3) == 1 ? "valid" : "wrong", v[0], v[1], v[2], v[3],
          (int)cells.number_of_points);
   delaunay_3_free(d);
   return 0;

@@ -13,11 +13,11 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <unordered_set>
@@ -131,7 +131,7 @@ private:
       return side;
     for (unsigned k = 0; k < 3; ++k)
       for (const double x : corners[facet[k]])
-        if (!std::isfinite(x))
+        if (!is_finite_number(x))
           throw std::invalid_argument("a coordinate of a point is not a finite number any more");
     return orientation(q.data(), corners[facet[0]].data(), corners[facet[1]].data(),
                        corners[facet[2]].data());

@@ -41,8 +41,9 @@ struct Request
 // and then by random rounds; or by these at once. Keeps a reference.
 std::unique_ptr<Order_source> order_of_core(const Order_request& request, Edge_source& edges);
 
-// What the compiler of the core does to operations on doubles, so that integers decide everything,
-// which is slow; null if nothing is known.
+// What keeps the core from being exact or fast: what its compiler does to operations on doubles, or a
+// mode without denormal numbers that Rounding_to_nearest cannot switch off; null if nothing is known.
+// Asked where that lives.
 const char* obstacle_of_core();
 
 // The Delaunay triangulation of the points, whose coordinates are finite. The numbers in it are

@@ -95,6 +95,8 @@ order_of_core(const Order_request& request, Edge_source& edges)
 
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE const char* obstacle_of_core()
 {
+  if (!keeps_denormals())
+    return "denormal numbers become zero, in a mode that cannot be left";
   return obstacle_of_compiler();
 }
 

@@ -7,13 +7,13 @@
 
 // Coordinates of any number type, as doubles where they are doubles.
 
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <CGAL/number_utils.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -57,7 +57,7 @@ Coordinate_intervals coordinate_intervals(const Point& p)
 template <class FT>
 std::optional<double> equal_double(const FT& x)
 {
-  if (const double d = CGAL::to_double(x); std::isfinite(d) && FT(d) == x)
+  if (const double d = CGAL::to_double(x); is_finite_number(d) && FT(d) == x)
     return d;
   const std::pair<double, double> interval = CGAL::to_interval(x);
   if (interval.first == interval.second)

@@ -9,11 +9,22 @@
 #include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+// Whether a coordinate is a finite number, by its bits: with -ffast-math, compilers take
+// std::isfinite() for true.
+inline bool is_finite_number(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return (bits >> 52 & 0x7ff) != 0x7ff;
+}
 
 // n points as n × 3 doubles, owned elsewhere.
 class Point_array

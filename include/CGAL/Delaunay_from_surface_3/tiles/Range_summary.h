@@ -78,7 +78,7 @@ inline std::vector<double> read_range(const Tile_source_3& source, std::uint64_t
   std::vector<double> coordinates(std::size_t(3 * (last - first)));
   source.read(first, std::size_t(last - first), coordinates.data());
   const auto bad = std::find_if(coordinates.begin(), coordinates.end(),
-                                [](double x) { return !std::isfinite(x); });
+                                [](double x) { return !is_finite_number(x); });
   if (bad != coordinates.end())
     throw Surface_input_error(source.name_of(first + std::uint64_t(bad - coordinates.begin()) / 3) +
                               ": a coordinate is not a finite number");

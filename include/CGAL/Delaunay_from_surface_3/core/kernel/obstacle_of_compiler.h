@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cfloat>
+#include <limits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -40,6 +41,15 @@ inline bool has_error_terms()
   const double* const row = vertex;
   const Exact_differences<1> differences(&row, p);
   return differences.high[0] == 1 && differences.low[0] == -small;
+}
+
+// Whether denormal numbers survive in the mode of this thread, which no macro tells: any library that
+// a program loads may have changed it.
+[[gnu::cold]] inline bool keeps_denormals()
+{
+  const volatile double least = (std::numeric_limits<double>::min)(), two = 2;
+  const volatile double half = least / two;
+  return half != 0;
 }
 
 // What the compiler does otherwise; null if nothing is known.
