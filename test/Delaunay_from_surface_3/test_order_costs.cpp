@@ -32,9 +32,14 @@
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/delaunay_3_arrays.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +53,19 @@ using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
 namespace {
 
 using DFS::internal::Index_graph;
+
+struct Order_watch : CGAL::Default_surface_insertion_visitor_3
+{
+  std::size_t orders_replaced = 0;
+  double destroyed = 0;
+
+  void order_is_replaced(const std::string&) { ++orders_replaced; }
+  template <class Target, class Hints>
+  void insertion_ends(const Target& target, const Hints&)
+  {
+    destroyed = double(target.counts().cells_destroyed);
+  }
+};
 
 // Of one point on average.
 struct Cost
@@ -257,7 +275,8 @@ BOOST_AUTO_TEST_CASE(sorting_of_many_points_that_are_equal)
 
 BOOST_AUTO_TEST_CASE(what_the_budget_allows)
 {
-  const DFS::internal::Insertion_budget budget(64), none(DFS::internal::Order_source::any_number);
+  const DFS::internal::Insertion_budget budget(64), none(DFS::internal::Order_source::any_number),
+      spread(64, true);
   for (const auto& [inserted, cells] :
        {std::pair<std::size_t, std::size_t>(0, 64), {1000, 64}, {1000000, 64}, {4000000, 72}}) {
     DFS::Insertion_counts counts;
@@ -270,5 +289,90 @@ BOOST_AUTO_TEST_CASE(what_the_budget_allows)
     --counts.cells_destroyed;
     ++counts.cells_tested_to_start;
     BOOST_TEST(budget.is_exceeded(counts, inserted));
+    // Where many cells stay, any order has to destroy many; not that of a surface, which may be misled.
+    const std::size_t stay = 10 * counts.cells_destroyed;
+    counts.cells_destroyed += stay;
+    counts.cells_created = counts.cells_destroyed + stay;
+    BOOST_TEST(!spread.is_exceeded(counts, inserted));
+    BOOST_TEST(budget.is_exceeded(counts, inserted));
+    counts.cells_tested_to_start += 2 * stay;
+    BOOST_TEST(spread.is_exceeded(counts, inserted));
+    --counts.cells_tested_to_start;
+    BOOST_TEST(!spread.is_exceeded(counts, inserted));
+    ++counts.cells_destroyed;
+    BOOST_TEST(spread.is_exceeded(counts, inserted));
   }
+}
+
+// No order triangulates these by fewer cells; another one would destroy as many once more.
+BOOST_AUTO_TEST_CASE(what_is_quadratic_by_nature_is_not_begun_anew)
+{
+  using Curve = std::array<double, 3> (*)(double, bool);
+  const std::pair<const char*, Curve> curves[] = {
+      {"moment curve",
+       [](double t, bool) {
+         return std::array<double, 3>{t, t * t, t * t * t};
+       }},
+      {"helix",
+       [](double t, bool) {
+         return std::array<double, 3>{std::cos(12 * t), std::sin(12 * t), 12 * t};
+       }},
+      {"spiral",
+       [](double t, bool) {
+         return std::array<double, 3>{t * std::cos(60 * t), t * std::sin(60 * t), 6 * t * t};
+       }},
+      {"two segments",
+       [](double t, bool b) {
+         return std::array<double, 3>{b ? t : 0, b ? 0 : t, double(b)};
+       }},
+      {"two parabolas",
+       [](double t, bool b) {
+         const double s = t - .5;
+         return b ? std::array<double, 3>{s, s * s, 0} : std::array<double, 3>{0, 1 - s * s, s};
+       }},
+      {"linked circles",
+       [](double t, bool b) {
+         const double x = std::cos(6.28 * t), y = std::sin(6.28 * t);
+         return b ? std::array<double, 3>{x, y, 0} : std::array<double, 3>{1 + x, 0, y};
+       }},
+      {"trefoil", [](double t, bool) {
+         const double a = 6.28 * t;
+         return std::array<double, 3>{std::sin(a) + 2 * std::sin(2 * a),
+                                      std::cos(a) - 2 * std::cos(2 * a), -std::sin(3 * a)};
+       }}};
+  for (const auto& [name, curve] : curves) {
+    std::vector<std::array<double, 3>> points;
+    for (int i = 0; i < 1100; ++i)
+      points.push_back(curve(i / 1100., i % 2 != 0));
+    Order_watch watch;
+    const auto arrays = CGAL::delaunay_3_arrays(points, CGAL::parameters::visitor(std::ref(watch)));
+    BOOST_TEST(arrays.number_of_cells() > 100 * points.size(), name);
+    BOOST_TEST(watch.orders_replaced == 0u, name);
+    BOOST_TEST(watch.destroyed < 1.05 * double(arrays.number_of_cells()), name);
+  }
+}
+
+// But no order is kept whose own fault it is: here two lines come first, and others destroy their cells.
+BOOST_AUTO_TEST_CASE(an_order_that_destroys_what_need_not_be_there_is_replaced)
+{
+  surfaces::Random random(2);
+  std::vector<std::array<double, 3>> points;
+  for (int i = 0; i < 1200; ++i) {
+    const double t = i / 1200.;
+    points.push_back(i % 2 != 0 ? std::array<double, 3>{t, .5, 0}
+                                : std::array<double, 3>{.5, t, 1});
+  }
+  for (int i = 0; i < 2000; ++i) {
+    const double x = random.uniform(0, 1), y = random.uniform(0, 1);
+    points.push_back({x, y, random.uniform(0, 1)});
+  }
+  DFS::Insertion_order order;
+  order.order.resize(points.size());
+  std::iota(order.order.begin(), order.order.end(), std::size_t(0));
+  order.round_ends = {points.size()};
+  Order_watch watch;
+  const auto arrays =
+      CGAL::delaunay_3_arrays(points, order, CGAL::parameters::visitor(std::ref(watch)));
+  BOOST_TEST(watch.orders_replaced == 1u);
+  BOOST_TEST(watch.destroyed < 5 * double(arrays.number_of_cells()));
 }

@@ -110,7 +110,7 @@ std::unique_ptr<Built<Id>> build(Point_source& points, Order_source& orders, con
       begin_to_build(*built, points, orders, request, watcher, executor);
       if (!built->has_started())
         return built;
-      const Insertion_budget budget(orders.cells_per_point());
+      const Insertion_budget budget(orders.cells_per_point(), orders.is_spread());
       typename Inserter_of<Crew>::template type<Id> insert(built->points(), executor, watcher);
       built->outcome = insert_in_rounds(insert, built->order, watcher, budget);
       built->counts = insert.counts();

@@ -33,6 +33,10 @@ public:
   static constexpr std::size_t any_number = std::size_t(-1);
   virtual std::size_t cells_per_point() const = 0;
 
+  // Whether the first points are spread over all at any time, so that of the cells which are then many
+  // most must stay. Of an order by edges, which may begin with hubs, nobody knows.
+  virtual bool is_spread() const { return false; }
+
   // Goes on to the order that takes its place if that was exceeded; false if there is none, as there
   // may be where there is no budget.
   virtual bool go_on() = 0;

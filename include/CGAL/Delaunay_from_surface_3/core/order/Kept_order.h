@@ -46,6 +46,7 @@ public:
     return view_of(m_kept);
   }
   std::size_t cells_per_point() const override { return m_source->cells_per_point(); }
+  bool is_spread() const override { return m_source->is_spread(); }
   bool go_on() override
   {
     m_is_spent = true;

@@ -44,6 +44,7 @@ public:
   {
     return m_request.kind != Order_request::GEOMETRIC ? cells_per_point_of_nets : any_number;
   }
+  bool is_spread() const override { return m_request.kind == Order_request::SPACED; }
   bool go_on() override
   {
     m_order = Insertion_order(); // before there is another
