@@ -57,7 +57,7 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
           const std::vector<std::pair<Point, std::string>>& named, const std::vector<int>& infos,
           CGAL::Regular_triangulation_3<K>& weighted, std::string& text)
 {
-  // expected: this function does not know that named parameter
+  // expected: this_function_does_not_know_that_named_parameter_see_its_documentation<CGAL::internal_np::vertex_to_vertex_map_t>
   CGAL::insert_points_3(without_info, points, parameters::vertex_to_vertex_map(1));
   // expected: infos need a vertex base with info
   CGAL::insert_points_3(without_info, numbered);

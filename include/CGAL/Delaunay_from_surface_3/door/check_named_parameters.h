@@ -16,14 +16,21 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Instantiated for each named parameter given: compilers print its arguments beside the message.
+// Never defined: compilers say so with its name and the parameter, as no static_assert can.
+template <class Tag>
+struct this_function_does_not_know_that_named_parameter_see_its_documentation;
+
 template <class Tag, bool is_known>
 struct Named_parameter
 {
-  static_assert(
-      is_known,
-      "this function does not know that named parameter: see the list in its documentation");
-  static constexpr bool is_right = is_known;
+  static constexpr bool is_right = true;
+};
+
+template <class Tag>
+struct Named_parameter<Tag, false>
+  : this_function_does_not_know_that_named_parameter_see_its_documentation<Tag>
+{
+  static constexpr bool is_right = true; // one error is enough
 };
 
 template <class NamedParameters, class... Known>

@@ -62,7 +62,7 @@ public:
     std::iota(m_inner.begin(), m_inner.end(), std::uint32_t(0));
     random.shuffle(m_inner.begin(), m_inner.end());
     for (std::size_t first = 0; first < n; first += size)
-      m_blocks.push_back({first, random() % size, random() % size});
+      m_blocks.push_back({first, std::size_t(random() % size), std::size_t(random() % size)});
   }
 
   // Calls visit(v) for every number.

@@ -14,6 +14,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Segments.h>
+#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -228,7 +229,8 @@ private:
         if (k % m_rules.chunk == 0 && !may_go_further(round, 0, own.put_off[k]))
           return false;
         while (!insert_point(round, 0, own.put_off[k], any)) {
-          m_shared.grow(); // alone it does not clash
+          CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(round.is_full); // alone it does not clash
+          m_shared.grow();
           round.is_full = false;
         }
       }
