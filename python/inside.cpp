@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,8 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
-py::array winding_numbers(const python::Points& points, const python::Numbers& simplices,
+// The numbers, how sure they are, and a warning, which may be empty.
+py::tuple winding_numbers(const python::Points& points, const python::Numbers& simplices,
                           const python::Numbers& neighbors, const python::Numbers& vertices,
                           const py::object& faces, std::size_t threads)
 {
@@ -54,7 +56,13 @@ py::array winding_numbers(const python::Points& points, const python::Numbers& s
         },
         [&](std::size_t i) { return vertex_of[i]; }, executor);
   });
-  return python::array_from(std::move(inside.winding_numbers), {py::ssize_t(rows.size())});
+  const auto shares = py::make_tuple(
+      inside.number_of_turned, inside.number_of_doubtful, inside.number_of_multiple,
+      inside.doubtful_volume, inside.share_of_openings, inside.missing_area, inside.crossed_volume);
+  const std::string warning = core::warning_of(inside);
+  return py::make_tuple(
+      python::array_from(std::move(inside.winding_numbers), {py::ssize_t(rows.size())}), shares,
+      warning);
 }
 
 } // namespace

@@ -593,6 +593,33 @@ class Inside(unittest.TestCase):
         volume, _ = self.volume_inside(both, np.concatenate([faces[:, ::-1], faces + len(points)]))
         self.assertAlmostEqual(volume, 7, 12)
 
+    def test_points_that_no_face_uses(self):
+        points, faces = self.cube()
+        for far in (1e3, 1e15, 1e100, 1e300):
+            volume, result = self.volume_inside(np.concatenate([points, [[far, -far, far / 3]]]), faces)
+            self.assertAlmostEqual(volume, 1, 12)
+            self.assertEqual(result.inside_figures.number_of_doubtful, 0)
+
+    def test_figures(self):
+        """Faces that are turned are counted; where much may be wrong, a warning says so."""
+        points, faces = self.cube()
+        faces[:20] = faces[:20, ::-1]
+        volume, result = self.volume_inside(points, faces)
+        self.assertAlmostEqual(volume, 1, 12)
+        self.assertEqual(result.inside_figures, (20, 0, 0, 0, 0, 0, 0))
+        self.assertEqual(pickle.loads(pickle.dumps(result)).inside_figures, result.inside_figures)
+        self.assertIsNone(dfs.delaunay3(points, faces).inside_figures)
+        # A star, whose points are joined by long faces that others cross.
+        angles = np.arange(200) * (2 * np.pi / 200)
+        rim = np.column_stack([np.cos(angles), np.sin(angles), .3 * np.sin(7 * angles)])
+        numbers = np.arange(200)
+        ends = np.column_stack([numbers + 2, (numbers + 1) % 200 + 2])
+        cones = np.concatenate([np.insert(ends, 0, 0, axis=1), np.insert(ends[:, ::-1], 0, 1, axis=1)])
+        with self.assertWarnsRegex(UserWarning, "^inside: .* of the volume may be wrong, .*remedy: refine the surface"):
+            result = dfs.delaunay3(np.concatenate([[[0, 0, 2], [0, 0, -1]], rim]), cones, inside=True)
+        self.assertGreater(result.inside_figures.missing_area, 0.2)
+        self.assertGreater(result.inside_figures.crossed_volume, 0.1)
+
     def test_refusals(self):
         points, faces = self.cube()
         around = np.concatenate([points, [[4, 4, 4], [-3, -3, -3]]])

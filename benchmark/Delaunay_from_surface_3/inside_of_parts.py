@@ -59,9 +59,9 @@ def row_of(path, name, program):
             message = done.stderr.strip().splitlines()[-1].removeprefix("error: ").removeprefix(f"{surface}: ")
             return {**row, "inside": "none", "message": message.replace(folder + "/", ""), "edges": edges_of(message)}
         values = json.loads(done.stdout)
-        row.update(faces=values["surface faces"], vertices=values["vertices"], inside=values["inside by"],
+        row.update(faces=values["surface faces"], vertices=values["vertices"], inside="winding numbers" if "not closed" in values else "closed mesh",
                    tetrahedra=values["finite cells"])
-        if values["inside by"] != "closed mesh":
+        if "not closed" in values:
             row.update(in_doubt=share(values["tetrahedra in doubt"]), in_several=values["in several parts"],
                        volume_in_doubt=round(float(values["volume in doubt"].split()[0]) / 100, 6),
                        openings=round(float(values["openings"].split()[0]) / 100, 6), not_closed=values["not closed"], edges=edges_of(values["not closed"]))

@@ -106,7 +106,7 @@ int run(const Options& options, const Surface& surface, Output& output, Report& 
   check_that_view_is_possible(options, tr);
   if (!options.output.empty()) {
     messages.step("writing " + options.output);
-    write(options, surface, tr, vertices, output, report);
+    write(options, surface, tr, vertices, output, report, messages);
     messages.clear();
   }
   if (!options.view.empty()) {

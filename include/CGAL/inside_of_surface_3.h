@@ -30,7 +30,14 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 finds the tetrahedra of a triangulation that lie inside a surface on its points, by the winding
 numbers of their centres (see `Winding_number_3`). The surface need not be closed: it may have gaps,
-faces that are flipped or given twice, and overlapping parts, inside which the number is larger.
+faces that are turned or given twice, and overlapping parts, inside which the number is larger.
+
+Faces are joined across edges with exactly two faces; equal points are one. Where the faces joined do
+not agree, those with the smaller area are turned round; if both have the same area, so that the volume
+is positive. Faces that agree stay as they are: if they look inwards, they are the wall of a cavity.
+
+Where a face is no facet of the triangulation, tetrahedra cross the surface: `Inside_3` says how much
+volume these have.
 
 Call a tetrahedron *surely inside* if its winding number differs by at most 0.1 from an integer
 other than 0, *in doubt* if it differs by more than 0.1 from every integer, and *inside* if its
@@ -44,7 +51,8 @@ openings have at most 3/10 of the area of the surface, and those of a single ope
 files in \ref dfs_inside "the user manual" it separates solids without a deck from patches and short
 tubes.)
 
-A patch, a sheet, a Möbius strip and points alone have no inside.
+A patch, a sheet, a Möbius strip and points alone have no inside. Nor has a surface with a part that is
+closed and not orientable, or one whose faces cancel each other.
 
 <b>Complexity</b>: \f$O((n + m) \log n)\f$ for n faces and m tetrahedra if the surface is spread
 evenly.
@@ -56,7 +64,7 @@ evenly.
 
 \param points the points
 \param faces for each face the indices of its points, in order, counterclockwise as seen from
-outside
+outside, up to faces that are turned as said above
 \param arrays the triangulation of these points; neighbours that have been dropped are recomputed
 
 \return the winding number of each tetrahedron, and what follows from them

@@ -229,8 +229,9 @@ BOOST_AUTO_TEST_CASE(test_regions)
                              cones(300)};
   soups.push_back(box(12));
   soups.back().faces.erase(soups.back().faces.begin() + 100, soups.back().faces.begin() + 120);
-  std::swap(soups.back().faces[700][0], soups.back().faces[700][1]);
   soups.back().faces.push_back(soups.back().faces[900]);
+  std::swap(soups.back().faces[900][0],
+            soups.back().faces[900][1]);      // and nobody can tell which one
   for (unsigned seed = 0; seed < 8; ++seed) { // which flat one comes first must not matter
     surfaces::Indexed_surface torus = surfaces::grid_torus(500);
     surfaces::shuffle(torus, seed);
@@ -380,12 +381,159 @@ BOOST_AUTO_TEST_CASE(test_several_parts)
   const Found cavity = find(both(turned(small), large));
   BOOST_CHECK_CLOSE(cavity.volume, 26, 1e-9);
   BOOST_CHECK_EQUAL(cavity.inside.number_of_multiple, 0u);
+  BOOST_CHECK_EQUAL(cavity.inside.number_of_turned, 0u);
   // Parts that overlap.
   BOOST_CHECK_CLOSE(find(both(box(8, 2), box(8, 2, 1))).volume, 15, 1e-9);
 }
 
+// Points that no face uses, or only one without area, do not make the surface small.
+BOOST_AUTO_TEST_CASE(test_unused_points)
+{
+  surfaces::Indexed_surface holes = surfaces::sphere(500);
+  surfaces::puncture(holes, 2, 1);
+  for (const Soup& soup : {box(3), both(turned(box(2)), box(4, 3, -1)), soup_of(holes)}) {
+    const double expected = find(soup).volume;
+    for (int exponent = 1; exponent <= 300; exponent += 23)
+      for (const double x : {1., -.3}) {
+        Soup other = soup;
+        const double far = std::pow(10., exponent);
+        const std::size_t p = other.add_point(x * far, far, -far / 7);
+        const std::size_t q = other.add_point(x * far, far, -far / 7);
+        other.faces.push_back({0, p, p});
+        other.faces.push_back({p, 0, q});
+        const Found found = find(other);
+        BOOST_CHECK_CLOSE(found.volume, expected, 1e-6);
+        BOOST_TEST(found.inside.number_of_turned == 0u);
+      }
+  }
+}
+
+// Some faces turned round, by chance or all for which a condition holds.
+template <class Condition>
+Soup with_turned(Soup soup, Condition condition)
+{
+  for (std::size_t f = 0; f < soup.faces.size(); ++f)
+    if (condition(f, soup.faces[f]))
+      std::swap(soup.faces[f][0], soup.faces[f][2]);
+  return soup;
+}
+
+BOOST_AUTO_TEST_CASE(test_turned_faces)
+{
+  std::mt19937 random(5);
+  const auto one_in_twelve = [&](std::size_t, const Face&) { return random() % 12 == 0; };
+  const Soup ball = soup_of(surfaces::sphere(2000)), torus = soup_of(surfaces::grid_torus(1500));
+  Soup small = ball;
+  for (Coordinates& p : small.points)
+    p = {p[0] / 2, p[1] / 2, p[2] / 2};
+  Soup edge = box(3); // and another box, with which it shares an edge
+  for (const Coordinates& p : box(3).points)
+    edge.add_point(p[0] + 1, p[1] + 1, p[2]);
+  for (const Face& f : box(3).faces)
+    edge.faces.push_back({f[0] + 96, f[1] + 96, f[2] + 96});
+  struct Case
+  {
+    Soup soup, hurt;
+  };
+  const Soup hollow = both(ball, turned(small));
+  std::vector<Case> cases;
+  cases.push_back({box(4), with_turned(box(4), [](std::size_t f, auto&) { return f < 32; })});
+  cases.push_back({box(4), with_turned(box(4), [](std::size_t f, auto&) { return f < 96; })});
+  cases.push_back({ball, with_turned(ball, [&](std::size_t, const Face& f) {
+                     return ball.points[f[0]][2] > 0;
+                   })});
+  for (const Soup& soup : {ball, torus, edge, box(6), both(box(4), box(8, 3, -1)), hollow})
+    cases.push_back({soup, with_turned(soup, one_in_twelve)});
+  const std::size_t faces = ball.faces.size();
+  cases.push_back({hollow, with_turned(hollow, [&](std::size_t f, auto&) {
+                     return f >= faces && f % 12 == 0;
+                   })});
+  cases.push_back(
+      {hollow, with_turned(hollow, [&](std::size_t f, auto&) { return f < faces && f % 9 == 0; })});
+  for (const Case& c : cases) {
+    const Found whole = find(c.soup), found = find(c.hurt);
+    BOOST_CHECK_EQUAL(whole.inside.number_of_turned, 0u);
+    BOOST_CHECK_GT(found.inside.number_of_turned, 0u);
+    BOOST_CHECK_CLOSE(found.volume, whole.volume, 1e-9);
+    BOOST_CHECK_EQUAL(found.inside.number_of_doubtful, 0u);
+  }
+  // Exactly those that have been turned; one that is coherent stays, and looks inwards.
+  BOOST_CHECK_EQUAL(find(cases[0].hurt).inside.number_of_turned, 32u);
+  BOOST_CHECK_EQUAL(find(turned(ball)).inside.number_of_turned, 0u);
+  BOOST_CHECK_CLOSE(find(hollow).volume, find(ball).volume - find(small).volume, 1e-3);
+
+  // Faces of four points count once.
+  std::vector<std::vector<int>> sides = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                         {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  std::reverse(sides[3].begin(), sides[3].end());
+  std::vector<Coordinates> corners;
+  for (int k = 0; k < 8; ++k)
+    corners.push_back({double(k & 1), double(k >> 1 & 1), double(k >> 2)});
+  const auto arrays = CGAL::delaunay_3_arrays(corners);
+  const CGAL::Inside_3 inside = CGAL::inside_of_surface_3(corners, sides, arrays);
+  BOOST_CHECK_EQUAL(inside.number_of_turned, 1u);
+  for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c)
+    BOOST_TEST(inside[c]);
+}
+
+// Klein's bottle, as a figure of eight that turns half round: closed, and it has only one side.
+BOOST_AUTO_TEST_CASE(test_what_is_not_orientable)
+{
+  Soup bottle;
+  const std::size_t n = 24;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double u = 2 * pi * double(i) / n, v = 2 * pi * (double(j) + .5) / n;
+      const double r = 2 + std::cos(u / 2) * std::sin(v) - std::sin(u / 2) * std::sin(2 * v);
+      bottle.add_point(r * std::cos(u), r * std::sin(u),
+                       std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v));
+    }
+  const auto at = [&](std::size_t i, std::size_t j) {
+    return i < n ? n * i + j % n : (2 * n - 1 - j % n) % n;
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      bottle.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      bottle.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  check_that_there_is_none(bottle, "it is not orientable; remedy: ");
+  check_that_there_is_none(both(box(4, 3, 9), bottle), "it is not orientable; remedy: ");
+}
+
+// Faces that are no facets, and how much of the volume they cross.
+BOOST_AUTO_TEST_CASE(test_faces_that_are_no_facets)
+{
+  const auto is_sure = [](const Soup& soup) {
+    const CGAL::Inside_3 inside = find(soup).inside;
+    return inside.crossed_volume == 0 && internal::warning_of(inside).empty();
+  };
+  BOOST_TEST(is_sure(box(1))); // other diagonals cross nothing
+  BOOST_TEST(is_sure(box(5)));
+  BOOST_TEST(is_sure(both(box(4), box(8, 3, -1))));
+  const CGAL::Inside_3 coarse = find(cones(200)).inside;
+  BOOST_CHECK_GT(coarse.missing_area, 0.2);
+  BOOST_CHECK_GT(coarse.crossed_volume, 0.1);
+  BOOST_CHECK_LE(coarse.crossed_volume, 1);
+  BOOST_TEST(internal::warning_of(coarse).find("; remedy: refine the surface") !=
+             std::string::npos);
+  // The volume that is wrong is not more than what is crossed.
+  for (const std::size_t n : {8, 20, 60, 150}) {
+    const Found found = find(cones(n), 2.5);
+    const double right = std::abs(volume_of(cones(n)));
+    BOOST_CHECK_LE(std::abs(found.volume - right) / (std::max)(found.volume, right),
+                   found.inside.crossed_volume + 1e-9);
+  }
+  Soup open = box(6);
+  open.faces.erase(open.faces.begin(), open.faces.begin() + 72);
+  const CGAL::Inside_3 deck = find(open).inside;
+  BOOST_CHECK_GT(deck.doubtful_volume, 0.05);
+  BOOST_TEST(internal::warning_of(deck).find("in doubt, near openings; remedy: ") !=
+             std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(test_no_inside)
 {
+  check_that_there_is_none(both(box(3), turned(box(3))), "cancel each other; remedy: ");
   Soup sheet;
   for (int i = 0; i < 20; ++i)
     for (int j = 0; j < 20; ++j)

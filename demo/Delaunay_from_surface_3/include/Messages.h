@@ -50,6 +50,13 @@ public:
       std::cerr << "note: " << files::one_line(text) << '\n';
   }
 
+  // The result may not be what is wanted. With --quiet, too.
+  void warn(const std::string& text)
+  {
+    clear();
+    std::cerr << "warning: " << files::one_line(text) << '\n';
+  }
+
   // Something begins that may take a while.
   void step(const std::string& text)
   {

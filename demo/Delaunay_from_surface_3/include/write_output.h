@@ -143,13 +143,13 @@ inline void check_that_there_are_faces(const Options& options, const Surface& su
 // What of the triangulation is to be written.
 inline files::Simplices_3 chosen_simplices(const Options& options, const Surface& surface,
                                            const Triangulation& tr, const Vertices& vertices,
-                                           Report& report)
+                                           Report& report, Messages& messages)
 {
   const auto arrays = arrays_of_triangulation<std::int32_t>(tr, vertices, options.to == "tetgen");
   if (options.to == "tetgen" && arrays.dimension() < 3)
     throw std::runtime_error(options.output +
                              ": TetGen's files hold tetrahedra, but there are none");
-  std::optional<Inside> inside;
+  CGAL::Inside_3 inside;
   if (options.inside || options.mark_inside) {
     if (arrays.dimension() < 3)
       throw std::runtime_error(options.input + ": it has no inside: its points lie in a plane; " +
@@ -159,15 +159,16 @@ inline files::Simplices_3 chosen_simplices(const Options& options, const Surface
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(options.input + ": " + error.what());
     }
-    report_inside(surface, arrays, *inside, report);
+    report_inside(options.input, surface, arrays, inside, report, messages);
   }
-  files::Simplices_3 simplices = files::simplices_of(surface.points, arrays, [&](std::size_t c) {
-    return !options.inside || inside->marks[c] != 0;
-  });
+  files::Simplices_3 simplices = files::simplices_of(
+      surface.points, arrays, [&](std::size_t c) { return !options.inside || inside[c]; });
   if (options.mark_inside) {
-    simplices.data.push_back({"inside", inside->marks});
-    if (inside->numbers)
-      simplices.data.push_back({"winding_number", inside->numbers->winding_numbers});
+    std::vector<double> marks; // 1 inside, 0 outside
+    for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c)
+      marks.push_back(inside[c] ? 1 : 0);
+    simplices.data.push_back({"inside", std::move(marks)});
+    simplices.data.push_back({"winding_number", std::move(inside.winding_numbers)});
   }
   const bool has_data = options.to == "vtu" || options.to == "vtk" || options.to == "msh";
   if (has_data && simplices.dimension == 3)
@@ -176,7 +177,7 @@ inline files::Simplices_3 chosen_simplices(const Options& options, const Surface
 }
 
 inline void write(const Options& options, const Surface& surface, const Triangulation& tr,
-                  const Vertices& vertices, Output& output, Report& report)
+                  const Vertices& vertices, Output& output, Report& report, Messages& messages)
 {
   static const char* const names[] = {"vertices", "edges", "triangles", "tetrahedra"};
   if (options.to == "cgal") {
@@ -184,7 +185,8 @@ inline void write(const Options& options, const Surface& surface, const Triangul
     report("written", "the triangulation to " + options.output);
     return;
   }
-  const files::Simplices_3 simplices = chosen_simplices(options, surface, tr, vertices, report);
+  const files::Simplices_3 simplices =
+      chosen_simplices(options, surface, tr, vertices, report, messages);
   output.write(simplices);
   report("written", std::to_string(simplices.size()) + " " + names[simplices.dimension] + " to " +
                         options.output);

@@ -141,8 +141,9 @@ inline View make_view(const Surface& surface, const Triangulation& tr, const Ver
   view.triangles = numbered(triangles_of(surface));
   view.subgraph = numbered(subgraph_of(surface));
   try {
-    const Inside inside = inside_of(surface, arrays, has_threads);
-    view.inside.assign(inside.marks.begin(), inside.marks.end());
+    const CGAL::Inside_3 inside = inside_of(surface, arrays, has_threads);
+    for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c)
+      view.inside.push_back(std::uint8_t(inside[c]));
   } catch (const std::runtime_error&) { // it has none
   }
   if (order.round_ends.size() > 1 && order.round_ends.size() < 256) {

@@ -15,6 +15,7 @@ points make it faster; they never change the result.
 
 from __future__ import annotations
 
+import warnings
 from typing import Callable, Iterable, List, NamedTuple, Optional, SupportsIndex, Tuple
 
 import numpy as np
@@ -23,12 +24,12 @@ from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads, whole_number
 from ._dask import DaskTiles, delaunay3_dask
 from ._delaunay_from_surface import InsertionOrder, Stopped, __version__ as __version__
-from ._result import AlphaComplex, Delaunay3
+from ._result import AlphaComplex, Delaunay3, InsideFigures
 from ._tiles import Tile, Tiles, delaunay3_tiles
 from ._types import Faces, Indices, Points
 
-__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "Stopped", "SurfaceComponent", "Tile", "Tiles",
-           "delaunay3", "delaunay3_dask", "delaunay3_tiles", "subgraph", "surface_topology"]
+__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "InsideFigures", "Stopped", "SurfaceComponent", "Tile",
+           "Tiles", "delaunay3", "delaunay3_dask", "delaunay3_tiles", "subgraph", "surface_topology"]
 
 
 class SurfaceComponent(NamedTuple):
@@ -65,8 +66,9 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         Whether the neighbours are kept: they and the simplices are then views of one array, 16 bytes apart.
         Else they are found anew when they are first asked for.
     inside
-        Whether `winding_numbers` and `inside` of the result say which tetrahedra lie inside the faces, which should be
-        oriented alike. The surface may have gaps, and parts that overlap.
+        Whether `winding_numbers` and `inside` of the result say which tetrahedra lie inside the faces, and
+        `inside_figures` how sure that is. The surface may have gaps, and parts that overlap; faces that disagree with
+        those around them are turned. If much of the volume may be wrong, a `UserWarning` says so.
     seed
         Decides the order of insertion, and with it the order of the simplices.
     progress
@@ -88,7 +90,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index, the
         seed or the number of threads is out of range. If `inside` is asked of a surface that has none: less volume is
         surely inside, with a number near a whole one other than 0, than in doubt, and its openings have more than 3/10
-        of its area, or there are several wide ones. So it is with patches, sheets and short tubes.
+        of its area, or there are several wide ones. So it is with patches, sheets and short tubes. It has none, either,
+        if it is closed and not orientable, or its faces cancel each other.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError
@@ -113,7 +116,10 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     if faces is not None and inside:
         if across is None:
             across = _core.neighbors(simplices, len(array), number)
-        result.winding_numbers = _core.winding_numbers(array, simplices, across, vertices, faces, number)
+        result.winding_numbers, figures, warning = _core.winding_numbers(array, simplices, across, vertices, faces, number)
+        result.inside_figures = InsideFigures(*figures)
+        if warning:
+            warnings.warn(f"inside: {warning}", stacklevel=2)
     return result
 
 

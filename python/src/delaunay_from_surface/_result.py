@@ -33,6 +33,33 @@ class AlphaComplex(NamedTuple):
     """(e, 2) int32: the same."""
 
 
+class InsideFigures(NamedTuple):
+    """How sure it is which tetrahedra are inside. Where more than a tenth of the volume may be wrong, or a twentieth is
+    in doubt, `delaunay3(…, inside=True)` warns as well."""
+
+    number_of_turned: int
+    """How many faces have been turned round, to agree with their neighbours."""
+
+    number_of_doubtful: int
+    """How many tetrahedra have winding numbers that differ by more than 0.1 from every whole one."""
+
+    number_of_multiple: int
+    """How many tetrahedra lie in more than one part."""
+
+    doubtful_volume: float
+    """The volume of the tetrahedra in doubt, divided by that of those inside."""
+
+    share_of_openings: float
+    """The area of triangles that would close the openings, divided by that of the faces."""
+
+    missing_area: float
+    """The area of the faces that are no facets of the triangulation, divided by that of all."""
+
+    crossed_volume: float
+    """The volume of the tetrahedra that such faces pass through, divided by that of these and of those inside: as much
+    may be wrong."""
+
+
 class Delaunay3:
     """A Delaunay triangulation in NumPy arrays. The names are those of scipy.spatial.Delaunay.
 
@@ -79,13 +106,18 @@ class Delaunay3:
     Sorkine-Hornung 2013); None unless `delaunay3(…, inside=True)` was called. Near 1 or another whole number inside a
     surface that is nearly closed, near 0 outside; in between near its gaps."""
 
+    inside_figures: Optional[InsideFigures]
+    """How sure `winding_numbers` and `inside` are; None if these have not been asked for."""
+
     def __init__(self, points: Coordinates, simplices: Indices, neighbors: Optional[Indices], vertices: Indices,
-                 dimension: int, threads: int = 1, winding_numbers: Optional[Reals] = None) -> None:
+                 dimension: int, threads: int = 1, winding_numbers: Optional[Reals] = None,
+                 inside_figures: Optional[InsideFigures] = None) -> None:
         self.points = points
         self.simplices = simplices
         self.vertices = vertices
         self.dimension = dimension
         self.winding_numbers = winding_numbers
+        self.inside_figures = inside_figures
         self._threads = threads
         if neighbors is not None:
             self.neighbors = neighbors
@@ -95,7 +127,7 @@ class Delaunay3:
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return (type(self), (self.points, self.simplices, self.__dict__.get("neighbors"), self.vertices,
-                             self.dimension, self._threads, self.winding_numbers))
+                             self.dimension, self._threads, self.winding_numbers, self.inside_figures))
 
     @property
     def ndim(self) -> int:

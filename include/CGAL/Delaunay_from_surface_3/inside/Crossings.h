@@ -34,10 +34,51 @@ inline std::int8_t as_jump(int j)
   return std::int8_t(std::abs(j) < -unknown_jump ? j : unknown_jump);
 }
 
+// A distance that is no rounding, in a frame of size 1.
+constexpr double no_rounding = 1e-10;
+
+// Whether a triangle passes through the inside of a tetrahedron, and not only along its surface: no
+// direction separates them, neither a normal of one of them nor what an edge of each spans.
+inline bool passes_inside(const Cutting_triangle& t, const std::array<Vector_3d, 4>& p,
+                          const Box_3d& box_of_p)
+{
+  for (std::size_t j = 0; j < 3; ++j) // most are not even near
+    if ((std::max)({t.corners[0][j], t.corners[1][j], t.corners[2][j]}) <= box_of_p.low[j] ||
+        (std::min)({t.corners[0][j], t.corners[1][j], t.corners[2][j]}) >= box_of_p.high[j])
+      return false;
+  const Vector_3d& origin = t.corners[0]; // it is not far from 0, as corners of tetrahedra may be
+  const auto ends_of = [&](const auto& corners, const Vector_3d& direction) {
+    std::array<double, 2> ends = {dot(direction, minus(corners[0], origin)), 0};
+    ends[1] = ends[0];
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+      const double x = dot(direction, minus(corners[k], origin));
+      ends = {(std::min)(ends[0], x), (std::max)(ends[1], x)};
+    }
+    return ends;
+  };
+  const auto separates = [&](const Vector_3d& direction) {
+    const std::array<double, 2> a = ends_of(t.corners, direction), b = ends_of(p, direction);
+    const double length = std::sqrt(dot(direction, direction));
+    return length > 0 && (std::min)(a[1] - b[0], b[1] - a[0]) <= no_rounding * length;
+  };
+  if (separates(t.normal))
+    return false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vector_3d& corner = p[(k + 1) % 4];
+    if (separates(cross(minus(p[(k + 2) % 4], corner), minus(p[(k + 3) % 4], corner))))
+      return false;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j)
+        if (separates(cross(minus(t.corners[(k + 1) % 3], t.corners[k]), minus(p[j], p[i]))))
+          return false;
+  return true;
+}
+
 class Crossings
 {
-  // A distance that is no rounding, in a frame of size 1.
-  static constexpr double near = 1e-10;
+  static constexpr double near = no_rounding;
 
 public:
   // From the centre of tetrahedron c of the cells.

@@ -41,24 +41,27 @@ class Regions
 {
 public:
   // Of positively oriented cells, whose neighbors_of(c) are numbers, and those at the hull none of
-  // theirs. The triangles less those that close them are closed.
-  Regions(const Cells& cells, const std::vector<Corners>& triangles,
-          const std::vector<Triangle_3d>& closing, const Executor& executor)
+  // theirs.
+  Regions(const Cells& cells, const std::vector<Corners>& triangles, const Executor& executor)
     : m_cells(cells)
+    , m_executor(executor)
     , m_jumps(cells.number, Jumps{0, 0, 0, 0})
   {
-    std::vector<Cutting_triangle> cutting =
-        cross_facets(Triangle_table(triangles, cells.points.size()), executor);
+    cross_facets(Triangle_table(triangles, cells.points.size()));
+  }
+
+  // The triangles that are no facets; each once, with how often it counts, which is not 0.
+  const std::vector<Cutting_triangle>& no_facets() const { return m_no_facets; }
+
+  // Of the triangles less those that close them. ask(c) is the number of tetrahedron c.
+  template <class Ask>
+  std::vector<std::int32_t> numbers(const std::vector<Triangle_3d>& closing, const Ask& ask)
+  {
+    std::vector<Cutting_triangle> cutting = m_no_facets;
     for (const Triangle_3d& t : closing)
       cutting.emplace_back(t, -1);
     if (!cutting.empty())
-      cross_others(Box_tree(std::move(cutting)), executor);
-  }
-
-  // ask(c) is the number of tetrahedron c.
-  template <class Ask>
-  std::vector<std::int32_t> numbers(const Ask& ask)
-  {
+      cross_others(Box_tree(std::move(cutting)));
     join();
     const std::size_t m = m_cells.number;
     std::vector<std::int32_t> numbers(m);
@@ -87,24 +90,22 @@ public:
   }
 
 private:
-  // Counts facets that are triangles, between two tetrahedra at the first one; returns the
-  // triangles that are none.
-  std::vector<Cutting_triangle> cross_facets(const Triangle_table& table, const Executor& executor)
+  // Counts facets that are triangles, between two tetrahedra at the first one; keeps the triangles
+  // that are none.
+  void cross_facets(const Triangle_table& table)
   {
     std::vector<char> is_facet(table.size(), 0);
-    for_each_block(executor, m_cells.number, number_of_blocks(executor, m_cells.number, 4096),
+    for_each_block(m_executor, m_cells.number, number_of_blocks(m_executor, m_cells.number, 4096),
                    [&](std::size_t first, std::size_t last, std::size_t) {
                      for (std::size_t c = first; c < last; ++c)
                        cross_facets_of(c, table, is_facet);
                    });
-    std::vector<Cutting_triangle> others;
     table.for_each([&](std::uint32_t v, std::uint32_t r) {
       if (!is_facet[r] && table[r].number != 0)
-        others.emplace_back(Triangle_3d{m_cells.points[v], m_cells.points[table[r].middle],
-                                        m_cells.points[table[r].greatest]},
-                            table[r].number);
+        m_no_facets.emplace_back(Triangle_3d{m_cells.points[v], m_cells.points[table[r].middle],
+                                             m_cells.points[table[r].greatest]},
+                                 table[r].number);
     });
-    return others;
   }
 
   void cross_facets_of(std::size_t c, const Triangle_table& table, std::vector<char>& is_facet)
@@ -125,9 +126,9 @@ private:
     }
   }
 
-  void cross_others(const Box_tree& tree, const Executor& executor)
+  void cross_others(const Box_tree& tree)
   {
-    for_each_block(executor, m_cells.number, number_of_blocks(executor, m_cells.number, 1024),
+    for_each_block(m_executor, m_cells.number, number_of_blocks(m_executor, m_cells.number, 1024),
                    [&](std::size_t first, std::size_t last, std::size_t) {
                      for (std::size_t c = first; c < last; ++c) {
                        const Jumps crossings = Crossings::of(tree, m_cells, c);
@@ -215,6 +216,8 @@ private:
   }
 
   const Cells& m_cells;
+  const Executor& m_executor;
+  std::vector<Cutting_triangle> m_no_facets;
   std::vector<Jumps> m_jumps;
   std::vector<Place> m_places;
 };

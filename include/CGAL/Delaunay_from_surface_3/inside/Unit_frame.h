@@ -7,7 +7,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/inside/Box_3d.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
-#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
@@ -24,17 +23,18 @@ inline Vector_3d vector_of(const double* p)
   return {p[0], p[1], p[2]};
 }
 
-// Moves a box to 0, and shrinks it to about 1: no product of coordinates overflows.
+// Moves a box to 0, and shrinks it to about 1: no product of coordinates overflows. That is the box
+// of a surface: points that it does not use may lie anywhere, so what is extremely far from the box
+// is drawn nearer, in its direction.
 class Unit_frame
 {
+  static constexpr double farthest = 0x1p200;
+
 public:
-  explicit Unit_frame(const Point_array& points)
+  explicit Unit_frame(const Box_3d& box)
   {
-    if (points.size() == 0)
+    if (box.high[0] < box.low[0])
       return;
-    Box_3d box;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      box.add(vector_of(points[i]));
     double half = 0;
     for (std::size_t j = 0; j < 3; ++j) {
       m_half_middle[j] = box.low[j] / 4 + box.high[j] / 4; // halves do not overflow
@@ -49,8 +49,14 @@ public:
   Vector_3d operator()(const Vector_3d& p) const
   {
     Vector_3d q;
-    for (std::size_t j = 0; j < 3; ++j)
-      q[j] = (p[j] / 2 - m_half_middle[j]) * m_factors[0] * m_factors[1];
+    double most = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      q[j] = p[j] / 2 - m_half_middle[j];
+      most = (std::max)(most, std::abs(q[j]));
+    }
+    const bool is_near = most * m_factors[0] * m_factors[1] <= farthest;
+    for (double& x : q)
+      x = is_near ? x * m_factors[0] * m_factors[1] : x / most * farthest;
     return q;
   }
 

@@ -41,13 +41,18 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
+inline std::string percent(double share)
+{
+  return std::to_string(std::lround(100 * share)) + " %";
+}
+
 // What the numbers say, weighted by volumes.
 class Judge_inside
 {
-  double m_sure = 0, m_doubtful = 0, m_inside = 0;
+  double m_sure = 0, m_doubtful = 0, m_inside = 0, m_crossed = 0, m_crossed_inside = 0;
 
 public:
-  void add(double number, double volume, Inside_3& inside)
+  void add(double number, double volume, bool is_crossed, Inside_3& inside)
   {
     const double size = std::abs(number);
     const bool is_doubtful = std::abs(size - std::round(size)) > 0.1;
@@ -59,10 +64,30 @@ public:
       m_sure += volume;
     if (size >= 0.5)
       m_inside += volume;
+    if (is_crossed)
+      m_crossed += volume;
+    if (is_crossed && size >= 0.5)
+      m_crossed_inside += volume;
   }
 
-  double doubtful_volume() const { return m_inside > 0 ? m_doubtful / m_inside : 0; }
+  // Throws Surface_input_error if there is no inside.
+  void finish(double share_of_largest, Inside_3& inside) const
+  {
+    if (m_inside == 0 && inside.share_of_openings == 0)
+      throw Surface_input_error(
+          "the surface has no inside: no tetrahedron is inside; faces that are given twice, once "
+          "turned round, cancel each other; remedy: give them once");
+    inside.doubtful_volume = m_inside > 0 ? m_doubtful / m_inside : 0;
+    inside.crossed_volume =
+        m_crossed > 0 ? m_crossed / (m_inside - m_crossed_inside + m_crossed) : 0;
+    if (!has_inside(inside.share_of_openings, share_of_largest))
+      throw Surface_input_error("the surface has no inside: by its winding numbers too much is in "
+                                "doubt, and its openings have " +
+                                percent(inside.share_of_openings) + " of its area, the largest " +
+                                percent(share_of_largest));
+  }
 
+private:
   // Where more is in doubt than surely inside, and the openings are wide, the surface is no border
   // of a solid. Where an opening lies in a plane, as that of a hull without a deck, the numbers are
   // more than 1/2 up to there, however wide it is: then it is enough if not more is in doubt than
@@ -136,7 +161,7 @@ void find_numbers(const Winding_tree& tree, const Cells& cells, double* numbers,
 
 // The same by regions: the number of the surface less that of the triangles that close it is a whole one.
 template <class Cells, class Ask>
-void find_numbers_by_regions(const Cells& cells, const std::vector<Corners>& triangles,
+void find_numbers_by_regions(const Cells& cells, Regions<Cells>& regions,
                              const std::vector<Triangle_3d>& closing, const Ask& ask,
                              double* numbers, const Executor& executor)
 {
@@ -146,9 +171,7 @@ void find_numbers_by_regions(const Cells& cells, const std::vector<Corners>& tri
     return closing.empty() ? 0 : closing_tree(cells.center(c));
   };
   const std::vector<std::int32_t> whole =
-      Regions<Cells>(cells, triangles, closing, executor).numbers([&](std::size_t c) {
-        return ask(c) - of_closing(c);
-      });
+      regions.numbers(closing, [&](std::size_t c) { return ask(c) - of_closing(c); });
   for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 1024),
                  [&](std::size_t first, std::size_t last, std::size_t) {
                    for (std::size_t c = first; c < last; ++c)
@@ -156,18 +179,78 @@ void find_numbers_by_regions(const Cells& cells, const std::vector<Corners>& tri
                  });
 }
 
+// The tetrahedra that these triangles pass through.
+template <class Cells>
+std::vector<char> crossed_cells(const Cells& cells, const std::vector<Cutting_triangle>& triangles,
+                                const Executor& executor)
+{
+  std::vector<char> is_crossed(cells.number, 0);
+  if (triangles.empty())
+    return is_crossed;
+  const Box_tree tree{std::vector<Cutting_triangle>(triangles)};
+  for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 1024),
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t c = first; c < last; ++c) {
+                     const std::array<Vector_3d, 4> p = cells(c);
+                     Box_3d box;
+                     for (const Vector_3d& corner : p)
+                       box.add(corner);
+                     tree.visit(box, [&](const Cutting_triangle& t) {
+                       is_crossed[c] = is_crossed[c] != 0 || passes_inside(t, p, box);
+                     });
+                   }
+                 });
+  return is_crossed;
+}
+
 // The triangles of faces on n points by their vertices; not those with a vertex twice.
-template <class FaceRange, class VertexOf>
-std::vector<Corners> corners_of(const FaceRange& faces, std::size_t n, const VertexOf& vertex_of)
+struct Triangles_of_faces
 {
   std::vector<Corners> triangles;
-  const auto at = [&](std::size_t i) { return std::uint32_t(vertex_of(i)); };
-  for_each_triangle(faces, n, [&](std::size_t i, std::size_t j, std::size_t k) {
-    const Corners t = {at(i), at(j), at(k)};
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+  std::vector<std::uint32_t> faces; // of which face each is
+
+  template <class FaceRange, class VertexOf>
+  Triangles_of_faces(const FaceRange& of_faces, std::size_t n, const VertexOf& vertex_of)
+  {
+    const auto at = [&](std::size_t i) { return std::uint32_t(vertex_of(i)); };
+    for_each_triangle(of_faces, n, [&](std::size_t i, std::size_t j, std::size_t k, std::size_t f) {
+      const Corners t = {at(i), at(j), at(k)};
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+        return;
       triangles.push_back(t);
-  });
-  return triangles;
+      faces.push_back(std::uint32_t(f));
+    });
+  }
+
+  // Turns those round that sides have turned; returns how many faces they are of.
+  std::size_t turn(const Sides& sides)
+  {
+    std::size_t number = 0, last = std::size_t(-1);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      if (sides.is_turned(t)) {
+        std::swap(triangles[t][1], triangles[t][2]);
+        number += std::size_t(faces[t] != last);
+        last = faces[t];
+      }
+    return number;
+  }
+};
+
+// Makes the triangles agree, and returns the edges where they are still open.
+template <class PointOf>
+std::vector<Open_edge> orient(Triangles_of_faces& surface, std::size_t n, const PointOf& point_of,
+                              Inside_3& inside)
+{
+  Sides sides(surface.triangles, n);
+  const Not_orientable not_orientable = turn_alike(sides, point_of);
+  if (not_orientable.is_any_closed)
+    throw Surface_input_error("the surface has no inside: it is not orientable; remedy: cut it "
+                              "open where its sides meet, "
+                              "or leave out the faces of such parts, of which there are " +
+                              std::to_string(not_orientable.number));
+  std::vector<Open_edge> open = open_edges(sides);
+  inside.number_of_turned = surface.turn(sides);
+  return open;
 }
 
 // An inside is found of m tetrahedra on n points.
@@ -190,6 +273,60 @@ std::vector<std::array<Index, 4>> neighbors_of_corners(const Corners_view<Index>
   return neighbors;
 }
 
+// The area of triangles.
+inline double area_of(const std::vector<Corners>& triangles, const std::vector<Vector_3d>& points)
+{
+  double area = 0;
+  for (const Corners& t : triangles) {
+    const Vector_3d n = area_vector({points[t[0]], points[t[1]], points[t[2]]});
+    area += std::sqrt(dot(n, n));
+  }
+  return area;
+}
+
+// What the numbers of all tetrahedra mean, for triangles with this area, and openings with these.
+template <class Cells>
+void judge_inside(const Cells& cells, const std::vector<Cutting_triangle>& no_facets, double area,
+                  const std::vector<double>& openings, Inside_3& inside, const Executor& executor)
+{
+  double share_of_largest = 0;
+  for (const double a : openings) {
+    const double share = area > 0 ? a / area : a;
+    inside.share_of_openings += share;
+    share_of_largest = (std::max)(share_of_largest, share);
+  }
+  for (const Cutting_triangle& t : no_facets)
+    inside.missing_area += std::abs(t.number) * std::sqrt(dot(t.normal, t.normal)) / 2 / area;
+  const std::vector<char> is_crossed = crossed_cells(cells, no_facets, executor);
+  Judge_inside judge;
+  for (std::size_t c = 0; c < cells.number; ++c) {
+    const std::array<Vector_3d, 4> p = cells(c);
+    const double volume = dot(minus(p[1], p[0]), cross(minus(p[2], p[0]), minus(p[3], p[0])));
+    judge.add(inside.winding_numbers[c], std::abs(volume), is_crossed[c] != 0, inside);
+  }
+  judge.finish(share_of_largest, inside);
+}
+
+// What may be wrong in an inside, and the remedies; empty if it is little.
+inline std::string warning_of(const Inside_3& inside)
+{
+  constexpr double much_doubtful = 0.05, much_crossed = 0.1;
+  std::string text;
+  if (inside.doubtful_volume > much_doubtful)
+    text =
+        percent(inside.doubtful_volume) +
+        " of the volume inside is in doubt, near openings; remedy: close these, for instance with "
+        "MeshLab or CGAL's triangulate_hole()";
+  if (inside.crossed_volume > much_crossed)
+    text +=
+        (text.empty() ? "" : "; ") + percent(inside.crossed_volume) +
+        " of the volume may be wrong, in tetrahedra that cross the surface: faces with " +
+        percent(inside.missing_area) +
+        " of its area are no facets of the triangulation; remedy: refine the surface first, for "
+        "instance with MeshLab, Gmsh or CGAL's isotropic_remeshing()";
+  return text;
+}
+
 // Of m tetrahedra vertices_of(c), opposite to which lie the tetrahedra neighbors_of(c), or other
 // numbers where there are none, and faces whose points have the vertices vertex_of(i).
 template <class FaceRange, class VerticesOf, class NeighborsOf, class VertexOf>
@@ -198,55 +335,38 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
                      const VertexOf& vertex_of, const Executor& executor)
 {
   check_sizes(m, points.size());
-  const std::vector<Corners> triangles = corners_of(faces, points.size(), vertex_of);
-  const Unit_frame frame(points);
+  Triangles_of_faces surface(faces, points.size(), vertex_of);
+  const Unit_frame frame = frame_of(faces, points);
   std::vector<Vector_3d> in_frame;
   in_frame.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     in_frame.push_back(frame(vector_of(points[i])));
   const Tetrahedra<VerticesOf, NeighborsOf> cells = {in_frame, m, vertices_of, neighbors_of};
-  const auto [closing, areas] = closing_triangles(open_edges(faces, points.size(), vertex_of),
-                                                  [&](std::size_t v) { return in_frame[v]; });
   Inside_3 inside;
+  const auto point_of = [&](std::size_t v) { return in_frame[v]; };
+  const auto [closing, areas] =
+      closing_triangles(orient(surface, points.size(), point_of, inside), point_of);
+  const auto tree_of_all = [&] {
+    std::vector<Triangle_3d> triangles;
+    for (const Corners& t : surface.triangles)
+      triangles.push_back({in_frame[t[0]], in_frame[t[1]], in_frame[t[2]]});
+    return Winding_tree(std::move(triangles));
+  };
   inside.winding_numbers.resize(m);
-  const auto tree_of_all = [&] { return Winding_tree(triangles_in(frame, faces, points)); };
-  if (closing.size() <= triangles.size() / 8) {
+  Regions<Tetrahedra<VerticesOf, NeighborsOf>> regions(cells, surface.triangles, executor);
+  if (closing.size() <= surface.triangles.size() / 8) {
     std::optional<Winding_tree> tree; // rarely needed
     const auto ask = [&](std::size_t c) {
       if (!tree)
         tree = tree_of_all();
       return (*tree)(cells.center(c));
     };
-    find_numbers_by_regions(cells, triangles, closing, ask, inside.winding_numbers.data(),
-                            executor);
+    find_numbers_by_regions(cells, regions, closing, ask, inside.winding_numbers.data(), executor);
   } else {
     find_numbers(tree_of_all(), cells, inside.winding_numbers.data(), executor);
   }
-
-  double area = 0, share_of_largest = 0;
-  for (const Corners& t : triangles) {
-    const Vector_3d n = area_vector({in_frame[t[0]], in_frame[t[1]], in_frame[t[2]]});
-    area += std::sqrt(dot(n, n));
-  }
-  for (const double a : areas) {
-    const double share = area > 0 ? a / area : a;
-    inside.share_of_openings += share;
-    share_of_largest = (std::max)(share_of_largest, share);
-  }
-  Judge_inside judge;
-  for (std::size_t c = 0; c < m; ++c) {
-    const std::array<Vector_3d, 4> p = cells(c);
-    const double volume = dot(minus(p[1], p[0]), cross(minus(p[2], p[0]), minus(p[3], p[0])));
-    judge.add(inside.winding_numbers[c], std::abs(volume), inside);
-  }
-  inside.doubtful_volume = judge.doubtful_volume();
-  if (!judge.has_inside(inside.share_of_openings, share_of_largest))
-    throw Surface_input_error(
-        "the surface has no inside: by its winding numbers too much is in doubt, and its openings "
-        "have " +
-        std::to_string(std::lround(100 * inside.share_of_openings)) +
-        " % of its area, the largest " + std::to_string(std::lround(100 * share_of_largest)) +
-        " %");
+  judge_inside(cells, regions.no_facets(), area_of(surface.triangles, in_frame), areas, inside,
+               executor);
   return inside;
 }
 

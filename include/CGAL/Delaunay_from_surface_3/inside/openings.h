@@ -5,18 +5,25 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_OPENINGS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_OPENINGS_H
 
-// Where oriented faces are not closed: edges that they pass more often in one direction than in the
-// other. The winding number jumps nowhere else but at faces, and it is a whole number if there is
-// no such edge. How large the openings are is estimated: each connected set of these edges is
-// joined with its middle by triangles, which would close it. Linear, but for what is open.
+// The orientation of triangles, and where they are not closed.
+//
+// turn_alike() turns triangles of a surface whose parts were put together carelessly, so that
+// neighbours agree.
+//
+// open_edges() finds the edges that triangles pass more often in one direction than in the other. The
+// winding number jumps nowhere else but at triangles, and it is a whole number if there is no such
+// edge. How large the openings are is estimated: each connected set of these edges is joined with its
+// middle by triangles, which would close it. Linear, but for what is open.
 
 #include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Triangle_table.h>
 #include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -29,56 +36,172 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
+// The sides of triangles, those of an edge together. Side 3 t + k of triangle t leads from its
+// corner k to the next one, or back if the triangle has been turned.
+class Sides
+{
+public:
+  // Of triangles on n vertices, none of which has one twice. Keeps a reference to them.
+  Sides(const std::vector<Corners>& triangles, std::size_t n)
+    : m_triangles(triangles)
+    , m_is_turned(triangles.size(), 0)
+    , m_lists(in_lists<std::uint32_t>(
+          n, Listed_items(
+                 3 * triangles.size(),
+                 [&](std::size_t s) { return (std::min)(ends(s)[0], ends(s)[1]); },
+                 [&](std::size_t s) { return std::uint32_t(s); })))
+  {
+  }
+
+  const std::vector<Corners>& triangles() const { return m_triangles; }
+  bool is_turned(std::size_t t) const { return m_is_turned[t] != 0; }
+  void turn(std::size_t t) { m_is_turned[t] = 1 - m_is_turned[t]; }
+
+  std::array<std::size_t, 2> ends(std::size_t side) const
+  {
+    const Corners& t = m_triangles[side / 3];
+    const std::size_t a = t[side % 3], b = t[(side + 1) % 3];
+    return m_is_turned[side / 3] != 0 ? std::array<std::size_t, 2>{b, a}
+                                      : std::array<std::size_t, 2>{a, b};
+  }
+
+  // Calls visit(low, high, sides) for each edge, with its ends and a vector of its sides.
+  template <class Visit>
+  void for_each_edge(const Visit& visit) const
+  {
+    std::vector<std::pair<std::size_t, std::uint32_t>> others; // at a vertex: other end, and side
+    std::vector<std::uint32_t> sides;
+    for (std::size_t low = 0; low < m_lists.size(); ++low) {
+      others.clear();
+      for (const std::uint32_t* s = m_lists.begin(low); s != m_lists.end(low); ++s)
+        others.emplace_back((std::max)(ends(*s)[0], ends(*s)[1]), *s);
+      std::sort(others.begin(), others.end());
+      for (std::size_t i = 0; i < others.size();) {
+        const std::size_t high = others[i].first;
+        for (sides.clear(); i < others.size() && others[i].first == high; ++i)
+          sides.push_back(others[i].second);
+        visit(low, high, sides);
+      }
+    }
+  }
+
+private:
+  const std::vector<Corners>& m_triangles;
+  std::vector<char> m_is_turned;
+  Lists<std::uint32_t> m_lists;
+};
+
+// For each side the other one of its edge; `border` if there is none, `crowded` if there are more.
+class Other_sides
+{
+public:
+  static constexpr std::uint32_t crowded = std::uint32_t(-1), border = crowded - 1;
+
+  explicit Other_sides(const Sides& sides)
+    : m_others(3 * sides.triangles().size(), crowded)
+  {
+    sides.for_each_edge([&](std::size_t, std::size_t, const std::vector<std::uint32_t>& of_edge) {
+      const std::uint32_t s = of_edge.front(), t = of_edge.back();
+      if (of_edge.size() > 2)
+        return;
+      m_others[s] = of_edge.size() == 2 ? t : border;
+      m_others[t] = of_edge.size() == 2 ? s : border;
+      m_do_agree = m_do_agree && (s == t || sides.ends(s)[0] == sides.ends(t)[1]);
+    });
+  }
+
+  std::uint32_t operator[](std::size_t side) const { return m_others[side]; }
+
+  // Whether all edges of two triangles are passed once in each direction.
+  bool do_agree() const { return m_do_agree; }
+
+private:
+  std::vector<std::uint32_t> m_others;
+  bool m_do_agree = true;
+};
+
+// Components that are not orientable.
+struct Not_orientable
+{
+  std::size_t number = 0;
+  bool is_any_closed = false; // whether one of them has no edge with a single triangle
+};
+
+// Turns triangles so that those agree that are joined by edges with two triangles: in a component that
+// is not coherent, those that disagree with most of its area. Where both sides have the same area, as
+// halves of a sphere, those are turned by which it has a positive volume. A component that is coherent
+// stays: if it looks inwards, it is the wall of a cavity. So does what is not orientable. point_of(v)
+// are coordinates that need no care. Linear.
+template <class PointOf>
+Not_orientable turn_alike(Sides& sides, const PointOf& point_of)
+{
+  Not_orientable result;
+  const Other_sides others(sides);
+  if (others.do_agree())
+    return result;
+  const std::vector<Corners>& triangles = sides.triangles();
+  std::vector<signed char> kind(triangles.size(),
+                                -1); // whether it disagrees with the first; -1: unseen
+  std::vector<std::uint32_t> component;
+  for (std::size_t first = 0; first < triangles.size(); ++first) {
+    if (kind[first] >= 0)
+      continue;
+    bool is_orientable = true, is_closed = true;
+    double areas[2] = {0, 0}, volume = 0; // volume: if those of kind 1 are turned
+    kind[first] = 0;
+    component.assign(1, std::uint32_t(first));
+    for (std::size_t i = 0; i < component.size(); ++i) {
+      const std::size_t t = component[i];
+      const Vector_3d p = point_of(triangles[t][0]);
+      const Vector_3d n =
+          cross(minus(point_of(triangles[t][1]), p), minus(point_of(triangles[t][2]), p));
+      areas[kind[t]] += std::sqrt(dot(n, n));
+      volume += (kind[t] == 0 ? 1 : -1) * dot(n, p);
+      for (std::size_t s = 3 * t; s < 3 * t + 3; ++s) {
+        is_closed = is_closed && others[s] != Other_sides::border;
+        if (others[s] >= Other_sides::border)
+          continue;
+        const std::uint32_t u = others[s] / 3;
+        const bool agrees = sides.ends(s)[0] == sides.ends(others[s])[1];
+        const auto expected = (signed char)(agrees ? kind[t] : 1 - kind[t]);
+        if (kind[u] < 0) {
+          kind[u] = expected;
+          component.push_back(u);
+        }
+        is_orientable = is_orientable && kind[u] == expected;
+      }
+    }
+    if (!is_orientable) {
+      ++result.number;
+      result.is_any_closed = result.is_any_closed || is_closed;
+      continue;
+    }
+    const bool are_equal = std::abs(areas[0] - areas[1]) <= 1e-9 * areas[0];
+    const int to_turn = (are_equal ? volume > 0 : areas[0] > areas[1]) ? 1 : 0;
+    if (std::any_of(component.begin(), component.end(), [&](auto t) { return kind[t] == 1; }))
+      for (const std::uint32_t t : component)
+        if (kind[t] == to_turn)
+          sides.turn(t);
+  }
+  return result;
+}
+
 struct Open_edge
 {
   std::size_t ends[2]; // in the direction in which they pass it more often
   std::size_t times;   // how much more often
 };
 
-// Of n points, of which those are one that have the same vertex_of(i).
-template <class FaceRange, class VertexOf>
-std::vector<Open_edge> open_edges(const FaceRange& faces, std::size_t n, const VertexOf& vertex_of)
+inline std::vector<Open_edge> open_edges(const Sides& sides)
 {
-  std::vector<std::uint32_t> lower, upper; // of each side; an upper end twice, and its direction
-  for (const auto& face : faces) {
-    std::size_t first = 0, last = 0;
-    bool has_begun = false;
-    const auto add_side = [&](std::size_t a, std::size_t b) {
-      if (a != b) {
-        lower.push_back(std::uint32_t((std::min)(a, b)));
-        upper.push_back(std::uint32_t(2 * (std::max)(a, b) + (a < b)));
-      }
-    };
-    for (const auto& index : face) {
-      const auto v = std::size_t(vertex_of(std::size_t(index)));
-      if (has_begun)
-        add_side(last, v);
-      else
-        first = v;
-      last = v;
-      has_begun = true;
-    }
-    if (has_begun)
-      add_side(last, first);
-  }
-  Lists<std::uint32_t> lists = in_lists<std::uint32_t>(
-      n, Listed_items(
-             lower.size(), [&](std::size_t k) { return std::size_t(lower[k]); },
-             [&](std::size_t k) { return upper[k]; }));
   std::vector<Open_edge> open;
-  for (std::size_t a = 0; a < n; ++a) {
-    std::uint32_t* const end = lists.items.data() + lists.first[a + 1];
-    std::uint32_t* side = lists.items.data() + lists.first[a];
-    std::sort(side, end);
-    while (side != end) {
-      const std::uint32_t b = *side / 2;
-      int sum = 0;
-      for (; side != end && *side / 2 == b; ++side)
-        sum += *side % 2 == 0 ? -1 : 1;
-      if (sum != 0)
-        open.push_back({{sum > 0 ? a : b, sum > 0 ? b : a}, std::size_t(std::abs(sum))});
-    }
-  }
+  sides.for_each_edge([&](std::size_t low, std::size_t high, const auto& of_edge) {
+    int sum = 0;
+    for (const std::uint32_t s : of_edge)
+      sum += sides.ends(s)[0] == low ? 1 : -1;
+    if (sum != 0)
+      open.push_back({{sum > 0 ? low : high, sum > 0 ? high : low}, std::size_t(std::abs(sum))});
+  });
   return open;
 }
 
