@@ -202,12 +202,16 @@ void join_alone(const Command& command, core::Bytes_writer& joined)
 bool begin_output(const Command& command, const CGAL::Point_files_3& points,
                   std::optional<core::Bytes_writer>& joined)
 {
+  if (!command.join.empty()) { // before anything is removed
+    core::refuse_output(points, command.output, command.join);
+    std::error_code ignored; // it is said when the folder is made
+    std::filesystem::create_directories(command.output, ignored);
+    joined.emplace(command.join);
+  }
   const bool has_ended =
       !command.join.empty() && !command.vtu && has_ended_with(command.output, points);
   if (!has_ended)
     make_folder(command.output, command.inputs);
-  if (!command.join.empty())
-    joined.emplace(command.join);
   if (has_ended)
     join_alone(command, *joined);
   return has_ended;

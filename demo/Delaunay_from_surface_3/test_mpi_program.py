@@ -121,6 +121,13 @@ class ByMpi(unittest.TestCase):
         for name, says in ((self.folder, "Is a directory"), (self.folder / "missing" / "a.npy", "No such file")):
             self.fails(*[(*command, "--join", name)] * 2, says=f"rank 0: .*: cannot be written: {says}")
             self.assertEqual([], [*self.output.glob("*")])  # nothing was begun
+        (self.folder / "link.npy").symlink_to(self.points)
+        before = self.points.read_bytes()
+        for name, says in ((self.points, "would overwrite the points of"), (self.folder / "link.npy", "would overwrite the points of"),
+                           (self.output / "cells-00001.npy", "would overwrite a file of the run"),
+                           (self.output / "tiles.json", "would overwrite a file of the run")):
+            self.fails(*[(*command, "--join", name)] * 2, says=f"rank 0: .*: {says}")
+            self.assertEqual((before, []), (self.points.read_bytes(), [*self.output.glob("*")]))
         self.works(2, self.points, "--output", self.output, "--join", self.output / "all.npy", "--quiet")
         self.assertEqual([], [*self.output.glob("*.unfinished")])
         cells = sum(read_npy(file)[0][0] for file in self.output.glob("cells-*"))

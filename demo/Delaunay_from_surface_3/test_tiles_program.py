@@ -200,6 +200,62 @@ class Tiles(unittest.TestCase):
         self.fails(points, "--output", self.folder / "others", "--join", pipe,
                    says="pipe: cannot be written: it is no regular file")
 
+    def test_join_writes_over_nothing_that_is_read(self):
+        """Whatever it is called, and before there is any work: no tile is written."""
+        points, other, output = self.folder / "a.npy", self.folder / "b-neighbors.npy", self.folder / "tiles"
+        head = b"{'descr': '<f8', 'fortran_order': False, 'shape': (200, 3), }".ljust(117) + b"\n"
+        for path in (points, other):
+            write_points(self.folder / "raw", 200, seed=len(path.name))
+            path.write_bytes(b"\x93NUMPY\1\0" + struct.pack("<H", 118) + head + (self.folder / "raw").read_bytes())
+        (self.folder / "link.npy").symlink_to(points)
+        os.link(points, self.folder / "hard.npy")
+        (self.folder / "folder").symlink_to(output)
+        output.mkdir()
+        before = points.read_bytes(), other.read_bytes()
+        for join, more, says in (
+                (points, [], "a.npy: would overwrite the points of .*a.npy: name another file"),
+                (self.folder / "link.npy", [], "link.npy: would overwrite the points of .*a.npy"),
+                (self.folder / "hard.npy", [], "hard.npy: would overwrite the points of .*a.npy"),
+                (self.folder / "b.npy", ["--neighbors"], "b-neighbors.npy: would overwrite the points of .*b-neighbors.npy"),
+                (output / "cells-00000.npy", [], "cells-00000.npy: would overwrite a file of the run: name another file"),
+                (output / "points-00007.npy", [], "points-00007.npy: would overwrite a file of the run"),
+                (output / "tiles.json", [], "tiles.json: would overwrite a file of the run"),
+                (output / "tiles.pvtu", [], "tiles.pvtu: would overwrite a file of the run"),
+                (output / "state" / "input", [], "input: would overwrite a file of the run"),
+                (self.folder / "folder" / "ids-00000.npy", [], "ids-00000.npy: would overwrite a file of the run"),
+                (self.folder / "missing" / "all.npy", [], "all.npy: cannot be written: No such file or directory"),
+                (self.folder, [], "cannot be written: Is a directory")):
+            self.fails(points, other, "--tiles", 2, "--output", output, "--join", join, *more, says=says)
+            self.assertEqual((points.read_bytes(), other.read_bytes(), list(output.iterdir())), (*before, []))
+        for option in (["--next"], ["--task", 0]):
+            self.fails(points, "--output", output, "--join", self.folder / "all.npy", *option,
+                       says="'--join' is done by one process, when all tasks are")
+        self.works(points, other, "--tiles", 2, "--output", output, "--join", output / "all.npy", "--neighbors", "--quiet")
+        self.assertEqual(read_npy(output / "all.npy")[0], read_npy(output / "all-neighbors.npy")[0])
+
+    def test_files_of_others_stay(self):
+        """Only what a run has left is removed, and only where it is; folders that cannot be read are not looked into."""
+        points, output = self.folder / "points.raw", self.folder / "tiles"
+        write_points(points, 500)
+        (output / "below").mkdir(parents=True)
+        (output / "lost+found").mkdir()
+        strangers = ["film.unfinished", "film-12.unfinished", "cells-00000.npy.unfinished", "cells-1.npy-7.unfinished",
+                     "below/cells-00000.npy-77.unfinished", "below/film-3.unfinished", "state-old.unfinished", "tiles.json-x1.unfinished"]
+        ours = ["cells-00000.npy-77.unfinished", "tiles.json-12.unfinished", "tile-00003.vtu-5.unfinished"]
+        for name in (*strangers, *ours):
+            (output / name).write_text("precious")
+        os.chmod(output / "lost+found", 0)
+        self.works(points, "--tiles", 3, "--output", output, "--quiet")
+        for name in strangers:
+            self.assertEqual((output / name).read_text(), "precious", name)
+        self.assertEqual([name for name in ours if (output / name).exists()], [])
+        self.assertTrue((output / "tiles.json").exists())
+        if os.geteuid() == 0:  # whom no mode keeps out: the same as another user, if there is one
+            return
+        os.chmod(output, 0o300)
+        self.addCleanup(os.chmod, output, 0o700)
+        self.fails(points, "--tiles", 3, "--output", output, says="tiles: cannot be read: Permission denied")
+
 
 if __name__ == "__main__":
     unittest.main()

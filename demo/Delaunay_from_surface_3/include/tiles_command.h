@@ -28,6 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace core = CGAL::Delaunay_from_surface_3::internal;
+
 // What comes after `delaunay_from_surface tiles`.
 struct Tiles_command
 {
@@ -92,19 +94,58 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[])
     command.task = checked_number("task", task, 0);
   if (command.neighbors && (command.next || command.task))
     throw std::runtime_error("'--neighbors' is done by one process, when all tasks are");
+  if (!command.join.empty() && (command.next || command.task))
+    throw std::runtime_error("'--join' is done by one process, when all tasks are");
   if (command.next && command.task)
     throw std::runtime_error("'--next' and '--task' exclude each other");
   return command;
 }
 
+// The files of --join, which are opened before there is any work to lose, and written at its end.
+class Joined
+{
+public:
+  Joined(const Tiles_command& command, const CGAL::Tile_source_3& points)
+  {
+    if (command.join.empty())
+      return;
+    const std::filesystem::path file = command.join;
+    open(m_cells, command, points, file);
+    if (command.neighbors)
+      open(m_neighbors, command, points,
+           file.parent_path() / (file.stem().string() + "-neighbors.npy"));
+  }
+
+  void write(const std::string& folder, Report& report)
+  {
+    const std::uint32_t tiles = m_cells ? core::number_of_tiles_in(folder) : 0;
+    if (m_cells)
+      report("finite cells joined", core::join_tiles(folder, tiles, *m_cells));
+    if (m_neighbors)
+      core::join_tiles(folder, tiles, *m_neighbors, "neighbors");
+  }
+
+private:
+  static void open(std::optional<core::Bytes_writer>& file, const Tiles_command& command,
+                   const CGAL::Tile_source_3& points, const std::filesystem::path& name)
+  {
+    core::refuse_output(points, command.output, name);
+    std::error_code ignored; // it may be where the file is; who locks it says what is wrong with it
+    std::filesystem::create_directories(command.output, ignored);
+    file.emplace(name);
+  }
+
+  std::optional<core::Bytes_writer> m_cells, m_neighbors;
+};
+
 inline int run_tiles_command(Tiles_command& command)
 {
-  namespace core = CGAL::Delaunay_from_surface_3::internal;
   Messages messages(command.quiet     ? Messages::Volume::QUIET
                     : command.verbose ? Messages::Volume::VERBOSE
                                       : Messages::Volume::NORMAL);
   const CGAL::Point_files_3 points(
       std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
+  Joined joined(command, points);
   core::Tiles_to_files tiles(command.output, command.threads, command.vtu, command.neighbors);
   // What is read at once is a part of the memory, too: 24 bytes of input and 36 of what it becomes.
   // Of tasks that are done one by one there is one in memory.
@@ -131,13 +172,7 @@ inline int run_tiles_command(Tiles_command& command)
                            : command.quiet ? Report::Style::NONE
                                            : Report::Style::TEXT);
   report_tiles(command.output, result, command.options.compares_cells, report);
-  if (!command.join.empty())
-    report("finite cells joined", core::join_tiles(command.output, command.join));
-  if (!command.join.empty() && command.neighbors) {
-    const std::filesystem::path file = command.join;
-    core::join_tiles(command.output, file.parent_path() / (file.stem().string() + "-neighbors.npy"),
-                     "neighbors");
-  }
+  joined.write(command.output, report);
   report.finish();
   return EXIT_SUCCESS;
 }

@@ -18,21 +18,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <regex>
 #include <string>
 #include <system_error>
 #include <vector>
 
-// What a run that did not end has left: it may have had more tiles.
-inline std::vector<std::filesystem::path> left_files(const std::filesystem::path& folder)
-{
-  static const std::regex unfinished(R"(.*-[0-9]+\.unfinished)");
-  auto files = CGAL::Delaunay_from_surface_3::internal::files_of_tiles(folder);
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (std::regex_match(entry.path().filename().string(), unfinished))
-      files.push_back(entry.path());
-  return files;
-}
+namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 // The folder is there, and empty of other runs.
 inline void make_folder(const std::filesystem::path& folder, const std::vector<std::string>& inputs)
@@ -44,22 +34,24 @@ inline void make_folder(const std::filesystem::path& folder, const std::vector<s
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
-    CGAL::Delaunay_from_surface_3::internal::fail_to_write(folder, error.value());
-  const auto files = left_files(folder);
+    core::fail_to_write(folder, error.value());
+  // What a run that did not end has left: it may have had more tiles.
+  std::vector<std::filesystem::path> files = core::files_of_tiles(folder);
+  const std::vector<std::filesystem::path> left = core::left_files(folder);
+  files.insert(files.end(), left.begin(), left.end());
   for (const auto& file : files)
     for (const std::string& input : inputs)
-      if (std::filesystem::equivalent(file, input))
+      if (std::filesystem::equivalent(file, input, error))
         throw CGAL::Tile_files_error(file.string() +
                                      ": would be overwritten: name another folder for the tiles");
   for (const auto& file : files)
     if (!std::filesystem::remove(file, error) && error)
-      CGAL::Delaunay_from_surface_3::internal::fail_to_write(file, error.value());
+      core::fail_to_write(file, error.value());
 }
 
 // Whether a run of these points has ended there, as eight vertices of each tile tell.
 inline bool has_ended_with(const std::filesystem::path& folder, const CGAL::Tile_source_3& source)
 {
-  namespace core = CGAL::Delaunay_from_surface_3::internal;
   if (!std::filesystem::exists(folder / "tiles.json"))
     return false;
   const std::uint32_t tiles = core::number_of_tiles_in(folder);

@@ -42,6 +42,19 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 // The end of the name of what is not complete.
 constexpr const char* unfinished = ".unfinished";
 
+// What a file that is not complete will be called: its name without a number and `unfinished` at the
+// end; empty if it is none.
+inline std::string name_when_finished(const std::string& name)
+{
+  const std::string end = unfinished;
+  if (name.size() <= end.size() || name.compare(name.size() - end.size(), end.size(), end) != 0)
+    return "";
+  const std::size_t dash = name.find_last_not_of("0123456789", name.size() - end.size() - 1);
+  if (dash == std::string::npos || name[dash] != '-' || dash + 1 == name.size() - end.size())
+    return "";
+  return name.substr(0, dash);
+}
+
 [[noreturn]] inline void fail_to_write(const std::filesystem::path& place, int error)
 {
   throw Tile_files_error(place.string() + ": cannot be written: " +

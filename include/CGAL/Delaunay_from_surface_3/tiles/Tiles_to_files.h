@@ -216,16 +216,21 @@ private:
     report_certificates(m_engine.certificates(), report);
     if (m_with_vtu)
       write_pvtu(m_folder, report.tiles);
-    std::vector<std::filesystem::path> gone; // of processes that were killed
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(m_folder))
-      if (entry.path().extension() == unfinished)
-        gone.push_back(entry.path());
-    for (const auto& path : gone) {
-      std::error_code ignored;
-      std::filesystem::remove(path, ignored);
-    }
+    remove_left();
     write_report(m_folder, report);
     return report;
+  }
+
+  // What processes left that were killed; the state is this run's own.
+  void remove_left() const
+  {
+    std::vector<std::filesystem::path> left = left_files(m_folder);
+    for (const std::string& name : names_in(m_folder / "state"))
+      if (!name_when_finished(name).empty())
+        left.push_back(m_folder / "state" / name);
+    std::error_code ignored; // they are in nobody's way
+    for (const auto& path : left)
+      std::filesystem::remove(path, ignored);
   }
 
   const std::filesystem::path m_folder;

@@ -5,9 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_FILES_OF_TILES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_FILES_OF_TILES_H
 
-// The files that a run writes into its folder (write_tiles.h), known by their names.
+// The files that a run writes into its folder (write_tiles.h), known by their names; others are not
+// touched. What is written is never what is read.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
 
@@ -39,16 +41,52 @@ inline bool is_file_of_tiles(const std::string& name)
          (kind == "cells" || kind == "ids" || kind == "points" || kind == "neighbors");
 }
 
-// Those that are in a folder, by name; none if there is no folder.
+// Whether a file of this name is one of a tile, of all, or the report.
+inline bool is_file_of_run(const std::string& name)
+{
+  return is_file_of_tiles(name) || name == "tiles.json";
+}
+
+// The names of what is in a folder and not below; none if there is no folder.
+inline std::vector<std::string> names_in(const std::filesystem::path& folder)
+{
+  std::vector<std::string> names;
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error))
+    names.push_back(entry->path().filename().string());
+  if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+    throw Tile_files_error(folder.string() + ": cannot be read: " + error.message());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// The files of tiles that are in a folder.
 inline std::vector<std::filesystem::path> files_of_tiles(const std::filesystem::path& folder)
 {
   std::vector<std::filesystem::path> files;
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-    if (is_file_of_tiles(entry.path().filename().string()))
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  for (const std::string& name : names_in(folder))
+    if (is_file_of_tiles(name))
+      files.push_back(folder / name);
   return files;
+}
+
+// What processes have left in the folder of a run that were killed while they wrote a file of it.
+inline std::vector<std::filesystem::path> left_files(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : names_in(folder))
+    if (is_file_of_run(name_when_finished(name)))
+      files.push_back(folder / name);
+  return files;
+}
+
+// Whether a file is in this folder, by way of links or not; neither need be there.
+inline bool is_in_folder(const std::filesystem::path& file, const std::filesystem::path& folder)
+{
+  std::error_code error;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path(), error) ==
+         std::filesystem::weakly_canonical(std::filesystem::absolute(folder), error);
 }
 
 // A file that points are read from must not be one that a run in this folder writes.
@@ -58,10 +96,27 @@ inline void refuse_to_overwrite(const Tile_source_3& source, const std::filesyst
   for (const std::filesystem::path& file : source.files())
     for (const auto& place :
          {std::filesystem::absolute(file, error), std::filesystem::canonical(file, error)})
-      if (is_file_of_tiles(place.filename().string()) &&
-          std::filesystem::equivalent(place.parent_path(), folder, error))
+      if (is_file_of_tiles(place.filename().string()) && is_in_folder(place, folder))
         throw Tile_files_error(file.string() +
                                ": would be overwritten: name another folder for the tiles");
+}
+
+// A file that is written beside those of a run in this folder must be none of these, and none that
+// points are read from.
+inline void refuse_output(const Tile_source_3& source, const std::filesystem::path& folder,
+                          const std::filesystem::path& output)
+{
+  std::error_code error;
+  for (const std::filesystem::path& file : source.files())
+    if (std::filesystem::equivalent(file, output, error))
+      throw Tile_files_error(output.string() + ": would overwrite the points of " + file.string() +
+                             ": name another file");
+  for (const auto& place :
+       {std::filesystem::absolute(output, error), std::filesystem::weakly_canonical(output, error)})
+    if ((is_file_of_run(place.filename().string()) && is_in_folder(place, folder)) ||
+        is_in_folder(place, folder / "state"))
+      throw Tile_files_error(output.string() +
+                             ": would overwrite a file of the run: name another file");
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -9,6 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/files_of_tiles.h>
 
 #include <filesystem>
 #include <random>
@@ -37,15 +38,10 @@ inline void forget_folder(const std::filesystem::path& place)
 // What processes left that were killed while they forgot it.
 inline void remove_forgotten(const std::filesystem::path& place)
 {
-  const std::string start = place.filename().string() + "-";
-  std::vector<std::filesystem::path> gone;
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(place.parent_path(), ignored))
-    if (entry.path().extension() == unfinished &&
-        entry.path().filename().string().compare(0, start.size(), start) == 0)
-      gone.push_back(entry.path());
-  for (const auto& path : gone)
-    std::filesystem::remove_all(path, ignored);
+  std::error_code ignored; // it may be another's, or gone
+  for (const std::string& name : names_in(place.parent_path()))
+    if (name_when_finished(name) == place.filename().string())
+      std::filesystem::remove_all(place.parent_path() / name, ignored);
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
