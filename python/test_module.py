@@ -53,6 +53,23 @@ def skew_lines(n):
     return points
 
 
+def turned_lattice(n, seed=1):
+    turn, _ = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))
+    return np.array(list(itertools.product(range(n), repeat=3)), dtype=float) @ turn
+
+
+def flat_sets():
+    """Points with tetrahedra so flat that they have a volume by rounding alone, and at all scales."""
+    sphere = np.random.default_rng(2).normal(size=(60, 3))
+    flat = np.column_stack([random_points(40)[:, :2], np.full(40, .1)]) @ np.linalg.qr(random_points(3))[0]
+    spread = np.exp(np.random.default_rng(3).normal(size=(30, 3)) * 100)
+    return {"cube": turned_lattice(2), "lattice": turned_lattice(3), "far": turned_lattice(3) + 1e8,
+            "single": turned_lattice(3).astype(np.float32), "tiny": turned_lattice(3) * 1e-90,
+            "denormal": turned_lattice(3) * 1e-311, "huge": turned_lattice(3) * 2e307, "plane": np.vstack([flat, [[0, 0, 5]]]),
+            "sphere": sphere / np.linalg.norm(sphere, axis=1)[:, None], "scales": spread,
+            "equal": np.vstack([turned_lattice(2), turned_lattice(2)])}
+
+
 def cell_set(simplices):
     return {tuple(sorted(map(int, s))) for s in simplices}
 
@@ -443,6 +460,58 @@ class AsScipy(unittest.TestCase):
         self.assertTrue(np.allclose(distance, self.ours.circumradii[:, None], rtol=1e-6))
         tiny = dfs.delaunay3(random_points(50) * 1e-200)
         self.assertTrue(np.allclose(tiny.circumradii, dfs.delaunay3(random_points(50)).circumradii * 1e-200, rtol=1e-6))
+
+    def test_measures_of_flat_tetrahedra(self):
+        """Against fractions, where doubles know no digit of the volumes."""
+        def det(a, b, c):
+            return sum(a[i] * (b[i - 2] * c[i - 1] - b[i - 1] * c[i - 2]) for i in range(3))
+
+        def minus(a, b):
+            return [x - y for x, y in zip(a, b)]
+        for name, points in flat_sets().items():
+            ours = dfs.delaunay3(points)
+            points = ours.points.astype(float)
+            xi = np.vstack([points, (points[ours.simplices[::3]] / 4).sum(axis=1)])
+            simplex = ours.find_simplex(xi)
+            weights = ours.barycentric(xi, simplex)
+            self.assertTrue((weights[:len(points)] == (ours.simplices[simplex[:len(points)]] == ours.vertices[:, None])).all(), name)
+            with np.errstate(all="ignore"):
+                by_transform = np.einsum("ijk,ik->ij", ours.transform[simplex, :3], xi - ours.transform[simplex, 3])
+            right = np.isnan(by_transform) | (np.abs(by_transform - weights[:, :3]) < 1e-9)
+            self.assertTrue(right[simplex >= 0].all(), name)
+            for c in range(0, ours.nsimplex, 5):
+                corners = [[Fraction(x) for x in p] for p in points[ours.simplices[c]].tolist()]
+                edges = [minus(p, corners[0]) for p in corners[1:]]
+                six = det(*edges)
+                halves = [sum(x * x for x in e) / 2 for e in edges]
+                center = [det(*([h if i == j else e[i] for i in range(3)] for h, e in zip(halves, edges))) / six for j in range(3)]
+                squared = sum(x * x for x in center)
+                if Fraction(sys.float_info.min) < six / 6 < Fraction(sys.float_info.max):
+                    self.assertLess(abs(Fraction(ours.volumes[c]) / (six / 6) - 1), 1e-12, name)
+                if max(map(abs, center)) < Fraction(1e307):
+                    self.assertLess(abs(Fraction(ours.circumradii[c]) ** 2 / squared - 1), 1e-12, name)
+                    for i in range(3):
+                        error = Fraction(ours.circumcenters[c, i]) - (corners[0][i] + center[i])
+                        self.assertLess(abs(error), 1e-12 * (abs(corners[0][i]) + ours.circumradii[c]), name)
+                for q in np.flatnonzero(simplex == c)[-2:]:
+                    x = [Fraction(z) for z in xi[q].tolist()]
+                    for k in range(4):
+                        moved = corners[:k] + [x] + corners[k + 1:]
+                        weight = det(*(minus(p, moved[0]) for p in moved[1:])) / six
+                        self.assertLess(abs(Fraction(weights[q, k]) - weight), 1e-12, name)
+        far = dfs.delaunay3(self.points)
+        self.assertTrue(np.allclose(far.barycentric([[1e9, 0, 0]], [0]) @ far.points[far.simplices[0]], [[1e9, 0, 0]], atol=1e-3))
+        self.assertTrue(np.isnan(far.barycentric([[np.nan, 0, 0], [0, 0, np.inf]], [0, 0])).all())
+        with self.assertRaisesRegex(IndexError, f"barycentric: {far.nsimplex} is not one of the {far.nsimplex} simplices"):
+            far.barycentric([[0, 0, 0]], [far.nsimplex])
+        with self.assertRaisesRegex(TypeError, "barycentric: simplex: expected integers, got entries of type float64"):
+            far.barycentric([[0, 0, 0]], [0.])
+
+    def test_voronoi_volumes_at_flat_tetrahedra(self):
+        cells = dfs.delaunay3(turned_lattice(5)).voronoi_volumes.reshape(5, 5, 5)
+        self.assertLess(np.abs(cells[2, 2, 2] - 1), 1e-12)
+        self.assertTrue((np.abs(dfs.delaunay3(turned_lattice(5) * 2.**-333).voronoi_volumes.reshape(5, 5, 5)[2, 2, 2]
+                                * 2.**999 - 1) < 1e-12).all())
 
     def test_voronoi_volumes(self):
         for points in (self.points, np.vstack([self.grid, self.grid[:9]])):

@@ -187,30 +187,32 @@ class Delaunay3:
     @cached_property
     def transform(self) -> Reals:
         """(m, 4, 3) float64, as SciPy has it: transform[i, :3] @ (x - transform[i, 3]) are the first three
-        barycentric coordinates of x in simplex i. 96 bytes each; `barycentric` needs none."""
+        barycentric coordinates of x in simplex i, up to 1e-9 for x in it. As in SciPy transform[i, :3] is NaN for flat
+        simplices, where rounding x - transform[i, 3] alone could change them by more. `barycentric` is right in these,
+        too, and needs no 96 bytes for each simplex."""
         self._needs_space("transform")
-        return self._transform(slice(None))
+        return _core.transform(self.points, self.simplices, self._threads)
 
     def barycentric(self, xi: Points, simplex: Optional[ArrayLike] = None, *,
                     threads: Optional[SupportsIndex] = 1) -> Reals:
         """Return the barycentric coordinates of the points `xi`, of shape (…, 3), in their simplices: (…, 4) float64.
 
-        `simplex` is what `find_simplex(xi)` returns, which is called if it is left out. Outside they are NaN.
+        `simplex` is what `find_simplex(xi)` returns, which is called if it is left out. Outside they are NaN. In flat
+        simplices they are computed with as many digits as it takes: at the data they are exact, in a simplex that
+        contains the point between 0 and 1 up to 1e-13.
 
         Raises ValueError if there are not as many simplices as points, or the points of the triangulation lie in a
-        plane; IndexError for a simplex that there is not.
+        plane; IndexError for a simplex that there is not; TypeError if simplices are no integers.
         """
         self._needs_space("barycentric")
         numbers_of = np.asarray(self.find_simplex(xi, threads=threads) if simplex is None else simplex).reshape(-1)
+        if numbers_of.dtype.kind not in "iu":
+            raise TypeError(f"barycentric: simplex: expected integers, got entries of type {numbers_of.dtype}")
         queries, shape = self._rows_of(xi)
         if len(numbers_of) != len(queries):
             raise ValueError(f"barycentric: {len(numbers_of)} simplices for {len(queries)} points")
-        result = np.full((len(queries), 4), np.nan)
-        inside = numbers_of >= 0
-        transform = self._transform(numbers_of[inside])
-        result[inside, :3] = np.einsum("ijk,ik->ij", transform[:, :3], queries[inside] - transform[:, 3])
-        result[:, 3] = 1 - result[:, :3].sum(axis=1)
-        return result.reshape(*shape, 4)
+        number = number_of_threads("threads", threads)
+        return _core.barycentric(self.points, self.simplices, queries, numbers_of, number).reshape(*shape, 4)
 
     @cached_property
     def volumes(self) -> Reals:
@@ -304,14 +306,6 @@ class Delaunay3:
         is_refused = isinstance(xi, np.ma.MaskedArray)
         array = xi if len(shape) == 2 or is_refused else np.reshape(xi, (-1, 3))
         return _core.array_of_points(array, "xi"), shape[:-1]
-
-    def _transform(self, which: Any) -> Reals:
-        corners = np.asarray(self.points, dtype=float)[self.simplices[which]]
-        a, b, c = (corners[:, k] - corners[:, 3] for k in range(3))
-        rows = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b), corners[:, 3]], axis=1)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            rows[:, :3] /= np.einsum("ij,ij->i", a, rows[:, 0])[:, None, None]
-        return rows
 
     def _triangles(self, points: Reals) -> Tuple[Indices, Reals]:
         """Each triangle once, and the radius of its smallest ball that is empty."""
