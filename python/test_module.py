@@ -552,6 +552,29 @@ class AsScipy(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "alpha_complex: expected a radius, got 'x'"):
             ours.alpha_complex("x")
 
+    def test_alpha_complex_is_one(self):
+        """With a radius that occurs as alpha, too: all faces of what is there are there, at any scale."""
+        lattice = np.array(list(itertools.product(range(3), repeat=3)), dtype=float)
+        hexagons = np.array([[x + y / 2, y * 3 ** .5 / 2, z * (8 / 3) ** .5] for x, y, z in lattice])
+        body = np.vstack([lattice, lattice[:8] + .5])
+        sets = [(lattice * h, [h / 2, h * 2 ** .5 / 2, h * 3 ** .5 / 2]) for h in (.07, .1, .3, .59, .7)]
+        sets += [(points, None) for points in (hexagons, body * .1, turned_lattice(3), turned_lattice(3) * 1e-200,
+                                               turned_lattice(3) * 1e-310, lattice * 1e300, random_points(60))]
+        for points, alphas in sets:
+            ours = dfs.delaunay3(points)
+            if alphas is None:
+                alphas = np.sort(ours.circumradii)[::max(1, ours.nsimplex // 5)]
+            for alpha in alphas:
+                found = ours.alpha_complex(alpha)
+                triangles, edges = (set(map(tuple, c.tolist())) for c in (found.triangles, found.edges))
+                self.assertTrue({t for cell in np.sort(ours.simplices[found.simplices]).tolist()
+                                 for t in itertools.combinations(cell, 3)} <= triangles)
+                self.assertTrue({e for t in triangles for e in itertools.combinations(t, 2)} <= edges)
+        usual = dfs.delaunay3(random_points(60))
+        for exponent in (-1000, -600, 600, 1000):
+            scaled = dfs.delaunay3(np.ldexp(random_points(60), exponent)).alpha_complex(np.ldexp(.2, exponent))
+            self.assertEqual([c.tolist() for c in scaled], [c.tolist() for c in usual.alpha_complex(.2)])
+
     def test_minimum_spanning_tree(self):
         for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [1, 0, 0], self.grid[:1], []):
             ours = dfs.delaunay3(points)

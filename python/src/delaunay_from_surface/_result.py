@@ -247,7 +247,7 @@ class Delaunay3:
 
     def alpha_complex(self, alpha: Radius) -> AlphaComplex:
         """Return the simplices that have an empty ball of radius `alpha` or less through their corners, with all
-        their faces. In floating point.
+        their faces: a complex for any `alpha`. In floating point, but no face has a larger radius than what it bounds.
 
         Its tetrahedra are those with a circumradius of at most `alpha`. `alpha` is a radius, not a square.
         """
@@ -316,23 +316,30 @@ class Delaunay3:
         simplex, corner, across = simplex[once], corner[once], across[once]
         others = np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])
         triangles = np.sort(self.simplices[simplex[:, None], others[corner]], axis=1)
-        u, w = (points[triangles[:, k]] - points[triangles[:, 0]] for k in (1, 2))
-        uu, uw, ww = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w)))
-        twice = 2 * (uu * ww - uw * uw)
-        offset = (ww * (uu - uw) / twice)[:, None] * u + (uu * (ww - uw) / twice)[:, None] * w
-        radii = np.linalg.norm(offset, axis=1)
-        center = points[triangles[:, 0]] + offset
-        radii_of_simplices = np.append(self.circumradii, np.inf)
-        larger = np.minimum(radii_of_simplices[simplex], radii_of_simplices[across])
         apex = self.simplices[simplex, corner]
         back = np.argmax(self.neighbors[across] == simplex[:, None], axis=1)
         beyond = self.simplices[across, back]
-        is_free = np.linalg.norm(points[apex] - center, axis=1) >= radii
-        is_free &= (across < 0) | (np.linalg.norm(points[beyond] - center, axis=1) >= radii)
-        return triangles, np.where(is_free, radii, larger)
+        exponent, u, w, above, below = self._scaled(2, *(points[k] - points[triangles[:, 0]] for k in (
+            triangles[:, 1], triangles[:, 2], apex, beyond)))
+        normal = np.cross(u, w)
+        uu, uw, ww, nn = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w), (normal, normal)))
+        twice = 2 * nn
+        offset = (ww * (uu - uw) / twice)[:, None] * u + (uu * (ww - uw) / twice)[:, None] * w
+        radii = np.linalg.norm(offset, axis=1)
+        is_free = np.linalg.norm(above - offset, axis=1) >= radii
+        is_free &= (across < 0) | (np.linalg.norm(below - offset, axis=1) >= radii)
+        radii_of_simplices = np.append(self.circumradii, np.inf)
+        larger = np.minimum(radii_of_simplices[simplex], radii_of_simplices[across])
+        return triangles, np.where(is_free, np.fmin(np.ldexp(radii, exponent), larger), larger)
 
     @staticmethod
-    def _edges(points: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
+    def _scaled(number: int, *vectors: Reals) -> Tuple[Reals, ...]:
+        """Exponents, and the vectors over 2 to their power: squares of the first ones neither overflow nor vanish."""
+        exponent = np.frexp(np.max(np.abs(vectors[:number]), axis=(0, 2)))[1]
+        return (exponent, *(np.ldexp(v, -exponent[:, None]) for v in vectors))
+
+    @classmethod
+    def _edges(cls, points: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
         """The same for edges."""
         pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [0, 2]], triangles[:, [1, 2]]])
         third = np.concatenate([triangles[:, 2], triangles[:, 1], triangles[:, 0]])
@@ -340,8 +347,10 @@ class Delaunay3:
         order = np.argsort(codes, kind="stable")
         first = np.flatnonzero(np.append(True, codes[order][1:] != codes[order][:-1]))
         edges = pairs[order[first]]
-        middle, half = points[pairs].mean(axis=1), np.linalg.norm(points[pairs[:, 1]] - points[pairs[:, 0]], axis=1) / 2
-        is_free = np.linalg.norm(points[third] - middle, axis=1) >= half
+        exponent, edge, spoke = cls._scaled(1, *(points[k] - points[pairs[:, 0]] for k in (pairs[:, 1], third)))
+        half = np.linalg.norm(edge, axis=1) / 2
+        is_free = np.linalg.norm(spoke - edge / 2, axis=1) >= half
+        half = np.ldexp(half, exponent)[order[first]]
         larger = np.minimum.reduceat(np.tile(radii, 3)[order], first)
         is_free = np.logical_and.reduceat(is_free[order], first)
-        return edges, np.where(is_free, half[order[first]], larger)
+        return edges, np.where(is_free, np.fmin(half, larger), larger)
