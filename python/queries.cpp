@@ -17,9 +17,11 @@
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -130,13 +132,35 @@ py::tuple adjacent_vertices(const Numbers& simplices, std::size_t n, std::size_t
                         array_from(std::move(adjacent.items), {items}));
 }
 
+// The square of a length as an exponent of 2 and a fraction of at least 1/2: no length is so large or
+// so small that its square would overflow or vanish.
+std::pair<int, double> squared_length(const std::array<double, 3>& p,
+                                      const std::array<double, 3>& q)
+{
+  std::array<double, 3> d = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  const auto largest = [&] {
+    return (std::max)((std::max)(std::fabs(d[0]), std::fabs(d[1])), std::fabs(d[2]));
+  };
+  int unit = 0, exponent = 0;
+  if (std::isinf(largest())) {
+    d = {p[0] / 2 - q[0] / 2, p[1] / 2 - q[1] / 2, p[2] / 2 - q[2] / 2};
+    unit = 1;
+  }
+  std::frexp(largest(), &exponent);
+  for (double& x : d)
+    x = std::ldexp(x, -exponent);
+  unit += exponent;
+  const double fraction = std::frexp(core::dot(d, d), &exponent);
+  return {2 * unit + exponent, fraction};
+}
+
 // Kruskal's algorithm on the edges of the lists, by lengths as they are computed.
 Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64_t>& firsts,
                               const Numbers& items)
 {
   struct Edge
   {
-    double squared_length;
+    std::pair<int, double> squared_length;
     Index ends[2];
   };
   const auto n = std::size_t(points.shape(0));
@@ -147,9 +171,7 @@ Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64
       const Index w = items.at(py::ssize_t(i));
       if (w <= Index(v) || std::size_t(w) >= n)
         continue;
-      const std::array<double, 3> p = point_of(v), q = point_of(std::size_t(w));
-      const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
-      edges.push_back({x * x + y * y + z * z, {Index(v), w}});
+      edges.push_back({squared_length(point_of(v), point_of(std::size_t(w))), {Index(v), w}});
     }
   std::vector<Index> tree;
   {

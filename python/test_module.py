@@ -590,6 +590,20 @@ class AsScipy(unittest.TestCase):
                 number, _ = scipy.sparse.csgraph.connected_components(graph, directed=False)
                 self.assertEqual(number, 1 + len(points) - len(distinct))
 
+    def test_minimum_spanning_tree_at_all_scales(self):
+        """Also where squares of lengths are no doubles: the tree is that of the usual scale."""
+        points = np.round(random_points(100) * 2 ** 20) / 2 ** 20
+        expected = dfs.delaunay3(points).minimum_spanning_tree().tolist()
+        for exponent in (-1054, -600, -520, 400, 511, 600, 1000, 1023):
+            scaled = dfs.delaunay3(np.ldexp(points, exponent))
+            self.assertEqual(scaled.minimum_spanning_tree().tolist(), expected)
+        doubled = dfs.delaunay3(np.ldexp(points * 2 - 1, 1023) * (1 - 2. ** -20))
+        self.assertEqual(doubled.minimum_spanning_tree().tolist(), dfs.delaunay3(points * 2 - 1).minimum_spanning_tree().tolist())
+        # Two scales in one set: each has its own tree.
+        small = np.ldexp(points[:50], -700)
+        tree = dfs.delaunay3(np.vstack([small, points[50:] + 1])).minimum_spanning_tree()
+        self.assertEqual(tree[:49].tolist(), dfs.delaunay3(points[:50]).minimum_spanning_tree().tolist())
+
     def test_check(self):
         for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [0, 1, 0], self.points[:1], [],
                        np.vstack([self.grid * .1, self.grid * .1])):

@@ -304,9 +304,9 @@ class Output(ProgramCase):
         (self.folder / "cube.xyz").write_text("".join(
             f"{.6 * x - .8 * y!r} {.48 * x + .36 * y - .8 * z!r} {.64 * x + .48 * y + .6 * z!r}\n"
             for x in range(3) for y in range(3) for z in range(3)))
-        self.works("cube.xyz", "--output", "cube.vtk")
+        self.works("cube.xyz", "--output", "cube.vtk", notes="note: cube.xyz: there are no faces, its points are taken alone\n")
         words = (self.folder / "cube.vtk").read_text().split()
-        points = [[Fraction(w) for w in words[words.index("double") + 1 + 3 * i:][:3]] for i in range(27)]
+        points = [[Fraction(float(w)) for w in words[words.index("double") + 1 + 3 * i:][:3]] for i in range(27)]
         number = int(words[words.index("CELLS") + 1])
         cells = [list(map(int, words[words.index("CELLS") + 4 + 5 * c:][:4])) for c in range(number)]
         radii = list(map(float, words[words.index("circumradius") + 5:][:number]))
