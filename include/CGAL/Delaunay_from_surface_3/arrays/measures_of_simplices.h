@@ -11,6 +11,7 @@
 // measure says which polynomials have to be known well, and is taken in doubles, which are enough for
 // most tetrahedra, in sums of two doubles if their bounds do not tell, and else in integers.
 
+#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Bounded_number.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
@@ -42,7 +43,15 @@ struct Scaled_double
 // n 2^exponent / d
 inline double quotient(const Scaled_double& n, const Scaled_double& d, int exponent = 0)
 {
-  return std::ldexp(n.value / d.value, n.exponent - d.exponent + exponent);
+  const int power = n.exponent - d.exponent + exponent;
+  return power == 0 ? n.value / d.value : std::ldexp(n.value / d.value, power);
+}
+
+// Compares absolute values.
+inline bool is_larger(const Scaled_double& s, const Scaled_double& t)
+{
+  return s.exponent == t.exponent ? std::abs(s.value) > std::abs(t.value)
+                                  : std::abs(quotient(s, t)) > 1;
 }
 
 // The differences of N points and an origin, over 2^unit, with bounds of their errors (balanced_signs.h):
@@ -137,7 +146,7 @@ std::size_t largest_of(const std::array<Number, 3>& v)
 {
   std::size_t largest = 0;
   for (std::size_t i = 1; i < 3; ++i)
-    if (std::abs(quotient(Rows::rounded(v[i]), Rows::rounded(v[largest]))) > 1)
+    if (is_larger(Rows::rounded(v[i]), Rows::rounded(v[largest])))
       largest = i;
   return largest;
 }
@@ -203,22 +212,29 @@ inline Circumsphere circumsphere_of(const Corners_of_tetrahedron& corners)
   return sphere;
 }
 
-// What a corner of the triangle (0, u, w) has of the tetrahedron above it whose apex is o, the centre
-// of the sphere: between the corner, the centre of the triangle, and the middles of u and w.
+// What its corners have of the tetrahedron on a triangle, whose apex is the centre of the sphere: corner,
+// middle of an edge, centre of the triangle and apex make one with three right angles at each of the
+// six flags. o is the apex relative to the first corner; positive on the inner side of the triangle,
+// which is counterclockwise as seen from outside.
 template <class Rows, class Vector>
-bool find_share(const Vector& u, const Vector& w, const std::array<double, 3>& o, int unit,
-                double& share)
+bool find_shares(const Vector (&corners)[3], const std::array<double, 3>& o, int unit,
+                 std::array<double, 3>& shares)
 {
-  const Vector n = cross(u, w);
+  const Vector p = minus(corners[1], corners[0]), q = minus(corners[2], corners[1]),
+               r = minus(corners[0], corners[2]);
+  const Vector n = cross(p, r); // inwards
   if (!is_known<Rows>(n))
     return false;
   const Scaled_double length = Rows::rounded(n[largest_of<Rows>(n)]);
   std::array<double, 3> normal;
   for (std::size_t i = 0; i < 3; ++i)
     normal[i] = quotient(Rows::rounded(n[i]), length);
-  const auto products = dot(u, u) * dot(w, minus(w, u)) + dot(w, w) * dot(u, minus(u, w));
-  share = quotient(Rows::rounded(products), length, 2 * unit) * dot(normal, o) /
-          (24 * dot(normal, normal));
+  const double height = -dot(normal, o) / (24 * dot(normal, normal));
+  const auto a = dot(p, p) * dot(q, r), b = dot(q, q) * dot(r, p), c = dot(r, r) * dot(p, q);
+  const auto share = [&](const auto& products) {
+    return quotient(Rows::rounded(products), length, 2 * unit) * height;
+  };
+  shares = {share(c + a), share(a + b), share(b + c)};
   return true;
 }
 
@@ -227,22 +243,25 @@ bool find_share(const Vector& u, const Vector& w, const std::array<double, 3>& o
 inline std::array<double, 4> voronoi_shares_of(const Corners_of_tetrahedron& corners)
 {
   std::array<double, 4> shares = {no_measure, no_measure, no_measure, no_measure};
-  for (int v = 0; v < 4; ++v)
-    measure_at_corner(corners, v, [&](const auto& in) {
-      using Rows = std::decay_t<decltype(in)>;
-      Circumsphere sphere;
-      double parts[3];
-      if (!sphere.find(in))
+  measure_at_corner(corners, 0, [&](const auto& in) {
+    using Rows = std::decay_t<decltype(in)>;
+    Circumsphere sphere;
+    if (!sphere.find(in))
+      return false;
+    const auto b = vector_of(in.rows[0]), c = vector_of(in.rows[1]), d = vector_of(in.rows[2]);
+    const std::array<decltype(minus(b, c)), 4> at = {minus(b, b), b, c, d};
+    std::array<double, 4> sums = {0, 0, 0, 0};
+    for (const auto& f : facet_corners) {
+      std::array<double, 3> parts;
+      const auto o = minus(sphere.center, minus(corners[f[0]], corners[0]));
+      if (!find_shares<Rows>({at[f[0]], at[f[1]], at[f[2]]}, o, in.unit, parts))
         return false;
-      for (int k = 0; k < 3; ++k)
-        if (!find_share<Rows>(vector_of(in.rows[k]), vector_of(in.rows[(k + 1) % 3]), sphere.center,
-                              in.unit, parts[k]))
-          return false;
-      const double sum = parts[0] + parts[1] + parts[2];
-      // Of the other corners in their order those of 1 and 3 see a mirror image.
-      shares[std::size_t(v)] = v % 2 == 0 ? sum : -sum;
-      return true;
-    });
+      for (std::size_t k = 0; k < 3; ++k)
+        sums[f[k]] += parts[k];
+    }
+    shares = sums;
+    return true;
+  });
   return shares;
 }
 
