@@ -675,6 +675,16 @@ class Inside(unittest.TestCase):
         result = dfs.delaunay3(points, faces, inside=True, **options)
         return result.volumes[result.inside].sum(), result
 
+    def test_parts_of_very_different_size(self):
+        """A cube between two that are larger by up to 10^300, seen where products of lengths are no doubles."""
+        cube, hull = map(np.array, self.cube(2))
+        cube, n = 2 * cube - 1, len(cube)
+        faces = np.vstack([hull, hull + n, hull + 2 * n])
+        for exponent in (-60, -200, -365, -400, -540, -700, -1000):
+            ours = dfs.delaunay3(np.vstack([cube - 3, cube + 3, np.ldexp(cube, exponent)]), faces, inside=True)
+            part = ours.simplices // n
+            self.assertTrue((ours.inside == (part == part[:, :1]).all(axis=1)).all(), exponent)
+
     def test_volumes(self):
         points, faces = self.cube()
         around = np.concatenate([points, [[4, 4, 4], [-3, -3, -3]]])
