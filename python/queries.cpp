@@ -17,9 +17,11 @@
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -130,13 +132,35 @@ py::tuple adjacent_vertices(const Numbers& simplices, std::size_t n, std::size_t
                         array_from(std::move(adjacent.items), {items}));
 }
 
+// The square of a length as an exponent of 2 and a fraction of at least 1/2: no length is so large or
+// so small that its square would overflow or vanish.
+std::pair<int, double> squared_length(const std::array<double, 3>& p,
+                                      const std::array<double, 3>& q)
+{
+  std::array<double, 3> d = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  const auto largest = [&] {
+    return (std::max)((std::max)(std::fabs(d[0]), std::fabs(d[1])), std::fabs(d[2]));
+  };
+  int unit = 0, exponent = 0;
+  if (std::isinf(largest())) {
+    d = {p[0] / 2 - q[0] / 2, p[1] / 2 - q[1] / 2, p[2] / 2 - q[2] / 2};
+    unit = 1;
+  }
+  std::frexp(largest(), &exponent);
+  for (double& x : d)
+    x = std::ldexp(x, -exponent);
+  unit += exponent;
+  const double fraction = std::frexp(core::dot(d, d), &exponent);
+  return {2 * unit + exponent, fraction};
+}
+
 // Kruskal's algorithm on the edges of the lists, by lengths as they are computed.
 Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64_t>& firsts,
                               const Numbers& items)
 {
   struct Edge
   {
-    double squared_length;
+    std::pair<int, double> squared_length;
     Index ends[2];
   };
   const auto n = std::size_t(points.shape(0));
@@ -147,9 +171,7 @@ Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64
       const Index w = items.at(py::ssize_t(i));
       if (w <= Index(v) || std::size_t(w) >= n)
         continue;
-      const std::array<double, 3> p = point_of(v), q = point_of(std::size_t(w));
-      const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
-      edges.push_back({x * x + y * y + z * z, {Index(v), w}});
+      edges.push_back({squared_length(point_of(v), point_of(std::size_t(w))), {Index(v), w}});
     }
   std::vector<Index> tree;
   {
@@ -167,7 +189,7 @@ Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64
   return array_from(std::move(tree), {number, 2});
 }
 
-// Calls write(c, tetrahedron) for each.
+// Calls write(c, corners of the tetrahedron) for each.
 template <class Write>
 void measure(const Points& points, const Numbers& simplices, std::size_t threads,
              const Write& write)
@@ -186,9 +208,7 @@ void measure(const Points& points, const Numbers& simplices, std::size_t threads
                            std::array<double, 3> corners[4];
                            for (std::size_t k = 0; k < 4; ++k)
                              corners[k] = point_of(std::size_t(rows.number(c, k, n)));
-                           core::with_scaled_tetrahedron(corners, [&](const auto& tetrahedron) {
-                             write(c, tetrahedron, corners[0]);
-                           });
+                           write(c, corners);
                          }
                        });
 }
@@ -196,9 +216,8 @@ void measure(const Points& points, const Numbers& simplices, std::size_t threads
 py::array volumes(const Points& points, const Numbers& simplices, std::size_t threads)
 {
   std::vector<double> result(std::size_t(simplices.shape(0)));
-  measure(points, simplices, threads, [&](std::size_t c, const auto& tetrahedron, const auto&) {
-    result[c] = tetrahedron.volume();
-  });
+  measure(points, simplices, threads,
+          [&](std::size_t c, const auto& corners) { result[c] = core::volume_of(corners); });
   return array_from(std::move(result), {simplices.shape(0)});
 }
 
@@ -206,13 +225,12 @@ py::tuple circumspheres(const Points& points, const Numbers& simplices, std::siz
 {
   const auto m = std::size_t(simplices.shape(0));
   std::vector<double> centers(3 * m), radii(m);
-  measure(points, simplices, threads,
-          [&](std::size_t c, const auto& tetrahedron, const auto& origin) {
-            const std::array<double, 3> center = tetrahedron.center();
-            for (std::size_t i = 0; i < 3; ++i)
-              centers[3 * c + i] = origin[i] + center[i];
-            radii[c] = tetrahedron.radius();
-          });
+  measure(points, simplices, threads, [&](std::size_t c, const auto& corners) {
+    const core::Circumsphere sphere = core::circumsphere_of(corners);
+    for (std::size_t i = 0; i < 3; ++i)
+      centers[3 * c + i] = corners[0][i] + sphere.center[i];
+    radii[c] = sphere.radius;
+  });
   return py::make_tuple(array_from(std::move(centers), {py::ssize_t(m), 3}),
                         array_from(std::move(radii), {py::ssize_t(m)}));
 }
@@ -222,12 +240,62 @@ py::array voronoi_volumes(const Points& points, const Numbers& simplices)
   const Rows rows(simplices);
   const auto n = std::size_t(points.shape(0));
   std::vector<double> result(n);
-  measure(points, simplices, 1, [&](std::size_t c, const auto& tetrahedron, const auto&) {
-    const std::array<double, 4> shares = tetrahedron.shares();
+  measure(points, simplices, 1, [&](std::size_t c, const auto& corners) {
+    const std::array<double, 4> shares = core::voronoi_shares_of(corners);
     for (std::size_t k = 0; k < 4; ++k)
       result[std::size_t(rows.number(c, k, n))] += shares[k];
   });
   return array_from(std::move(result), {py::ssize_t(n)});
+}
+
+py::array transform(const Points& points, const Numbers& simplices, std::size_t threads)
+{
+  const auto m = std::size_t(simplices.shape(0));
+  std::vector<double> result(12 * m);
+  measure(points, simplices, threads, [&](std::size_t c, const auto& corners) {
+    double* to = result.data() + 12 * c;
+    for (const std::array<double, 3>& gradient : core::gradients_of(corners))
+      to = std::copy(gradient.begin(), gradient.end(), to);
+    std::copy(corners[3].begin(), corners[3].end(), to);
+  });
+  return array_from(std::move(result), {py::ssize_t(m), 4, 3});
+}
+
+// NaN for points whose simplex is negative.
+py::array barycentric(const Points& points, const Numbers& simplices, const Points& queries,
+                      const py::array_t<std::int64_t>& simplices_of_queries, std::size_t threads)
+{
+  const auto number = std::size_t(queries.shape(0));
+  const Rows rows(simplices);
+  if (rows.corners() != 4)
+    throw py::value_error("simplices: expected tetrahedra");
+  const Point_of point_of = {python::Points_view(points)};
+  const Point_of query_of = {python::Points_view(queries)};
+  const auto n = std::size_t(points.shape(0));
+  const auto simplex_of = simplices_of_queries.unchecked<1>();
+  std::vector<double> result(4 * number, core::no_measure);
+  {
+    const py::gil_scoped_release unlocked;
+    const core::Thread_executor executor(threads);
+    const std::size_t blocks = core::number_of_blocks(executor, number, 4096);
+    core::for_each_block(
+        executor, number, blocks, [&](std::size_t first, std::size_t last, std::size_t) {
+          for (std::size_t q = first; q < last; ++q) {
+            const std::int64_t c = simplex_of(py::ssize_t(q));
+            if (c < 0)
+              continue;
+            if (std::size_t(c) >= rows.size())
+              throw std::out_of_range("barycentric: " + std::to_string(c) + " is not one of the " +
+                                      std::to_string(rows.size()) + " simplices");
+            std::array<double, 3> corners[4];
+            for (std::size_t k = 0; k < 4; ++k)
+              corners[k] = point_of(std::size_t(rows.number(std::size_t(c), k, n)));
+            const std::array<double, 4> weights = core::barycentric_of(corners, query_of(q));
+            std::copy(weights.begin(), weights.end(), result.begin() + std::ptrdiff_t(4 * q));
+          }
+        });
+  }
+  return array_from(std::move(result), {py::ssize_t(number), 4});
 }
 
 bool is_valid(const Points& points, const Numbers& simplices, const Numbers& vertices_of_points,
@@ -274,5 +342,7 @@ void python::define_queries(py::module_& m)
   m.def("volumes", &volumes);
   m.def("circumspheres", &circumspheres);
   m.def("voronoi_volumes", &voronoi_volumes);
+  m.def("transform", &transform);
+  m.def("barycentric", &barycentric);
   m.def("is_valid", &is_valid);
 }

@@ -53,6 +53,23 @@ def skew_lines(n):
     return points
 
 
+def turned_lattice(n, seed=1):
+    turn, _ = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))
+    return np.array(list(itertools.product(range(n), repeat=3)), dtype=float) @ turn
+
+
+def flat_sets():
+    """Points with tetrahedra so flat that they have a volume by rounding alone, and at all scales."""
+    sphere = np.random.default_rng(2).normal(size=(60, 3))
+    flat = np.column_stack([random_points(40)[:, :2], np.full(40, .1)]) @ np.linalg.qr(random_points(3))[0]
+    spread = np.exp(np.random.default_rng(3).normal(size=(30, 3)) * 100)
+    return {"cube": turned_lattice(2), "lattice": turned_lattice(3), "far": turned_lattice(3) + 1e8,
+            "single": turned_lattice(3).astype(np.float32), "tiny": turned_lattice(3) * 1e-90,
+            "denormal": turned_lattice(3) * 1e-311, "huge": turned_lattice(3) * 2e307, "plane": np.vstack([flat, [[0, 0, 5]]]),
+            "sphere": sphere / np.linalg.norm(sphere, axis=1)[:, None], "scales": spread,
+            "equal": np.vstack([turned_lattice(2), turned_lattice(2)])}
+
+
 def cell_set(simplices):
     return {tuple(sorted(map(int, s))) for s in simplices}
 
@@ -444,6 +461,58 @@ class AsScipy(unittest.TestCase):
         tiny = dfs.delaunay3(random_points(50) * 1e-200)
         self.assertTrue(np.allclose(tiny.circumradii, dfs.delaunay3(random_points(50)).circumradii * 1e-200, rtol=1e-6))
 
+    def test_measures_of_flat_tetrahedra(self):
+        """Against fractions, where doubles know no digit of the volumes."""
+        def det(a, b, c):
+            return sum(a[i] * (b[i - 2] * c[i - 1] - b[i - 1] * c[i - 2]) for i in range(3))
+
+        def minus(a, b):
+            return [x - y for x, y in zip(a, b)]
+        for name, points in flat_sets().items():
+            ours = dfs.delaunay3(points)
+            points = ours.points.astype(float)
+            xi = np.vstack([points, (points[ours.simplices[::3]] / 4).sum(axis=1)])
+            simplex = ours.find_simplex(xi)
+            weights = ours.barycentric(xi, simplex)
+            self.assertTrue((weights[:len(points)] == (ours.simplices[simplex[:len(points)]] == ours.vertices[:, None])).all(), name)
+            with np.errstate(all="ignore"):
+                by_transform = np.einsum("ijk,ik->ij", ours.transform[simplex, :3], xi - ours.transform[simplex, 3])
+            right = np.isnan(by_transform) | (np.abs(by_transform - weights[:, :3]) < 1e-9)
+            self.assertTrue(right[simplex >= 0].all(), name)
+            for c in range(0, ours.nsimplex, 5):
+                corners = [[Fraction(x) for x in p] for p in points[ours.simplices[c]].tolist()]
+                edges = [minus(p, corners[0]) for p in corners[1:]]
+                six = det(*edges)
+                halves = [sum(x * x for x in e) / 2 for e in edges]
+                center = [det(*([h if i == j else e[i] for i in range(3)] for h, e in zip(halves, edges))) / six for j in range(3)]
+                squared = sum(x * x for x in center)
+                if Fraction(sys.float_info.min) < six / 6 < Fraction(sys.float_info.max):
+                    self.assertLess(abs(Fraction(ours.volumes[c]) / (six / 6) - 1), 1e-12, name)
+                if max(map(abs, center)) < Fraction(1e307):
+                    self.assertLess(abs(Fraction(ours.circumradii[c]) ** 2 / squared - 1), 1e-12, name)
+                    for i in range(3):
+                        error = Fraction(ours.circumcenters[c, i]) - (corners[0][i] + center[i])
+                        self.assertLess(abs(error), 1e-12 * (abs(corners[0][i]) + ours.circumradii[c]), name)
+                for q in np.flatnonzero(simplex == c)[-2:]:
+                    x = [Fraction(z) for z in xi[q].tolist()]
+                    for k in range(4):
+                        moved = corners[:k] + [x] + corners[k + 1:]
+                        weight = det(*(minus(p, moved[0]) for p in moved[1:])) / six
+                        self.assertLess(abs(Fraction(weights[q, k]) - weight), 1e-12, name)
+        far = dfs.delaunay3(self.points)
+        self.assertTrue(np.allclose(far.barycentric([[1e9, 0, 0]], [0]) @ far.points[far.simplices[0]], [[1e9, 0, 0]], atol=1e-3))
+        self.assertTrue(np.isnan(far.barycentric([[np.nan, 0, 0], [0, 0, np.inf]], [0, 0])).all())
+        with self.assertRaisesRegex(IndexError, f"barycentric: {far.nsimplex} is not one of the {far.nsimplex} simplices"):
+            far.barycentric([[0, 0, 0]], [far.nsimplex])
+        with self.assertRaisesRegex(TypeError, "barycentric: simplex: expected integers, got entries of type float64"):
+            far.barycentric([[0, 0, 0]], [0.])
+
+    def test_voronoi_volumes_at_flat_tetrahedra(self):
+        cells = dfs.delaunay3(turned_lattice(5)).voronoi_volumes.reshape(5, 5, 5)
+        self.assertLess(np.abs(cells[2, 2, 2] - 1), 1e-12)
+        self.assertTrue((np.abs(dfs.delaunay3(turned_lattice(5) * 2.**-333).voronoi_volumes.reshape(5, 5, 5)[2, 2, 2]
+                                * 2.**999 - 1) < 1e-12).all())
+
     def test_voronoi_volumes(self):
         for points in (self.points, np.vstack([self.grid, self.grid[:9]])):
             ours = dfs.delaunay3(points).voronoi_volumes
@@ -483,6 +552,29 @@ class AsScipy(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "alpha_complex: expected a radius, got 'x'"):
             ours.alpha_complex("x")
 
+    def test_alpha_complex_is_one(self):
+        """With a radius that occurs as alpha, too: all faces of what is there are there, at any scale."""
+        lattice = np.array(list(itertools.product(range(3), repeat=3)), dtype=float)
+        hexagons = np.array([[x + y / 2, y * 3 ** .5 / 2, z * (8 / 3) ** .5] for x, y, z in lattice])
+        body = np.vstack([lattice, lattice[:8] + .5])
+        sets = [(lattice * h, [h / 2, h * 2 ** .5 / 2, h * 3 ** .5 / 2]) for h in (.07, .1, .3, .59, .7)]
+        sets += [(points, None) for points in (hexagons, body * .1, turned_lattice(3), turned_lattice(3) * 1e-200,
+                                               turned_lattice(3) * 1e-310, lattice * 1e300, random_points(60))]
+        for points, alphas in sets:
+            ours = dfs.delaunay3(points)
+            if alphas is None:
+                alphas = np.sort(ours.circumradii)[::max(1, ours.nsimplex // 5)]
+            for alpha in alphas:
+                found = ours.alpha_complex(alpha)
+                triangles, edges = (set(map(tuple, c.tolist())) for c in (found.triangles, found.edges))
+                self.assertTrue({t for cell in np.sort(ours.simplices[found.simplices]).tolist()
+                                 for t in itertools.combinations(cell, 3)} <= triangles)
+                self.assertTrue({e for t in triangles for e in itertools.combinations(t, 2)} <= edges)
+        usual = dfs.delaunay3(random_points(60))
+        for exponent in (-1000, -600, 600, 1000):
+            scaled = dfs.delaunay3(np.ldexp(random_points(60), exponent)).alpha_complex(np.ldexp(.2, exponent))
+            self.assertEqual([c.tolist() for c in scaled], [c.tolist() for c in usual.alpha_complex(.2)])
+
     def test_minimum_spanning_tree(self):
         for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [1, 0, 0], self.grid[:1], []):
             ours = dfs.delaunay3(points)
@@ -497,6 +589,20 @@ class AsScipy(unittest.TestCase):
                 graph = scipy.sparse.coo_matrix((np.ones(len(tree)), tree.T), shape=2 * (len(points),))
                 number, _ = scipy.sparse.csgraph.connected_components(graph, directed=False)
                 self.assertEqual(number, 1 + len(points) - len(distinct))
+
+    def test_minimum_spanning_tree_at_all_scales(self):
+        """Also where squares of lengths are no doubles: the tree is that of the usual scale."""
+        points = np.round(random_points(100) * 2 ** 20) / 2 ** 20
+        expected = dfs.delaunay3(points).minimum_spanning_tree().tolist()
+        for exponent in (-1054, -600, -520, 400, 511, 600, 1000, 1023):
+            scaled = dfs.delaunay3(np.ldexp(points, exponent))
+            self.assertEqual(scaled.minimum_spanning_tree().tolist(), expected)
+        doubled = dfs.delaunay3(np.ldexp(points * 2 - 1, 1023) * (1 - 2. ** -20))
+        self.assertEqual(doubled.minimum_spanning_tree().tolist(), dfs.delaunay3(points * 2 - 1).minimum_spanning_tree().tolist())
+        # Two scales in one set: each has its own tree.
+        small = np.ldexp(points[:50], -700)
+        tree = dfs.delaunay3(np.vstack([small, points[50:] + 1])).minimum_spanning_tree()
+        self.assertEqual(tree[:49].tolist(), dfs.delaunay3(points[:50]).minimum_spanning_tree().tolist())
 
     def test_check(self):
         for points in (self.points, self.grid, self.grid * [1, 1, 0], self.grid * [0, 1, 0], self.points[:1], [],
@@ -568,6 +674,16 @@ class Inside(unittest.TestCase):
     def volume_inside(self, points, faces, **options):
         result = dfs.delaunay3(points, faces, inside=True, **options)
         return result.volumes[result.inside].sum(), result
+
+    def test_parts_of_very_different_size(self):
+        """A cube between two that are larger by up to 10^300, seen where products of lengths are no doubles."""
+        cube, hull = map(np.array, self.cube(2))
+        cube, n = 2 * cube - 1, len(cube)
+        faces = np.vstack([hull, hull + n, hull + 2 * n])
+        for exponent in (-60, -200, -365, -400, -540, -700, -1000):
+            ours = dfs.delaunay3(np.vstack([cube - 3, cube + 3, np.ldexp(cube, exponent)]), faces, inside=True)
+            part = ours.simplices // n
+            self.assertTrue((ours.inside == (part == part[:, :1]).all(axis=1)).all(), exponent)
 
     def test_volumes(self):
         points, faces = self.cube()

@@ -14,6 +14,7 @@ import struct
 import subprocess
 import time
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 from program_case import ROOT, TORUS, ProgramCase
@@ -298,6 +299,20 @@ class Output(ProgramCase):
         radius, = struct.unpack_from("<d", content, arrays + offsets[5] + 8)
         self.assertAlmostEqual(radius, circumradius(points), 9)
         self.assertEqual(struct.unpack_from("<960q", content, arrays + offsets[4] + 8), tuple(range(960)))
+
+    def test_radii_of_flat_tetrahedra(self):
+        """A turned cube: the radii of tetrahedra that are flat but for rounding are those of fractions."""
+        (self.folder / "cube.xyz").write_text("".join(
+            f"{.6 * x - .8 * y!r} {.48 * x + .36 * y - .8 * z!r} {.64 * x + .48 * y + .6 * z!r}\n"
+            for x in range(3) for y in range(3) for z in range(3)))
+        self.works("cube.xyz", "--output", "cube.vtk", notes="note: cube.xyz: there are no faces, its points are taken alone\n")
+        words = (self.folder / "cube.vtk").read_text().split()
+        points = [[Fraction(float(w)) for w in words[words.index("double") + 1 + 3 * i:][:3]] for i in range(27)]
+        number = int(words[words.index("CELLS") + 1])
+        cells = [list(map(int, words[words.index("CELLS") + 4 + 5 * c:][:4])) for c in range(number)]
+        radii = list(map(float, words[words.index("circumradius") + 5:][:number]))
+        for cell, radius in zip(cells, radii):
+            self.assertLess(abs(radius / circumradius([points[i] for i in cell]) - 1), 1e-12)
 
     def test_other_formats(self):
         """All hold the same tetrahedra."""

@@ -219,30 +219,32 @@ class Delaunay3:
     @cached_property
     def transform(self) -> Reals:
         """(m, 4, 3) float64, as SciPy has it: transform[i, :3] @ (x - transform[i, 3]) are the first three
-        barycentric coordinates of x in simplex i. 96 bytes each; `barycentric` needs none."""
+        barycentric coordinates of x in simplex i, up to 1e-9 for x in it. As in SciPy transform[i, :3] is NaN for flat
+        simplices, where rounding x - transform[i, 3] alone could change them by more. `barycentric` is right in these,
+        too, and needs no 96 bytes for each simplex."""
         self._needs_space("transform")
-        return self._transform(slice(None))
+        return _core.transform(self.points, self.simplices, self._threads)
 
     def barycentric(self, xi: Points, simplex: Optional[ArrayLike] = None, *,
                     threads: Optional[SupportsIndex] = 1) -> Reals:
         """Return the barycentric coordinates of the points `xi`, of shape (…, 3), in their simplices: (…, 4) float64.
 
-        `simplex` is what `find_simplex(xi)` returns, which is called if it is left out. Outside they are NaN.
+        `simplex` is what `find_simplex(xi)` returns, which is called if it is left out. Outside they are NaN. In flat
+        simplices they are computed with as many digits as it takes: at the data they are exact, in a simplex that
+        contains the point between 0 and 1 up to 1e-13.
 
         Raises ValueError if there are not as many simplices as points, or the points of the triangulation lie in a
-        plane; IndexError for a simplex that there is not.
+        plane; IndexError for a simplex that there is not; TypeError if simplices are no integers.
         """
         self._needs_space("barycentric")
         numbers_of = np.asarray(self.find_simplex(xi, threads=threads) if simplex is None else simplex).reshape(-1)
+        if numbers_of.dtype.kind not in "iu":
+            raise TypeError(f"barycentric: simplex: expected integers, got entries of type {numbers_of.dtype}")
         queries, shape = self._rows_of(xi)
         if len(numbers_of) != len(queries):
             raise ValueError(f"barycentric: {len(numbers_of)} simplices for {len(queries)} points")
-        result = np.full((len(queries), 4), np.nan)
-        inside = numbers_of >= 0
-        transform = self._transform(numbers_of[inside])
-        result[inside, :3] = np.einsum("ijk,ik->ij", transform[:, :3], queries[inside] - transform[:, 3])
-        result[:, 3] = 1 - result[:, :3].sum(axis=1)
-        return result.reshape(*shape, 4)
+        number = number_of_threads("threads", threads)
+        return _core.barycentric(self.points, self.simplices, queries, numbers_of, number).reshape(*shape, 4)
 
     @cached_property
     def volumes(self) -> Reals:
@@ -277,7 +279,7 @@ class Delaunay3:
 
     def alpha_complex(self, alpha: Radius) -> AlphaComplex:
         """Return the simplices that have an empty ball of radius `alpha` or less through their corners, with all
-        their faces. In floating point.
+        their faces: a complex for any `alpha`. In floating point, but no face has a larger radius than what it bounds.
 
         Its tetrahedra are those with a circumradius of at most `alpha`. `alpha` is a radius, not a square.
         """
@@ -337,14 +339,6 @@ class Delaunay3:
         array = xi if len(shape) == 2 or is_refused else np.reshape(xi, (-1, 3))
         return _core.array_of_points(array, "xi"), shape[:-1]
 
-    def _transform(self, which: Any) -> Reals:
-        corners = np.asarray(self.points, dtype=float)[self.simplices[which]]
-        a, b, c = (corners[:, k] - corners[:, 3] for k in range(3))
-        rows = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b), corners[:, 3]], axis=1)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            rows[:, :3] /= np.einsum("ij,ij->i", a, rows[:, 0])[:, None, None]
-        return rows
-
     def _triangles(self, points: Reals) -> Tuple[Indices, Reals]:
         """Each triangle once, and the radius of its smallest ball that is empty."""
         simplex = np.repeat(np.arange(self.nsimplex), 4)
@@ -354,23 +348,30 @@ class Delaunay3:
         simplex, corner, across = simplex[once], corner[once], across[once]
         others = np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])
         triangles = np.sort(self.simplices[simplex[:, None], others[corner]], axis=1)
-        u, w = (points[triangles[:, k]] - points[triangles[:, 0]] for k in (1, 2))
-        uu, uw, ww = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w)))
-        twice = 2 * (uu * ww - uw * uw)
-        offset = (ww * (uu - uw) / twice)[:, None] * u + (uu * (ww - uw) / twice)[:, None] * w
-        radii = np.linalg.norm(offset, axis=1)
-        center = points[triangles[:, 0]] + offset
-        radii_of_simplices = np.append(self.circumradii, np.inf)
-        larger = np.minimum(radii_of_simplices[simplex], radii_of_simplices[across])
         apex = self.simplices[simplex, corner]
         back = np.argmax(self.neighbors[across] == simplex[:, None], axis=1)
         beyond = self.simplices[across, back]
-        is_free = np.linalg.norm(points[apex] - center, axis=1) >= radii
-        is_free &= (across < 0) | (np.linalg.norm(points[beyond] - center, axis=1) >= radii)
-        return triangles, np.where(is_free, radii, larger)
+        exponent, u, w, above, below = self._scaled(2, *(points[k] - points[triangles[:, 0]] for k in (
+            triangles[:, 1], triangles[:, 2], apex, beyond)))
+        normal = np.cross(u, w)
+        uu, uw, ww, nn = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w), (normal, normal)))
+        twice = 2 * nn
+        offset = (ww * (uu - uw) / twice)[:, None] * u + (uu * (ww - uw) / twice)[:, None] * w
+        radii = np.linalg.norm(offset, axis=1)
+        is_free = np.linalg.norm(above - offset, axis=1) >= radii
+        is_free &= (across < 0) | (np.linalg.norm(below - offset, axis=1) >= radii)
+        radii_of_simplices = np.append(self.circumradii, np.inf)
+        larger = np.minimum(radii_of_simplices[simplex], radii_of_simplices[across])
+        return triangles, np.where(is_free, np.fmin(np.ldexp(radii, exponent), larger), larger)
 
     @staticmethod
-    def _edges(points: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
+    def _scaled(number: int, *vectors: Reals) -> Tuple[Reals, ...]:
+        """Exponents, and the vectors over 2 to their power: squares of the first ones neither overflow nor vanish."""
+        exponent = np.frexp(np.max(np.abs(vectors[:number]), axis=(0, 2)))[1]
+        return (exponent, *(np.ldexp(v, -exponent[:, None]) for v in vectors))
+
+    @classmethod
+    def _edges(cls, points: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
         """The same for edges."""
         pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [0, 2]], triangles[:, [1, 2]]])
         third = np.concatenate([triangles[:, 2], triangles[:, 1], triangles[:, 0]])
@@ -378,8 +379,10 @@ class Delaunay3:
         order = np.argsort(codes, kind="stable")
         first = np.flatnonzero(np.append(True, codes[order][1:] != codes[order][:-1]))
         edges = pairs[order[first]]
-        middle, half = points[pairs].mean(axis=1), np.linalg.norm(points[pairs[:, 1]] - points[pairs[:, 0]], axis=1) / 2
-        is_free = np.linalg.norm(points[third] - middle, axis=1) >= half
+        exponent, edge, spoke = cls._scaled(1, *(points[k] - points[pairs[:, 0]] for k in (pairs[:, 1], third)))
+        half = np.linalg.norm(edge, axis=1) / 2
+        is_free = np.linalg.norm(spoke - edge / 2, axis=1) >= half
+        half = np.ldexp(half, exponent)[order[first]]
         larger = np.minimum.reduceat(np.tile(radii, 3)[order], first)
         is_free = np.logical_and.reduceat(is_free[order], first)
-        return edges, np.where(is_free, half[order[first]], larger)
+        return edges, np.where(is_free, np.fmin(half, larger), larger)

@@ -95,8 +95,8 @@ Simplices_3 simplices_of(const PointRange& points, const CGAL::Delaunay_3_arrays
   return simplices_of(points, arrays, [](std::size_t) { return true; });
 }
 
-// returns the radii of the spheres through the points of tetrahedra, up to rounding; of very flat ones
-// infinity or any large number. \pre the dimension is 3
+// returns the radii of the spheres through the points of tetrahedra, up to rounding, however flat they
+// are; infinity where a radius is no finite double. \pre the dimension is 3
 inline Simplices_3::Data circumradii(const Simplices_3& s)
 {
   Simplices_3::Data data = {"circumradius", {}};
@@ -105,8 +105,7 @@ inline Simplices_3::Data circumradii(const Simplices_3& s)
     std::array<double, 3> corners[4];
     for (std::size_t k = 0; k < 4; ++k)
       corners[k] = s.points[std::size_t(s.simplices[4 * c + k])];
-    data.values.push_back(CGAL::Delaunay_from_surface_3::internal::with_scaled_tetrahedron(
-        corners, [](const auto& tetrahedron) { return tetrahedron.radius(); }));
+    data.values.push_back(CGAL::Delaunay_from_surface_3::internal::circumsphere_of(corners).radius);
   }
   return data;
 }

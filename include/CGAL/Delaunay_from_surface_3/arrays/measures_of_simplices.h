@@ -5,9 +5,18 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_MEASURES_OF_SIMPLICES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_MEASURES_OF_SIMPLICES_H
 
-// Volumes, centres of spheres and cells of the Voronoi diagram, in floating point: nearly flat
-// tetrahedra are computed with more digits where the machine has them.
+// Measures of tetrahedra: volumes, spheres through the corners, cells of the Voronoi diagram and
+// barycentric coordinates. All are quotients of polynomials in the differences of coordinates. Where
+// predicates are exact tetrahedra may be so flat that doubles know no digit of their volumes; so each
+// measure says which polynomials have to be known well, and is taken in doubles, which are enough for
+// most tetrahedra, in sums of two doubles if their bounds do not tell, and else in integers.
 
+#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Bounded_number.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/powers_of_2.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
@@ -15,106 +24,303 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A tetrahedron (a, b, c, d) by its edges from a, times a power of 2 that keeps products in range.
-template <class Number>
-class Scaled_tetrahedron
+// value 2^exponent: products of integers leave the range of doubles where quotients are in it.
+struct Scaled_double
 {
-  using Vector = std::array<Number, 3>;
-
-public:
-  Scaled_tetrahedron(const std::array<double, 3>* corners)
-  {
-    double largest = 0;
-    for (std::size_t k = 1; k < 4; ++k)
-      for (std::size_t i = 0; i < 3; ++i)
-        largest = (std::max)(largest, std::fabs(corners[k][i] / 2 - corners[0][i] / 2));
-    std::frexp(largest, &m_exponent);
-    ++m_exponent;
-    const double half = std::ldexp(1., -m_exponent / 2);
-    const double rest = std::ldexp(1., -m_exponent - -m_exponent / 2);
-    for (std::size_t k = 1; k < 4; ++k)
-      for (std::size_t i = 0; i < 3; ++i)
-        m_edges[k - 1][i] =
-            Number(corners[k][i]) * half * rest - Number(corners[0][i]) * half * rest;
-    m_determinant = dot(m_edges[0], cross(m_edges[1], m_edges[2]));
-  }
-
-  // Whether the determinant has lost most of its digits.
-  bool is_flat() const
-  {
-    Number product = 1;
-    for (const Vector& e : m_edges)
-      product *= dot(e, e);
-    return !(m_determinant * m_determinant > Number(1e-16) * product);
-  }
-
-  double volume() const { return std::ldexp(double(m_determinant / 6), 3 * m_exponent); }
-
-  // The centre of the sphere through the corners, relative to a.
-  std::array<double, 3> center() const
-  {
-    const Vector c = scaled_center();
-    return {std::ldexp(double(c[0]), m_exponent), std::ldexp(double(c[1]), m_exponent),
-            std::ldexp(double(c[2]), m_exponent)};
-  }
-  double radius() const
-  {
-    const Vector c = scaled_center();
-    return std::ldexp(double(std::sqrt(dot(c, c))), m_exponent);
-  }
-
-  // What the corners have of the tetrahedron by Voronoi's rule, with signs: the sum over the tetrahedra
-  // of a vertex is the volume of its cell. Corner, middle of an edge, centre of a triangle and centre
-  // of the sphere are a tetrahedron with three right angles at each of the six flags of a corner.
-  std::array<double, 4> shares() const
-  {
-    const Vector center = scaled_center();
-    const Vector corners[4] = {{0, 0, 0}, m_edges[0], m_edges[1], m_edges[2]};
-    std::array<double, 4> shares = {0, 0, 0, 0};
-    for (unsigned v = 0; v < 4; ++v)
-      for (unsigned e = 0; e < 4; ++e)
-        for (unsigned f = 0; f < 4; ++f)
-          if (v != e && v != f && e != f) {
-            const unsigned last = 6 - v - e - f;
-            const Vector u = minus(corners[e], corners[v]), w = minus(corners[f], corners[v]);
-            const Vector n = cross(u, w), o = minus(center, corners[v]);
-            const Number uu = dot(u, u);
-            const Number share = uu * (dot(w, w) - dot(u, w)) * dot(n, o) / (24 * dot(n, n));
-            const bool is_turned = dot(n, minus(corners[last], corners[v])) < 0;
-            shares[v] += std::ldexp(double(is_turned ? -share : share), 3 * m_exponent);
-          }
-    return shares;
-  }
-
-private:
-  Vector scaled_center() const
-  {
-    const Vector &b = m_edges[0], &c = m_edges[1], &d = m_edges[2];
-    const Vector p = cross(c, d), q = cross(d, b), r = cross(b, c);
-    const Number bb = dot(b, b), cc = dot(c, c), dd = dot(d, d);
-    Vector center;
-    for (std::size_t i = 0; i < 3; ++i)
-      center[i] = (bb * p[i] + cc * q[i] + dd * r[i]) / (2 * m_determinant);
-    return center;
-  }
-
-  int m_exponent;
-  Vector m_edges[3];
-  Number m_determinant;
+  double value;
+  int exponent;
 };
 
-// Calls f with the tetrahedron, in numbers of sufficient precision.
-template <class F>
-auto with_scaled_tetrahedron(const std::array<double, 3>* corners, const F& f)
+// n 2^exponent / d
+inline double quotient(const Scaled_double& n, const Scaled_double& d, int exponent = 0)
 {
-  const Scaled_tetrahedron<double> tetrahedron(corners);
-  return tetrahedron.is_flat() ? f(Scaled_tetrahedron<long double>(corners)) : f(tetrahedron);
+  const int power = n.exponent - d.exponent + exponent;
+  return power == 0 ? n.value / d.value : std::ldexp(n.value / d.value, power);
+}
+
+// Compares absolute values.
+inline bool is_larger(const Scaled_double& s, const Scaled_double& t)
+{
+  return s.exponent == t.exponent ? std::abs(s.value) > std::abs(t.value)
+                                  : std::abs(quotient(s, t)) > 1;
+}
+
+// The differences of N points and an origin, over 2^unit, with bounds of their errors (balanced_signs.h):
+// at most 4, so that what underflows adds less than 2^-1000 to a polynomial of degree 4.
+template <class Numbers, int N>
+struct Bounded_rows
+{
+  using Number = Bounded_number<typename Numbers::Number>;
+  Row<Number> rows[N];
+  int unit;
+
+  Bounded_rows(const double* const* points, const double* origin)
+  {
+    double largest = 0;
+    for (int k = 0; k < 3 * N; ++k)
+      largest = (std::max)(largest, std::abs(points[k / 3][k % 3] - origin[k % 3]));
+    const auto exponent =
+        (std::max)(std::uint64_t(1), (std::min)(biased_exponent(largest), std::uint64_t(2044)));
+    unit = int(exponent) - 1022;
+    const double scale = power_of_2(2045 - exponent);
+    const auto difference = [&](int k, int i) {
+      const auto d = Numbers::difference(points[k][i], origin[i], scale);
+      return Number{d, std::abs(Numbers::high(d))};
+    };
+    for (int k = 0; k < N; ++k)
+      rows[k] = {difference(k, 0), difference(k, 1), difference(k, 2)};
+  }
+
+  // Whether the error of n is negligible beside d; never if a number is not finite.
+  static bool is_known(const Number& n, const Number& d)
+  {
+    return Numbers::error * n.size + 0x1p-1000 <= 0x1p-44 * std::abs(Numbers::high(d.value));
+  }
+  static Scaled_double rounded(const Number& n) { return {Numbers::high(n.value), 0}; }
+};
+
+// The same in integers.
+template <int N>
+struct Integer_rows : Wide_differences<N>
+{
+  using Number = Wide_integer;
+  using Wide_differences<N>::Wide_differences;
+
+  static bool is_known(const Number&, const Number&) { return true; }
+  static Scaled_double rounded(const Number& n)
+  {
+    Scaled_double result;
+    result.value = n.scaled_double(result.exponent);
+    return result;
+  }
+};
+
+// Calls measure(the differences in numbers of a stage) until it returns true. Of numbers that are not
+// finite there is no measure.
+template <int N, class Measure>
+void measure_in_stages(const double* const* points, const double* origin, const Measure& measure)
+{
+  if (measure(Bounded_rows<Bounded_doubles, N>(points, origin)) ||
+      measure(Bounded_rows<Bounded_double_doubles<Portable_products>, N>(points, origin)))
+    return;
+  bool are_finite = true;
+  for (int i = 0; i < 3 * N; ++i)
+    are_finite = are_finite && std::isfinite(points[i / 3][i % 3]) && std::isfinite(origin[i % 3]);
+  if (are_finite)
+    measure(Integer_rows<N>(points, origin));
+}
+
+constexpr double no_measure = std::numeric_limits<double>::quiet_NaN();
+
+using Corners_of_tetrahedron = std::array<double, 3>[4];
+
+// The measure of a tetrahedron in the frame of one of its corners.
+template <class Measure>
+void measure_at_corner(const Corners_of_tetrahedron& corners, int origin, const Measure& measure)
+{
+  const double* others[3];
+  for (int k = 0, n = 0; k < 4; ++k)
+    if (k != origin)
+      others[n++] = corners[k].data();
+  measure_in_stages<3>(others, corners[origin].data(), measure);
+}
+
+template <class Number>
+std::array<Number, 3> vector_of(const Row<Number>& row)
+{
+  return {row.x, row.y, row.z};
+}
+
+// The place of the largest coordinate, in absolute value.
+template <class Rows, class Number>
+std::size_t largest_of(const std::array<Number, 3>& v)
+{
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (is_larger(Rows::rounded(v[i]), Rows::rounded(v[largest])))
+      largest = i;
+  return largest;
+}
+
+// Whether the errors of a vector are negligible beside its length.
+template <class Rows, class Number>
+bool is_known(const std::array<Number, 3>& v)
+{
+  const Number& length = v[largest_of<Rows>(v)];
+  return Rows::is_known(v[0], length) && Rows::is_known(v[1], length) &&
+         Rows::is_known(v[2], length);
+}
+
+// Positive where (b - a, c - a, d - a) is right-handed.
+inline double volume_of(const Corners_of_tetrahedron& corners)
+{
+  double volume = no_measure;
+  measure_at_corner(corners, 0, [&](const auto& in) {
+    const auto six = carried(determinant_of(in.rows[0], in.rows[1], in.rows[2]));
+    if (!in.is_known(six, six))
+      return false;
+    volume = quotient(in.rounded(six), {6, 0}, 3 * in.unit);
+    return true;
+  });
+  return volume;
+}
+
+// The sphere through the corners of a tetrahedron.
+struct Circumsphere
+{
+  std::array<double, 3> center = {no_measure, no_measure, no_measure}; // relative to the origin
+  double radius = no_measure;
+
+  // Whether these rows were enough to find it.
+  template <class Rows>
+  bool find(const Rows& in)
+  {
+    const auto b = vector_of(in.rows[0]), c = vector_of(in.rows[1]), d = vector_of(in.rows[2]);
+    const auto p = cross(c, d), q = cross(d, b), r = cross(b, c);
+    const auto six = dot(b, p);
+    auto n = p;
+    for (std::size_t i = 0; i < 3; ++i)
+      n[i] = in.rows[0].w * p[i] + in.rows[1].w * q[i] + in.rows[2].w * r[i];
+    if (!in.is_known(six, six) || !is_known<Rows>(n))
+      return false;
+    const Scaled_double length = in.rounded(n[largest_of<Rows>(n)]);
+    double squared = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      center[i] = quotient(in.rounded(n[i]), in.rounded(six), in.unit - 1);
+      const double share = quotient(in.rounded(n[i]), length);
+      squared += share * share;
+    }
+    radius = std::abs(quotient({length.value * std::sqrt(squared), length.exponent},
+                               in.rounded(six), in.unit - 1));
+    return true;
+  }
+};
+
+inline Circumsphere circumsphere_of(const Corners_of_tetrahedron& corners)
+{
+  Circumsphere sphere;
+  measure_at_corner(corners, 0, [&](const auto& in) { return sphere.find(in); });
+  return sphere;
+}
+
+// What its corners have of the tetrahedron on a triangle, whose apex is the centre of the sphere: corner,
+// middle of an edge, centre of the triangle and apex make one with three right angles at each of the
+// six flags. o is the apex relative to the first corner; positive on the inner side of the triangle,
+// which is counterclockwise as seen from outside.
+template <class Rows, class Vector>
+bool find_shares(const Vector (&corners)[3], const std::array<double, 3>& o, int unit,
+                 std::array<double, 3>& shares)
+{
+  const Vector p = minus(corners[1], corners[0]), q = minus(corners[2], corners[1]),
+               r = minus(corners[0], corners[2]);
+  const Vector n = cross(p, r); // inwards
+  if (!is_known<Rows>(n))
+    return false;
+  const Scaled_double length = Rows::rounded(n[largest_of<Rows>(n)]);
+  std::array<double, 3> normal;
+  for (std::size_t i = 0; i < 3; ++i)
+    normal[i] = quotient(Rows::rounded(n[i]), length);
+  const double height = -dot(normal, o) / (24 * dot(normal, normal));
+  const auto a = dot(p, p) * dot(q, r), b = dot(q, q) * dot(r, p), c = dot(r, r) * dot(p, q);
+  const auto share = [&](const auto& products) {
+    return quotient(Rows::rounded(products), length, 2 * unit) * height;
+  };
+  shares = {share(c + a), share(a + b), share(b + c)};
+  return true;
+}
+
+// What the corners have of a tetrahedron by Voronoi's rule, with signs: the sum over the tetrahedra of
+// a vertex is the volume of its cell.
+inline std::array<double, 4> voronoi_shares_of(const Corners_of_tetrahedron& corners)
+{
+  std::array<double, 4> shares = {no_measure, no_measure, no_measure, no_measure};
+  measure_at_corner(corners, 0, [&](const auto& in) {
+    using Rows = std::decay_t<decltype(in)>;
+    Circumsphere sphere;
+    if (!sphere.find(in))
+      return false;
+    const auto b = vector_of(in.rows[0]), c = vector_of(in.rows[1]), d = vector_of(in.rows[2]);
+    const std::array<decltype(minus(b, c)), 4> at = {minus(b, b), b, c, d};
+    std::array<double, 4> sums = {0, 0, 0, 0};
+    for (const auto& f : facet_corners) {
+      std::array<double, 3> parts;
+      const auto o = minus(sphere.center, minus(corners[f[0]], corners[0]));
+      if (!find_shares<Rows>({at[f[0]], at[f[1]], at[f[2]]}, o, in.unit, parts))
+        return false;
+      for (std::size_t k = 0; k < 3; ++k)
+        sums[f[k]] += parts[k];
+    }
+    shares = sums;
+    return true;
+  });
+  return shares;
+}
+
+// The barycentric coordinates of a point. They add up to 1; at a corner they are right to the last bit.
+inline std::array<double, 4> barycentric_of(const Corners_of_tetrahedron& corners,
+                                            const std::array<double, 3>& point)
+{
+  std::array<double, 4> weights = {no_measure, no_measure, no_measure, no_measure};
+  const double* const points[4] = {corners[0].data(), corners[1].data(), corners[2].data(),
+                                   corners[3].data()};
+  measure_in_stages<4>(points, point.data(), [&](const auto& in) {
+    const Sphere_cofactors<typename std::decay_t<decltype(in)>::Number> parts(
+        in.rows[0], in.rows[1], in.rows[2], in.rows[3]);
+    const auto sum = (parts.of[0] + parts.of[1]) + (parts.of[2] + parts.of[3]);
+    for (const auto& part : parts.of)
+      if (!in.is_known(part, sum))
+        return false;
+    for (std::size_t k = 0; k < 4; ++k)
+      weights[k] = quotient(in.rounded(parts.of[k]), in.rounded(sum));
+    return true;
+  });
+  return weights;
+}
+
+// The gradients of the first three barycentric coordinates; not numbers where these change so fast that
+// rounding x - corners[3] and their products with it may be wrong by 1e-9 in the tetrahedron.
+inline std::array<std::array<double, 3>, 3> gradients_of(const Corners_of_tetrahedron& corners)
+{
+  constexpr std::array<double, 3> none = {no_measure, no_measure, no_measure};
+  std::array<std::array<double, 3>, 3> gradients = {none, none, none};
+  measure_at_corner(corners, 3, [&](const auto& in) {
+    using Rows = std::decay_t<decltype(in)>;
+    const auto a = vector_of(in.rows[0]), b = vector_of(in.rows[1]), c = vector_of(in.rows[2]);
+    const std::array<decltype(cross(a, b)), 3> normals = {cross(b, c), cross(c, a), cross(a, b)};
+    const auto six = dot(a, normals[0]);
+    if (!in.is_known(six, six))
+      return false;
+    for (const auto& n : normals)
+      if (!is_known<Rows>(n))
+        return false;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < 3; ++i)
+        gradients[k][i] = quotient(in.rounded(normals[k][i]), in.rounded(six), -in.unit);
+    return true;
+  });
+  // Five roundings of each product: of the gradient, the difference, the product, and two of sums.
+  constexpr double most = 1e-9 / (5 * 0x1p-53);
+  for (const std::array<double, 3>& g : gradients) {
+    double largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      double sum = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        sum += std::abs(g[i] * (corners[k][i] - corners[3][i]));
+      largest = (std::max)(largest, sum);
+    }
+    if (!(largest < most / 3)) // the fourth is 1 less the sum of the three
+      return {none, none, none};
+  }
+  return gradients;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -136,8 +136,11 @@ private:
     cluster.first = std::uint32_t(first);
     cluster.last = std::uint32_t(last);
     cluster.next = std::uint32_t(m_clusters.size());
-    cluster.reach = far * radius_of(cluster.center, first, last);
+    cluster.reach = (std::max)(far * radius_of(cluster.center, first, last), nearest);
   }
+
+  // Of what is still nearer powers of the distance would vanish.
+  static constexpr double nearest = 0x1p-100;
 
   static double sum(const Triangle_3d& t, std::size_t j) { return t[0][j] + t[1][j] + t[2][j]; }
 

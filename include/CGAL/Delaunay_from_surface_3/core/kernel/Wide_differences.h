@@ -17,16 +17,17 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The differences of N vertices and p, row by row, divided by the greatest power of 2 that leaves
-// them integers. Any finite doubles will do.
+// The differences of N vertices and p, row by row, divided by the greatest power of 2, 2^unit, that
+// leaves them integers. Any finite doubles will do.
 template <int N>
 struct Wide_differences
 {
   Row<Wide_integer> rows[N];
+  int unit;
 
   Wide_differences(const double* const* vertices, const double* p)
+    : unit(unit_of(p))
   {
-    int unit = unit_of(p);
     for (int k = 0; k < N; ++k)
       unit = (std::min)(unit, unit_of(vertices[k]));
     const Wide_integer x(p[0], unit), y(p[1], unit), z(p[2], unit);
@@ -40,7 +41,7 @@ struct Wide_differences
 private:
   static int unit_of(const double* p)
   {
-    int unit = (std::numeric_limits<int>::max)(); // of 0
+    int unit = std::numeric_limits<double>::max_exponent; // of 0
     for (int k = 0; k < 3; ++k)
       if (p[k] != 0)
         unit = (std::min)(unit, Bits_of_double(p[k]).exponent);

@@ -17,6 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -102,6 +103,17 @@ public:
   friend int sign_of(const Wide_integer& n)
   {
     return n.m_size == 0 ? 0 : n.m_is_negative ? -1 : 1;
+  }
+
+  // The number over 2^exponent, rounded to a double of less than 2^65; 0 only for 0.
+  double scaled_double(int& exponent) const
+  {
+    const int lowest = (std::max)(m_begin, m_size - 3);
+    double value = 0;
+    for (int i = lowest; i < m_size; ++i)
+      value = std::ldexp(value, -digit_bits) + double(m_digits[i]);
+    exponent = m_size == 0 ? 0 : digit_bits * (m_size - 1);
+    return m_is_negative ? -value : value;
   }
 
   friend Wide_integer operator+(const Wide_integer& s, const Wide_integer& t)
