@@ -8,8 +8,12 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Winding_number_3.h>
+#include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
+#include <CGAL/inside_of_surface_3.h>
+#include <CGAL/surface_of.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,7 +22,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,10 +59,23 @@ struct Old_traits
   Insertion_plan insertion_plan_object(unsigned int seed) const { return Insertion_plan(seed); }
 };
 
+// A class of numbers that need not be whole.
+struct Real
+{
+  double value;
+  operator double() const { return value; }
+};
+template <>
+struct std::numeric_limits<Real> : std::numeric_limits<double>
+{
+};
+
 void call(Without_info& without_info, With_info& with_info, const std::vector<Point>& points,
           const std::vector<std::pair<Point, int>>& numbered,
           const std::vector<std::pair<Point, std::string>>& named, const std::vector<int>& infos,
-          CGAL::Regular_triangulation_3<K>& weighted, std::string& text)
+          CGAL::Regular_triangulation_3<K>& weighted, std::string& text,
+          const CGAL::Delaunay_3_arrays<std::int32_t>& arrays,
+          std::vector<std::pair<std::size_t, std::size_t>>& edges)
 {
   // expected: this_function_does_not_know_that_named_parameter_see_its_documentation<CGAL::internal_np::vertex_to_vertex_map_t>
   CGAL::insert_points_3(without_info, points, parameters::vertex_to_vertex_map(1));
@@ -82,6 +102,17 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   CGAL::insert_points_3(without_info, std::vector<std::array<double, 2>>());
   // expected: behind the points come faces, ranges of indices, or named parameters
   CGAL::insert_points_3(without_info, points, 0);
+  // expected: faces have indices of points, which are integers
+  CGAL::insert_points_3(without_info, points, std::vector<std::vector<double>>());
+  // expected: faces have indices of points, which are integers
+  CGAL::delaunay_3_arrays(points, std::vector<std::array<float, 3>>());
+  // expected: faces have indices of points, which are integers
+  CGAL::inside_of_surface_3(points, std::vector<std::array<long double, 4>>(), arrays);
+  // expected: faces have indices of points, which are integers
+  CGAL::Winding_number_3(points, std::vector<std::array<Real, 3>>());
+  // expected: faces have indices of vertices, which are integers
+  CGAL::bounded_degree_spanning_subgraph(CGAL::surface_of(8, std::vector<std::array<double, 3>>()),
+                                         std::back_inserter(edges));
   // expected: delaunay_3_arrays() leaves no point out
   CGAL::delaunay_3_arrays(points, parameters::visitor(Thinning_visitor()));
 }

@@ -10,6 +10,8 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <cstddef>
+#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -37,6 +39,14 @@ constexpr bool is_detected = Detected_or<void, void, Operation, Types...>::value
 // That type, or else Default.
 template <class Default, template <class...> class Operation, class... Types>
 using detected_or_t = typename Detected_or<Default, void, Operation, Types...>::type;
+
+// Whether faces may have such indices: integers, or classes that are converted to them.
+template <class Index>
+constexpr bool is_index = std::is_integral<Index>::value ||
+                          (std::is_class<Index>::value &&
+                           std::is_convertible<Index, std::size_t>::value &&
+                           std::numeric_limits<Index>::is_specialized ==
+                               std::numeric_limits<Index>::is_integer);
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,6 +42,8 @@ struct Soup_edges
 template <class IndexRange>
 void check_face(const IndexRange& face, std::size_t f, std::size_t number_of_points)
 {
+  static_assert(is_index<std::decay_t<decltype(*std::begin(face))>>,
+                "faces have indices of points, which are integers: convert other numbers first");
   for (const auto& index : face)
     if (index < decltype(index + 0)(0) || std::size_t(index) >= number_of_points)
       throw Surface_input_error("face " + std::to_string(f) + ": the index " +
