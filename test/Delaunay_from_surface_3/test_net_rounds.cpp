@@ -23,6 +23,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Edges_of_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/order_by_core.h>
 #include <CGAL/Delaunay_from_surface_3/support/permutation.h>
@@ -208,7 +209,8 @@ BOOST_AUTO_TEST_CASE(order_of_points_by_request)
   const DFS::Surface_net_rounds nets(3, 64);
   BOOST_TEST((order(nets.order_request(), true).order == planned(nets).order));
   BOOST_TEST((order(nets.order_request(), true).starting_places == planned(nets).starting_places));
-  BOOST_TEST((order(nets.order_request(), false).order == planned(nets.fallback_plan()).order));
+  // Points alone are ordered as such.
+  BOOST_TEST((order(nets.order_request(), false).order == planned(DFS::Spaced_rounds(3)).order));
   const DFS::Geometric_rounds rounds(3, 0.5, 100);
   for (const bool has_edges : {false, true}) {
     const DFS::Insertion_order same = order(rounds.order_request(), has_edges);
@@ -313,7 +315,9 @@ BOOST_AUTO_TEST_CASE(graphs_on_which_nets_do_not_shrink)
   for (std::size_t i = 0; i < n; ++i)
     add_edge(i, i, loops);
   const std::size_t random_rounds = ends_of_random_rounds(n);
-  BOOST_TEST(checked_net_plan(points, Graph(n)).round_ends.size() == random_rounds);
+  const DFS::Insertion_order alone = DFS::Spaced_rounds(1)(
+      points, Kernel(), Graph(n), get(boost::vertex_index, Graph(n)));
+  BOOST_TEST((checked_net_plan(points, Graph(n)).order == alone.order));
   BOOST_TEST(checked_net_plan(points, loops).round_ends.size() == random_rounds);
   // entered at the centre or at a leaf
   BOOST_TEST(checked_net_plan(points, star).round_ends.size() <= random_rounds + 1);

@@ -42,9 +42,9 @@ middle of a fan before the fan. The members of a cluster of more than `large_clu
 in the order of `Geometric_rounds`, and start at the previous point if that is nearer than the net
 vertex.
 
-If there are no edges or more than \f$2^{32}\f$, or if they join points that are not near each other
-(a thousand of them are examined on two levels), `Geometric_rounds` orders the points, and there are
-no starting places.
+If there are no edges or more than \f$2^{32}\f$, the order is that of `Spaced_rounds`. If they join
+points that are not near each other (a thousand of them are examined on two levels),
+`Geometric_rounds` orders the points. Then there are no starting places.
 
 A level that keeps more than 90 % of its vertices (isolated vertices, graphs with few edges) ends
 the hierarchy. `Geometric_rounds` orders the vertices left at the end.

@@ -37,6 +37,8 @@ public:
 
   Order_view make(const Point_array& points, const Executor& executor) override
   {
+    if (m_request.kind == Order_request::NETS && m_edges.edges().number_of_items == 0)
+      m_request.kind = Order_request::SPACED; // there are points alone
     m_order = order_of_points(points, m_edges, m_request, executor);
     return view_of(m_order);
   }

@@ -25,16 +25,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The order requested. Rounds are random where nets have no edges, and where there are too many
-// points for numbers of 32 bits.
+// The order requested. Rounds are random where there are too many points for numbers of 32 bits.
 inline Insertion_order order_of_points(const Point_array& points, Edge_source& edges,
                                        const Order_request& request, const Executor& executor)
 {
   const bool are_few = points.size() < (std::numeric_limits<std::uint32_t>::max)();
-  const bool has_nets =
-      request.kind == Order_request::NETS && are_few && edges.edges().number_of_items > 0;
   Insertion_order order =
-      has_nets ? surface_net_rounds(points, edges, request, executor)
+      request.kind == Order_request::NETS && are_few
+          ? surface_net_rounds(points, edges, request, executor)
       : request.kind == Order_request::SPACED && are_few
           ? spaced_rounds(points, executor)
           : geometric_rounds(points, request.seed, request.ratio, request.first_round);
