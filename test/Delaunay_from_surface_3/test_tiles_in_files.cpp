@@ -34,6 +34,7 @@
 #include <future>
 #include <numeric>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -487,6 +488,95 @@ BOOST_AUTO_TEST_CASE(states_of_others)
   check_refused([&] { run(points, 4); }, "tiles.json", "another run");
   fs::remove(folder.path / "tiles.json");
   check_refused([&] { run(points, 4); }, "cells-00000.npy", "another run");
+}
+
+// Reads all of a file of a state, by its name, as those do that need it.
+void read_all_of(core::Tile_folder& folder, const std::string& name, std::uint32_t tiles)
+{
+  std::vector<std::size_t> numbers;
+  for (std::size_t dash = name.find('-'); dash != std::string::npos;
+       dash = name.find('-', dash + 1))
+    numbers.push_back(std::stoul(name.substr(dash + 1)));
+  const std::string kind = name.substr(0, name.find('-'));
+  std::vector<core::Tile_point> points;
+  const auto number = [&](std::size_t k) { return std::uint32_t(numbers.at(k)); };
+  if (kind == "input")
+    folder.read_input();
+  else if (kind == "tiling")
+    folder.read_tiling();
+  else if (kind == "range")
+    folder.read_summary(number(0));
+  else if (kind == "home")
+    for (std::uint32_t t = 0; t < tiles; ++t)
+      folder.append_home(number(0), t, points);
+  else if (kind == "tile")
+    folder.read_state(number(0), number(1));
+  else if (kind == "post")
+    for (const core::Posted& posted : folder.read_posts(number(0), number(1)))
+      folder.append_message(posted, number(1), points);
+  else if (kind == "closed")
+    folder.read_closed(number(0));
+  else if (kind == "show")
+    folder.read_show(number(0));
+  else if (kind == "certificate")
+    folder.read_certificate(number(0));
+  else if (kind == "piece")
+    folder.read_piece(number(0));
+  else
+    BOOST_ERROR("a file of another kind: " + name);
+}
+
+// In a state no byte can change without being seen by those who read it: not one that says how much
+// there is, either.
+BOOST_AUTO_TEST_CASE(states_with_a_byte_that_has_changed)
+{
+  const Points points = some_points(60);
+  const std::uint32_t n = 2;
+  std::set<std::string> kinds;
+  for (int stop = 1; stop < 12; ++stop) {
+    const Folder folder;
+    CGAL::Tiles_options options = options_of(n);
+    options.points_at_once = 40;
+    int calls = 0;
+    options.progress = [&](const char*, std::size_t, std::size_t) { return ++calls < 2 * stop; };
+    try {
+      core::Tiles_to_files(folder.path, 1, false).run(source_of(points), options);
+    } catch (const CGAL::Tiles_stopped&) {
+    }
+    const fs::path state = folder.path / "state";
+    for (const std::string& name : core::names_in(state)) {
+      if (fs::is_directory(state / name) || fs::file_size(state / name) <= 48) // a mark
+        continue;
+      if (!kinds.insert(name.substr(0, name.find_first_of("0123456789"))).second)
+        continue;
+      core::Tile_folder read(state);
+      read.read_input();
+      read_all_of(read, name, n);
+      std::string bytes(std::size_t(fs::file_size(state / name)), ' ');
+      core::Bytes_reader(state / name).read(bytes.data(), bytes.size());
+      for (std::size_t k = 0; k < bytes.size(); ++k) {
+        std::string changed = bytes;
+        changed[k] = char(changed[k] ^ (1 << (k % 8)));
+        write_bytes(state / name, changed);
+        BOOST_CHECK_THROW(read_all_of(read, name, n), CGAL::Tile_files_error);
+      }
+      write_bytes(state / name, bytes.substr(0, bytes.size() / 2));
+      BOOST_CHECK_THROW(read_all_of(read, name, n), CGAL::Tile_files_error);
+      std::string changed = bytes;
+      changed[bytes.size() - 20] ^= 4;
+      write_bytes(state / name, changed);
+      if (name != "input" && name != "tiling")
+        continue;
+      check_refused(
+          [&] {
+            core::Tiles_to_files(folder.path, 1, false).run(source_of(points), options_of(n));
+          },
+          name, "is damaged, as its checksum tells: remove the folder of the tiles");
+      write_bytes(state / name, bytes);
+    }
+  }
+  for (const char* const kind : {"input", "tiling", "range-", "home-", "tile-", "closed-", "post-"})
+    BOOST_TEST(kinds.count(kind) == 1u, kind);
 }
 
 #ifdef __linux__

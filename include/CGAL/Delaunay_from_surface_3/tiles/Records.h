@@ -31,6 +31,7 @@
 #include <vector>
 
 #if !defined(_WIN32) && __has_include(<unistd.h>)
+#include <fcntl.h>
 #include <unistd.h>
 #endif
 
@@ -108,6 +109,7 @@ public:
     if (error)
       fail_to_write(m_place, error.value());
     m_is_finished = true;
+    keep_name();
   }
 
 private:
@@ -118,6 +120,22 @@ private:
     return ::fsync(::fileno(m_file.get())) == 0 || errno == EINVAL; // of what is no disk
 #else
     return true;
+#endif
+  }
+
+  // Nor is the name on the disk before its folder is.
+  void keep_name() const
+  {
+#if !defined(_WIN32) && __has_include(<unistd.h>)
+    const std::filesystem::path folder = std::filesystem::absolute(m_place).parent_path();
+    const int file = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+      return; // it may be written to, and not read
+    const bool is_kept = ::fsync(file) == 0 || errno == EINVAL || errno == EROFS;
+    const int error = errno;
+    ::close(file);
+    if (!is_kept)
+      fail_to_write(m_place, error);
 #endif
   }
 
@@ -145,6 +163,14 @@ public:
                              std::generic_category().message(errno != 0 ? errno : ENOENT));
   }
 
+  // Of the file; 0 if that cannot be found out.
+  std::uint64_t size() const
+  {
+    std::error_code ignored;
+    const std::uintmax_t size = std::filesystem::file_size(m_place, ignored);
+    return size == std::uintmax_t(-1) ? 0 : size;
+  }
+
   void seek(std::uint64_t offset) { m_stream.seekg(std::streamoff(offset)); }
   void read(void* bytes, std::size_t n)
   {
@@ -163,16 +189,61 @@ private:
 // What stands at the beginning of each file of a run.
 struct Record_head
 {
-  char what[32] = {}; // "dfs3 tiles 2 tiling"
+  char what[32] = {}; // "dfs3 tiles 3 tiling"
   std::uint64_t run;
 
   Record_head(const char* kind, std::uint64_t run_number)
     : run(run_number)
   {
-    std::snprintf(what, sizeof(what), "dfs3 tiles 2 %s", kind);
+    std::snprintf(what, sizeof(what), "dfs3 tiles 3 %s", kind);
   }
 };
 
+// A hash of bytes. Each word goes into it by a function that can be inverted, so no change of one word
+// is missed.
+class Checksum
+{
+public:
+  void add(const void* bytes, std::size_t n)
+  {
+    const char* from = static_cast<const char*>(bytes);
+    m_size += n;
+    while (n > 0) {
+      const std::size_t some = (std::min)(n, sizeof(m_word) - m_filled);
+      std::memcpy(reinterpret_cast<char*>(&m_word) + m_filled, from, some);
+      m_filled += some;
+      from += some;
+      n -= some;
+      if (m_filled == sizeof(m_word))
+        take();
+    }
+  }
+
+  // Of all bytes; the next is of those that come then.
+  std::uint64_t finish()
+  {
+    if (m_filled > 0)
+      take();
+    m_word = m_size;
+    take();
+    m_size = 0;
+    return std::exchange(m_hash, 0);
+  }
+
+private:
+  void take()
+  {
+    m_hash = (m_hash ^ m_word) * 0x9e3779b97f4a7c15;
+    m_hash ^= m_hash >> 32;
+    m_word = 0;
+    m_filled = 0;
+  }
+
+  std::uint64_t m_hash = 0, m_word = 0, m_size = 0;
+  std::size_t m_filled = 0;
+};
+
+// Behind each record, which is an item or a vector of items, stands its checksum: it can be read alone.
 class Record_writer
 {
 public:
@@ -185,30 +256,74 @@ public:
   template <class T>
   void put(const T& record)
   {
-    static_assert(std::is_trivially_copyable<T>::value, "records are written as bytes");
-    m_bytes.write(&record, sizeof(T));
+    add(record);
+    end();
   }
 
   // The number of the items, and then these.
   template <class T>
   void put(const std::vector<T>& items)
   {
+    put(items.data(), items.size());
+  }
+  template <class T>
+  void put(const T* items, std::size_t n)
+  {
     static_assert(std::is_trivially_copyable<T>::value, "records are written as bytes");
-    put(std::uint64_t(items.size()));
-    m_bytes.write(items.data(), items.size() * sizeof(T));
+    add(std::uint64_t(n));
+    add(items, n * sizeof(T));
+    end();
   }
 
   // So many items, which give(put) gives to put() one after the other.
   template <class Give>
   void put_each(std::uint64_t n, const Give& give)
   {
-    put(n);
-    give([&](const auto& item) { put(item); });
+    add(n);
+    give([&](const auto& item) { add(item); });
+    end();
   }
+
+  // Items that are sorted by part: those of part t end before ends[t + 1]. Each part can be read alone.
+  template <class T>
+  void put_parts(const std::vector<std::uint64_t>& ends, const std::vector<T>& items)
+  {
+    std::uint64_t place = size_of_head + (ends.size() - 1) * size_of_record<std::uint64_t>;
+    for (std::size_t t = 0; t + 1 < ends.size(); ++t) {
+      put(place);
+      place += size_of_record<std::uint64_t> + (ends[t + 1] - ends[t]) * sizeof(T);
+    }
+    for (std::size_t t = 0; t + 1 < ends.size(); ++t)
+      put(items.data() + ends[t], std::size_t(ends[t + 1] - ends[t]));
+  }
+
   void finish() { m_bytes.finish(); }
 
+  // In the file.
+  template <class T>
+  static constexpr std::uint64_t size_of_record = sizeof(T) + sizeof(std::uint64_t);
+  static constexpr std::uint64_t size_of_head = size_of_record<Record_head>;
+
 private:
+  void add(const void* bytes, std::size_t n)
+  {
+    m_checksum.add(bytes, n);
+    m_bytes.write(bytes, n);
+  }
+  template <class T>
+  void add(const T& record)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "records are written as bytes");
+    add(&record, sizeof(T));
+  }
+  void end()
+  {
+    const std::uint64_t sum = m_checksum.finish();
+    m_bytes.write(&sum, sizeof(sum));
+  }
+
   Bytes_writer m_bytes;
+  Checksum m_checksum;
 };
 
 class Record_reader
@@ -217,12 +332,14 @@ public:
   // The run: 0 if any will do.
   Record_reader(const std::filesystem::path& place, const char* kind, std::uint64_t run)
     : m_bytes(place)
+    , m_left(m_bytes.size())
   {
     Record_head head("", 0);
     const Record_head expected(kind, run);
-    get(head);
+    take(&head, sizeof(head));
     if (std::memcmp(head.what, expected.what, sizeof(head.what)) != 0)
       throw Tile_files_error(place.string() + ": not a file of this version of the program");
+    check();
     if (run != 0 && head.run != run)
       throw Tile_files_error(place.string() + ": belongs to another run");
     m_run = head.run;
@@ -234,7 +351,8 @@ public:
   void get(T& record)
   {
     static_assert(std::is_trivially_copyable<T>::value, "records are read as bytes");
-    m_bytes.read(&record, sizeof(T));
+    take(&record, sizeof(T));
+    check();
   }
   template <class T>
   T get()
@@ -246,23 +364,78 @@ public:
   template <class T>
   void get(std::vector<T>& items)
   {
-    items.resize(std::size_t(get<std::uint64_t>()));
-    m_bytes.read(items.data(), items.size() * sizeof(T));
+    items.clear();
+    append(items);
   }
 
-  // Items that are at a place of the file, behind what is in `items`.
+  // The vector that is at a place of the file, behind what is in `items`.
   template <class T>
-  void append_at(std::uint64_t offset, std::uint64_t n, std::vector<T>& items)
+  void append_at(std::uint64_t offset, std::vector<T>& items)
   {
-    const std::size_t before = items.size();
-    items.resize(before + std::size_t(n));
-    m_bytes.seek(offset);
-    m_bytes.read(items.data() + before, std::size_t(n) * sizeof(T));
+    seek(offset);
+    append(items);
+  }
+
+  // The items of a part, behind what is in `items`.
+  template <class T>
+  void append_part(std::uint64_t part, std::vector<T>& items)
+  {
+    seek(Record_writer::size_of_head + part * Record_writer::size_of_record<std::uint64_t>);
+    append_at(get<std::uint64_t>(), items);
   }
 
 private:
+  void seek(std::uint64_t offset)
+  {
+    const std::uint64_t size = m_bytes.size();
+    m_left = size - (std::min)(offset, size);
+    m_bytes.seek(offset);
+  }
+
+  // What cannot be there is not made room for.
+  template <class T>
+  void append(std::vector<T>& items)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "records are read as bytes");
+    std::uint64_t n = 0;
+    take(&n, sizeof(n));
+    if (n > m_left / sizeof(T))
+      fail();
+    const std::size_t before = items.size();
+    items.resize(before + std::size_t(n));
+    take(items.data() + before, std::size_t(n) * sizeof(T));
+    check();
+  }
+
+  void take(void* bytes, std::size_t n)
+  {
+    if (n > m_left)
+      throw Tile_files_error(m_bytes.place().string() + ": ends early");
+    m_bytes.read(bytes, n);
+    m_left -= n;
+    m_checksum.add(bytes, n);
+  }
+
+  void check()
+  {
+    const std::uint64_t expected = m_checksum.finish();
+    std::uint64_t sum = 0;
+    take(&sum, sizeof(sum));
+    m_checksum.finish();
+    if (sum != expected)
+      fail();
+  }
+
+  [[noreturn]] void fail() const
+  {
+    throw Tile_files_error(m_bytes.place().string() +
+                           ": is damaged, as its checksum tells: remove the folder of the tiles, "
+                           "and begin again");
+  }
+
   Bytes_reader m_bytes;
-  std::uint64_t m_run = 0;
+  std::uint64_t m_run = 0, m_left;
+  Checksum m_checksum;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -123,17 +123,13 @@ public:
   void write_home(std::size_t k, const std::vector<std::uint64_t>& ends,
                   const std::vector<Tile_point>& points) const
   {
-    write(file("home", k), "home", ends, points);
+    Record_writer to(file("home", k), "home", m_run);
+    to.put_parts(ends, points);
+    to.finish();
   }
   void append_home(std::size_t k, std::uint32_t tile, std::vector<Tile_point>& points) const
   {
-    Record_reader from(file("home", k), "home", m_run);
-    const auto tiles = from.get<std::uint64_t>() - 1;
-    const std::uint64_t first = sizeof(Record_head) + 8;
-    std::vector<std::uint64_t> ends;
-    from.append_at(first + 8 * tile, 2, ends);
-    from.append_at(first + 8 * (tiles + 1) + 8 + sizeof(Tile_point) * ends[0], ends[1] - ends[0],
-                   points);
+    Record_reader(file("home", k), "home", m_run).append_part(tile, points);
   }
 
   void write_state(std::uint32_t t, std::size_t round, const Tile_state& state) const
@@ -151,10 +147,12 @@ public:
                   const std::vector<Tile_message>& messages) const
   {
     std::vector<Posted> posts;
-    std::uint64_t offset = sizeof(Record_head) + 8 + sizeof(Posted) * messages.size();
+    constexpr std::uint64_t size_of_none = Record_writer::size_of_record<std::uint64_t>;
+    std::uint64_t offset =
+        Record_writer::size_of_head + size_of_none + sizeof(Posted) * messages.size();
     for (const Tile_message& m : messages) {
       posts.push_back({m.from, m.to, offset, m.points.size()});
-      offset += 8 + sizeof(Tile_point) * m.points.size();
+      offset += size_of_none + sizeof(Tile_point) * m.points.size();
     }
     Record_writer to(file("post", t, round), "post", m_run);
     to.put(posts);
@@ -171,8 +169,7 @@ public:
   void append_message(const Posted& posted, std::size_t round,
                       std::vector<Tile_point>& points) const
   {
-    Record_reader(file("post", posted.from, round), "post", m_run)
-        .append_at(posted.offset + 8, posted.number, points);
+    Record_reader(file("post", posted.from, round), "post", m_run).append_at(posted.offset, points);
   }
 
   void write_closed(std::size_t round, const Closed_round& closed) const

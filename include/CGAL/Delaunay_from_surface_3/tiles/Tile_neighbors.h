@@ -147,19 +147,15 @@ private:
   void append_part(const char* kind, std::uint32_t from_tile, std::uint32_t part,
                    std::vector<Item>& items) const
   {
-    Record_reader from(file(kind, from_tile), kind, 0);
-    const std::uint64_t first = sizeof(Record_head) + 8;
-    std::vector<std::uint64_t> ends;
-    from.append_at(first + 8 * part, 2, ends);
-    from.append_at(first + 8 * (m_tiles + 1) + 8 + sizeof(Item) * ends[0], ends[1] - ends[0],
-                   items);
+    Record_reader(file(kind, from_tile), kind, 0).append_part(part, items);
   }
 
-  template <class... Items>
-  void write_items(const char* kind, std::uint32_t t, const Items&... items) const
+  template <class Item>
+  void write_parts(const char* kind, std::uint32_t t, const std::vector<std::uint64_t>& ends,
+                   const std::vector<Item>& items) const
   {
     Record_writer to(file(kind, t), kind, 1);
-    (to.put(items), ...);
+    to.put_parts(ends, items);
     to.finish();
   }
 
@@ -192,8 +188,10 @@ private:
           open.push_back({f.vertices, f.slot + 4 * m_first[t]});
         });
     const auto ends = sort_by_part(open, [&](const Facet& f) { return part_of(f); });
-    write_items("open", t, ends, open);
-    write_items("inside", t, neighbors);
+    write_parts("open", t, ends, open);
+    Record_writer to(file("inside", t), "inside", 1);
+    to.put(neighbors);
+    to.finish();
   }
 
   void match_between(std::uint32_t part) const
@@ -213,7 +211,7 @@ private:
         },
         [](const Facet&) {}); // of the convex hull
     const auto ends = sort_by_part(pairs, [&](const Neighbor& n) { return tile_of(n.slot); });
-    write_items("between", part, ends, pairs);
+    write_parts("between", part, ends, pairs);
   }
 
   void write(std::uint32_t t) const
