@@ -17,6 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/find_simplices.h>
 #include <CGAL/delaunay_3_arrays.h>
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
@@ -404,6 +405,48 @@ BOOST_AUTO_TEST_CASE(what_only_the_last_level_sees)
 }
 
 // The points of the last ones differ by denormal numbers.
+// Around a vertex or an edge with many simplices, all questions take one turn together; what they find
+// is the least simplex, as that of a few questions is.
+BOOST_AUTO_TEST_CASE(many_questions_at_a_hub)
+{
+  const std::size_t n = 2000;
+  std::vector<std::array<double, 3>> points = {{0, 0, 0}, {0, 0, 8}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = 6.283185 * double(i) / double(n);
+    points.push_back({std::cos(t), std::sin(t), 0.3 * std::sin(5 * t)});
+  }
+  std::vector<double> questions;
+  for (std::size_t i = 0; i < n; ++i) {
+    questions.insert(questions.end(), {0, 0, 0});
+    questions.insert(questions.end(), {0, 0, 8 * double(i + 1) / double(n + 1)});
+    questions.insert(questions.end(),
+                     {points[i + 2][0] / 2, points[i + 2][1] / 2, points[i + 2][2] / 2});
+    questions.insert(questions.end(), {points[i + 2][0], points[i + 2][1], points[i + 2][2]});
+  }
+  const auto arrays = CGAL::delaunay_3_arrays(points);
+  const DFS::internal::Simplices_view<std::int32_t> view = {arrays.vertices_data(),
+                                                            arrays.stride(),
+                                                            arrays.neighbors_data(),
+                                                            arrays.stride(),
+                                                            arrays.number_of_simplices(),
+                                                            arrays.number_of_cells(),
+                                                            points.size()};
+  std::size_t asked = 0;
+  const auto point_of = [&](std::size_t i) {
+    ++asked;
+    return points[i];
+  };
+  std::vector<std::int32_t> found(questions.size() / 3);
+  DFS::internal::find_simplices(view, point_of,
+                                DFS::internal::Point_array(questions.data(), found.size()),
+                                found.data(), DFS::internal::Alone());
+  BOOST_TEST(asked < 200 * found.size());
+  for (std::size_t k = 0; k < found.size(); k += 97) {
+    DFS::internal::Find_simplex<std::int32_t, decltype(point_of)> alone(view, point_of);
+    BOOST_TEST(alone({questions[3 * k], questions[3 * k + 1], questions[3 * k + 2]}) == found[k]);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(validity_in_every_rounding_mode)
 {
   for (const double size : {1., 0.1, 0x1p-1060}) {

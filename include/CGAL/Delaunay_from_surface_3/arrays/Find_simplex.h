@@ -19,8 +19,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <stdexcept>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,6 +64,7 @@ template <class Index, class PointOf>
 class Find_simplex
 {
   using Point = std::array<double, 3>;
+  using Face = std::array<Index, 2>; // a vertex and -1, or two vertices
 
 public:
   // Keeps copies of both.
@@ -72,7 +75,8 @@ public:
   }
 
   // The simplex with the smallest number that contains q, its facets included, or -1. Starts where the
-  // last one was found. Expected constant for points near the last one.
+  // last one was found. Expected constant for points near the last one; all those at the same vertex or
+  // edge take one turn around it together.
   Index operator()(const Point& q)
   {
     if (m_simplices.number == 0)
@@ -140,6 +144,10 @@ private:
   // The least of all that have q in a facet, as m_last has: they are met through such facets.
   Index least_around(const Point& q)
   {
+    const Face face = face_of_last();
+    const auto known = m_least.find(face);
+    if (known != m_least.end())
+      return known->second;
     Index least = m_last;
     m_met.clear();
     m_many_met.clear();
@@ -157,18 +165,37 @@ private:
             m_met.push_back(d);
         }
     }
+    if (m_met.size() >= many)
+      m_least.emplace(face, least);
     return least;
+  }
+
+  // The vertex or edge of m_last that q is in; twice -1 in a facet, which has two simplices at most.
+  Face face_of_last() const
+  {
+    Face face = {-1, -1};
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      if ((m_facets >> k & 1u) == 0) {
+        if (n == 2)
+          return {-1, -1};
+        face[n++] = Index(m_simplices.vertex(std::size_t(m_last), k));
+      }
+    if (face[0] < face[1])
+      std::swap(face[0], face[1]);
+    return face;
   }
 
   bool is_new(Index d)
   {
-    constexpr std::size_t many = 64;
     if (m_met.size() < many)
       return std::find(m_met.begin(), m_met.end(), d) == m_met.end();
     if (m_many_met.empty())
       m_many_met.insert(m_met.begin(), m_met.end());
     return m_many_met.insert(d).second;
   }
+
+  static constexpr std::size_t many = 64;
 
   const Simplices_view<Index> m_simplices;
   const PointOf m_point_of;
@@ -177,6 +204,7 @@ private:
   unsigned m_facets = 0;
   std::vector<Index> m_met;
   std::unordered_set<Index> m_many_met;
+  std::map<Face, Index> m_least; // around faces with many simplices
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
