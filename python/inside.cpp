@@ -4,6 +4,7 @@
 
 // The winding numbers of tetrahedra around which a surface goes.
 
+#include "Unlocked.h"
 #include "functions.h"
 #include "numpy_rows.h"
 
@@ -40,7 +41,7 @@ py::tuple winding_numbers(const python::Points& points, const python::Numbers& s
   const std::vector<python::Index> vertex_of =
       python::checked_copy(python::Rows(vertices.attr("reshape")(-1, 1)), n);
   CGAL::Inside_3 inside = python::with_faces(faces, [&](const auto& read) {
-    const py::gil_scoped_release unlocked;
+    const python::Unlocked unlocked;
     const core::Rounding_to_nearest rounding;
     const core::Thread_executor executor(threads);
     const core::Point_array array(coordinates.data(), n);

@@ -5,6 +5,7 @@
 // The extension behind the Python module delaunay_from_surface, whose docstrings say what it does.
 // It names no other library than Python's: the core needs none.
 
+#include "Unlocked.h"
 #include "Copied_points.h"
 #include "Interruptible_watcher.h"
 #include "functions.h"
@@ -115,7 +116,7 @@ core::Soup_edges edges_of(const py::object& faces, std::size_t n, const core::Ex
   if (faces.is_none())
     return {};
   return python::with_faces(faces, [&](const auto& rows) {
-    const py::gil_scoped_release unlocked;
+    const python::Unlocked unlocked;
     return core::soup_edges(rows, n, executor);
   });
 }
@@ -139,7 +140,7 @@ py::tuple triangulated(const py::array& array, const py::object& faces, bool nei
   python::Interruptible_watcher watcher(points.size(), progress, rounding);
   Arrays arrays;
   try {
-    const py::gil_scoped_release unlocked;
+    const python::Unlocked unlocked;
     arrays = arrays_of(points, *orders, watcher, executor);
     if (!neighbors)
       arrays.drop_neighbors();

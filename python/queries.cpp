@@ -5,6 +5,7 @@
 // What is asked of a triangulation after it is made: all is computed from NumPy's arrays of points and
 // simplices, whose numbers are checked when they are read.
 
+#include "Unlocked.h"
 #include "functions.h"
 #include "numpy_rows.h"
 
@@ -66,7 +67,7 @@ Numbers neighbors(const Numbers& simplices, std::size_t n, std::size_t threads)
   const std::size_t corners = rows.corners();
   std::vector<Index> found(corners * rows.size(), -1);
   if (corners > 1) {
-    const py::gil_scoped_release unlocked;
+    const python::Unlocked unlocked;
     const std::vector<Index> vertices = checked_copy(rows, n);
     const core::Thread_executor executor(threads);
     const bool is_right = with_corners(corners, [&](auto constant) {
@@ -103,7 +104,7 @@ Numbers find_simplex(const Points& points, const Numbers& simplices, const Numbe
     const std::size_t size = (std::min)(group, number - first);
     python::copy_points(python::Points_view(queries, first), size, "xi: point", coordinates, first);
     {
-      const py::gil_scoped_release unlocked;
+      const python::Unlocked unlocked;
       core::find_simplices(view, point_of, core::Point_array(coordinates.data(), size),
                            found.data() + first, executor);
     }
@@ -118,7 +119,7 @@ py::tuple adjacent_vertices(const Numbers& simplices, std::size_t n, std::size_t
   const Rows rows(simplices);
   core::Adjacent_vertices<Index> adjacent;
   {
-    const py::gil_scoped_release unlocked;
+    const python::Unlocked unlocked;
     const std::vector<Index> vertices = checked_copy(rows, n);
     const std::size_t corners = rows.corners();
     adjacent = core::adjacent_vertices<Index>(
@@ -175,7 +176,7 @@ Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64
     }
   std::vector<Index> tree;
   {
-    const py::gil_scoped_release unlocked;
+    const python::Unlocked unlocked;
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
       return std::tie(a.squared_length, a.ends[0], a.ends[1]) <
              std::tie(b.squared_length, b.ends[0], b.ends[1]);
@@ -199,7 +200,7 @@ void measure(const Points& points, const Numbers& simplices, std::size_t threads
     throw py::value_error("simplices: expected tetrahedra");
   const Point_of point_of = {python::Points_view(points)};
   const auto n = std::size_t(points.shape(0));
-  const py::gil_scoped_release unlocked;
+  const python::Unlocked unlocked;
   const core::Thread_executor executor(threads);
   const std::size_t blocks = core::number_of_blocks(executor, rows.size(), 4096);
   core::for_each_block(executor, rows.size(), blocks,
@@ -275,7 +276,7 @@ py::array barycentric(const Points& points, const Numbers& simplices, const Poin
   const auto simplex_of = simplices_of_queries.unchecked<1>();
   std::vector<double> result(4 * number, core::no_measure);
   {
-    const py::gil_scoped_release unlocked;
+    const python::Unlocked unlocked;
     const core::Thread_executor executor(threads);
     const std::size_t blocks = core::number_of_blocks(executor, number, 4096);
     core::for_each_block(
@@ -312,7 +313,7 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
   std::vector<Index> vertices(n);
   for (std::size_t i = 0; i < n; ++i)
     vertices[i] = vertices_of_points.at(py::ssize_t(i));
-  const py::gil_scoped_release unlocked;
+  const python::Unlocked unlocked;
   const core::Rounding_to_nearest rounding;
   std::vector<std::array<Index, 4>> cells(rows.size(), {-1, -1, -1, -1});
   const auto is_wrong = [&](Index v) { return v < 0 || std::size_t(v) >= n; };

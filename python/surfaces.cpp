@@ -4,6 +4,7 @@
 
 // The functions of surfaces alone: their triangles are read as lists of numbers.
 
+#include "Unlocked.h"
 #include "functions.h"
 #include "numpy_ranges.h"
 
@@ -45,7 +46,7 @@ auto with_triangles(const py::object& faces, std::optional<std::size_t> number_o
       }
       ++i;
     }
-    const py::gil_scoped_release unlocked;
+    const python::Unlocked unlocked;
     using Reader =
         CGAL::Delaunay_from_surface_3::internal::Face_reader<std::decay_t<decltype(rows)>>;
     return f(CGAL::Delaunay_from_surface_3::Triangulated_surface<Reader>(

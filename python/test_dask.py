@@ -126,7 +126,21 @@ class ByDask(unittest.TestCase):
             array = dask.array.from_array(refused, chunks=(50, 3))
             with self.assertRaisesRegex(ValueError, says):
                 dfs.delaunay3_dask(array, self.client, output, tiles=2)
+        # What others have in a folder of the same name stays, and is not taken for the array's.
+        (output / "points").mkdir()
+        (output / "points" / "notes.txt").write_text("precious")
+        np.save(output / "points" / "00000.npy", np.full((10, 3), np.nan))
+        with self.assertRaisesRegex(ValueError, "point 0"):
+            dfs.delaunay3_dask([output / "points" / "00000.npy"], self.client, output, tiles=2)
         array = dask.array.from_array(self.points, chunks=(1000, 3))
+        with self.assertRaisesRegex(OSError, "has files of points that are not of this array: name another folder"):
+            dfs.delaunay3_dask(array, self.client, output, tiles=2)
+        self.assertEqual(sorted(file.name for file in (output / "points").iterdir()), ["00000.npy", "notes.txt"])
+        (output / "points" / "00000.npy").unlink()
+        with self.assertRaisesRegex(ValueError, "point 0"):
+            dfs.delaunay3_dask(dask.array.from_array(np.full((10, 3), np.nan)), self.client, output, tiles=2)
+        self.assertEqual([file.name for file in (output / "points").iterdir()], ["notes.txt"])
+        shutil.rmtree(output / "points")
         old = self.client.persist(dfs.delaunay3_dask(array, self.client, output, tiles=2).cells())  # nothing of those is left
         wait(old)
         shutil.rmtree(output)

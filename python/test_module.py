@@ -276,7 +276,7 @@ class Results(unittest.TestCase):
         for points, faces in ((random_points(20000), None), (np.vstack([grid, grid[::3]]), None), (points, faces),
                               (points[:2], None), (points[:0], None), (points * [1, 1, 0], faces)):
             one = dfs.delaunay3(points, faces)
-            for threads in (2, 5, None, 1000):
+            for threads in (2, 5, None, 64):
                 many = dfs.delaunay3(points, faces, neighbors=True, threads=threads)
                 self.assertEqual(cell_set(many.simplices), cell_set(one.simplices))
                 self.assertTrue((many.vertices == one.vertices).all())
@@ -892,15 +892,114 @@ class Refusals(unittest.TestCase):
                 function(masked)
 
     def test_arguments(self):
-        for threads in (0, -1):
-            self.refuses(ValueError, f"threads: expected a whole number from 1 on, or None for all, got {threads}",
+        for threads in (0, -1, 65, 100, 2 ** 70):
+            self.refuses(ValueError, f"threads: expected a whole number from 1 to 64, or None for all, got {threads}",
                          random_points(5), threads=threads)
-        for threads in (1.5, "all"):
-            self.refuses(TypeError, f"threads: expected a whole number from 1 on, or None for all, got {threads!r}",
+        for threads in (1.5, "all", True, False):
+            self.refuses(TypeError, f"threads: expected a whole number from 1 to 64, or None for all, got {threads!r}",
                          random_points(5), threads=threads)
-        many = dfs.delaunay3(random_points(5), threads=2 ** 70)
+        self.refuses(TypeError, "seed: expected a whole number from 0 to 4294967295, got True", random_points(5), seed=True)
+        many = dfs.delaunay3(random_points(5), threads=64)
         self.assertEqual(len(many.neighbors), len(many.simplices))
-        self.assertTrue((many.find_simplex(many.points, threads=2 ** 70) >= 0).all())
+        self.assertTrue((many.find_simplex(many.points, threads=64) >= 0).all())
+        with self.assertRaisesRegex(ValueError, "^threads: expected a whole number from 1 to 64"):
+            many.find_simplex(many.points, threads=65)
+
+    def test_attributes_that_are_not_set(self):
+        """What has been computed from them would not be theirs."""
+        result = dfs.delaunay3(random_points(50))
+        for name in ("points", "simplices", "vertices", "dimension", "neighbors", "volumes", "circumradii", "winding_numbers", "inside"):
+            with self.assertRaises(AttributeError, msg=name):
+                setattr(result, name, result.simplices)
+        self.assertEqual(len(result.neighbors), len(result.simplices))
+        with self.assertRaisesRegex(AttributeError, "neighbors: a triangulation does not change: make another one"):
+            result.neighbors = result.simplices
+        result.note = "mine"  # what is the caller's
+
+    def test_faces_of_many_kinds(self):
+        """The same cells inside, whatever the faces are written in."""
+        corners = np.array([[x, y, z] for x in (0., 1) for y in (0., 1) for z in (0., 1)])
+        points = np.concatenate([corners, [[4, 4, 4], [-3, 0, 0]]])
+        squares = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]], dtype=np.int32)
+
+        class Alike:
+            def __array__(self, dtype=None, copy=None):
+                return squares
+
+        class Exporter:
+            def __dlpack__(self, **keywords):
+                return squares.__dlpack__(**keywords)
+
+            def __dlpack_device__(self):
+                return squares.__dlpack_device__()
+        expected = dfs.delaunay3(points, squares, inside=True)
+        self.assertAlmostEqual(expected.volumes[expected.inside].sum(), 1, 12)
+        mixed = [*([len(face), *face] for face in squares[1:].tolist()), [3, 0, 1, 3], [3, 0, 3, 2]]
+        kinds = {"memoryview": memoryview(squares), "array": Alike(), "lists": squares.tolist(), "VTK": np.insert(squares, 0, 4, axis=1).ravel(),
+                 "VTK, narrow": np.insert(squares, 0, 4, axis=1).ravel().astype(np.uint8), "VTK, mixed": np.concatenate(mixed),
+                 "generators": (iter(face) for face in squares.tolist())}
+        if hasattr(np, "from_dlpack"):
+            kinds["DLPack"] = Exporter()
+        for name, faces in kinds.items():
+            result = dfs.delaunay3(points, faces, inside=True)
+            np.testing.assert_array_equal(result.points[result.simplices[result.inside]].sum(axis=(0, 1)),
+                                          expected.points[expected.simplices[expected.inside]].sum(axis=(0, 1)), name)
+        for faces in (np.array([3, 0, 1]), np.array([0, 0, 1, 2]), np.array([3, 0, 1, 2, 9, 1]), np.array([-3, 0, 1, 2])):
+            with self.assertRaisesRegex(ValueError, r"faces: expected an array of shape \(m, k\), got .*nor is it one of VTK's"):
+                dfs.delaunay3(points, faces)
+
+    def test_points_of_many_kinds(self):
+        points = random_points(40)
+        records = np.zeros(40, dtype=[("x", float), ("y", np.float32), ("z", float)])
+        exact = points.copy()
+        exact[:, 1] = points[:, 1].astype(np.float32)
+        for k, name in enumerate("xyz"):
+            records[name] = exact[:, k]
+
+        class Exporter:
+            def __dlpack__(self, **keywords):
+                return exact.__dlpack__(**keywords)
+
+            def __dlpack_device__(self):
+                return exact.__dlpack_device__()
+        kinds = {"records": records, "generator": (tuple(p) for p in exact), "map": map(list, exact.tolist()), "memoryview": memoryview(exact)}
+        if hasattr(np, "from_dlpack"):
+            kinds["DLPack"] = Exporter()
+        expected = dfs.delaunay3(exact).simplices
+        for name, some in kinds.items():
+            np.testing.assert_array_equal(dfs.delaunay3(some).simplices, expected, name)
+        with self.assertRaisesRegex(ValueError, r"points: expected an array of shape \(n, 3\), got \(40, 2\)"):
+            dfs.delaunay3(records[["x", "z"]])
+
+    def test_a_daemon_at_the_end(self):
+        """The interpreter ends while a thread of its own is in the middle of a call, and of the next one."""
+        program = ("import threading, time, numpy as np, delaunay_from_surface as dfs\n"
+                   "p = np.random.default_rng(0).random((30000, 3))\n"
+                   "def work():\n"
+                   "    while True:\n"
+                   "        t = dfs.delaunay3(p, progress={progress}); t.check()\n"
+                   "threading.Thread(target=work, daemon=True).start()\n"
+                   "time.sleep({sleep})\n")
+        for progress, sleep in (("None", .05), ("lambda share: True", .1), ("None", .2)):
+            done = subprocess.run([sys.executable, "-c", program.format(progress=progress, sleep=sleep)], capture_output=True, check=False)
+            self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+    def test_files_of_any_name(self):
+        """Those whose names are no text, and those that are not there."""
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(os.fsencode(folder), b"p\xff.npy")
+            with open(name, "wb") as stream:
+                np.save(stream, random_points(300))
+            for file in (name, os.fsdecode(name), Path(os.fsdecode(name))):
+                self.assertEqual(dfs.delaunay3_tiles(file, os.path.join(folder, "tiles"), tiles=2).report["points"], 300)
+            with open(name, "wb") as stream:
+                stream.write(b"nothing")
+            with self.assertRaisesRegex(OSError, "p\udcff.npy: "):
+                dfs.delaunay3_tiles(name, os.path.join(folder, "others"), tiles=2)
+            with self.assertRaises(FileNotFoundError) as caught:
+                dfs.delaunay3_tiles(os.path.join(folder, "missing.npy"), os.path.join(folder, "none"))
+            self.assertIn("missing.npy", str(caught.exception))
+            self.assertFalse(os.path.exists(os.path.join(folder, "none")))
         self.refuses(TypeError, "order: expected an InsertionOrder, got int", random_points(5), order=3)
         for seed in (-1, 2 ** 32):
             self.refuses(ValueError, "seed: expected a whole number from 0 to 4294967295", random_points(5), seed=seed)

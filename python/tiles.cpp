@@ -4,6 +4,7 @@
 
 // Tiles out of core: from files to files, so nothing but names and numbers crosses.
 
+#include "Unlocked.h"
 #include "Interruptible_watcher.h"
 #include "functions.h"
 
@@ -45,20 +46,26 @@ struct Run
   }
 };
 
+// The text may have the name of a file, which is not always UTF-8.
+void set_error(PyObject* type, const char* what)
+{
+  PyErr_SetObject(type, py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(what)).ptr());
+}
+
 // f(), which has no interpreter lock; what it throws is one of Python's exceptions.
 template <class F>
 auto without_lock(const F& f)
 {
   try {
-    const py::gil_scoped_release unlocked;
+    const python::Unlocked unlocked;
     return f();
   } catch (const CGAL::Tiles_stopped&) {
     PyErr_SetString(py::module_::import("delaunay_from_surface").attr("Stopped").ptr(),
                     "progress returned False");
   } catch (const CGAL::Tile_files_error& error) {
-    PyErr_SetString(PyExc_OSError, error.what());
+    set_error(PyExc_OSError, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
-    PyErr_SetString(PyExc_OSError, error.what());
+    set_error(PyExc_OSError, error.what());
   } catch (const core::Tile_too_large& error) {
     PyErr_SetString(PyExc_MemoryError, error.what());
   } catch (const std::bad_alloc&) {
@@ -75,7 +82,7 @@ py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::strin
   const CGAL::Tiles_report report = without_lock([&] {
     Run run(files, tiles, memory, workers);
     run.options.progress = [&](const char* what, std::size_t done, std::size_t all) {
-      const py::gil_scoped_acquire lock;
+      const python::Locked lock;
       if (PyErr_CheckSignals() != 0)
         throw py::error_already_set();
       return progress.is_none() || !python::says_no(progress(what, done, all));

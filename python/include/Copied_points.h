@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_COPIED_POINTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_COPIED_POINTS_H
 
+#include "Unlocked.h"
 #include "numpy_ranges.h"
 
 #include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
@@ -35,7 +36,7 @@ public:
   Point_array points() override
   {
     if (m_copy.empty() && m_size > 0) {
-      const py::gil_scoped_acquire lock;
+      const Locked lock;
       copy_points(m_view, m_size, "points: point", m_copy);
     }
     return Point_array(m_copy.data(), m_size);

@@ -5,6 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_WATCHER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_WATCHER_H
 
+#include "Unlocked.h"
+
 #include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 
@@ -67,7 +69,7 @@ public:
     if (!m_clock.is_time())
       return true;
     return m_rounding.in_mode_of_caller([&] {
-      const py::gil_scoped_acquire lock;
+      const Locked lock;
       if (PyErr_CheckSignals() != 0)
         throw py::error_already_set();
       return m_progress.is_none() || is_content(double(inserted));

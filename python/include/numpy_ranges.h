@@ -148,12 +148,29 @@ inline void refuse_mask(const std::string& name, const py::object& object)
     throw py::value_error(name + ": a masked array is not read; leave out what is masked");
 }
 
-// What NumPy makes an array of; why it does not is the cause of the exception.
+// What NumPy makes an array of: what can be read only once is put into a list, and what has nothing but
+// the protocol of DLPack is asked by that.
+inline py::object array_or_alike(const py::object& object)
+{
+  const py::module_ numpy = py::module_::import("numpy");
+  if (py::isinstance<py::iterator>(object))
+    return numpy.attr("asanyarray")(py::list(object));
+  if (py::hasattr(object, "__dlpack__") && !py::hasattr(object, "__array__") &&
+      py::hasattr(numpy, "from_dlpack"))
+    return numpy.attr("from_dlpack")(object);
+  const py::object array = numpy.attr("asanyarray")(object);
+  if (array.attr("dtype").attr("names").is_none())
+    return array;
+  // Records, such as those of fields x, y and z.
+  return py::module_::import("numpy.lib.recfunctions").attr("structured_to_unstructured")(array);
+}
+
+// The same as an array; why there is none is the cause of the exception.
 inline py::array array_from_any(const std::string& name, const py::object& object,
                                 const std::string& what)
 {
   try {
-    return py::array(py::module_::import("numpy").attr("asanyarray")(object));
+    return py::array(array_or_alike(object));
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError) &&
         !error.matches(PyExc_RuntimeError))
@@ -220,20 +237,50 @@ void refuse_wrapped(const View& view, std::size_t rows, std::size_t columns)
                               std::to_string(std::uint64_t(view(i, j))) + " is too large");
 }
 
+// Faces as VTK has them in one array: before the indices of each it says how many there are.
+inline std::vector<std::vector<std::int64_t>> faces_of_vtk(const py::array& array)
+{
+  const auto n = std::size_t(array.shape(0));
+  const py::array row = py::array(array.attr("reshape")(1, -1).attr("copy")("C"));
+  const Matrix_view<std::int64_t, std::int32_t> view(row);
+  std::vector<std::vector<std::int64_t>> faces;
+  for (std::size_t i = 0; i < n;) {
+    const std::int64_t size = view(0, i);
+    if (size < 1 || std::uint64_t(size) >= n - i)
+      throw py::value_error("faces: expected an array of shape (m, k), got " + shape_of(array) +
+                            "; nor is it one of VTK's, with the number of indices before those of "
+                            "each face: face " +
+                            std::to_string(faces.size()) + " would have " + std::to_string(size));
+    faces.emplace_back();
+    for (++i; faces.back().size() < std::size_t(size); ++i)
+      faces.back().push_back(view(0, i));
+  }
+  return faces;
+}
+
+// Whether an object is not an array, but is read as one.
+inline bool is_array_alike(const py::object& object)
+{
+  return py::isinstance<py::memoryview>(object) || py::hasattr(object, "__array__") ||
+         py::hasattr(object, "__dlpack__");
+}
+
 // Calls f(faces) with a range of ranges of indices.
 template <class F>
 auto with_faces(const py::object& object, const F& f)
 {
   refuse_mask("faces", object);
-  if (py::isinstance<py::array>(object)) {
+  if (py::isinstance<py::array>(object) || is_array_alike(object)) {
     const py::array array = array_of("faces", object, "iu", "integers", "int64");
+    if (array.ndim() == 1)
+      return f(faces_of_vtk(array));
     if (array.ndim() != 2)
       throw py::value_error("faces: expected an array of shape (m, k), got " + shape_of(array));
     // A copy: what another thread writes meanwhile is not read.
     const py::array rows = py::array(array.attr("copy")("C"));
     const Matrix_view<std::int64_t, std::int32_t> view(rows);
     const auto n = std::size_t(array.shape(0)), k = std::size_t(array.shape(1));
-    if (py::array(object).dtype().kind() == 'u')
+    if (array_from_any("faces", object, "integers").dtype().kind() == 'u')
       refuse_wrapped(view, n, k);
     return f(Indexed_range(n, [=](std::size_t row) {
       return Indexed_range(k, [=](std::size_t column) { return view(row, column); });

@@ -107,20 +107,18 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     if inside:
         if faces is None:
             raise ValueError("inside: there are no faces")
-        if not isinstance(faces, np.ndarray):
+        if not (isinstance(faces, memoryview) or hasattr(faces, "__array__") or hasattr(faces, "__dlpack__")):
             faces = _kept(faces)
     if order is not None and not isinstance(order, InsertionOrder):
         raise TypeError(f"order: expected an InsertionOrder, got {type(order).__name__}")
     simplices, across, vertices, dimension = _core.delaunay3(array, faces, neighbors, chosen, progress, number, order)
-    result = Delaunay3(array, simplices, across, vertices, dimension, number)
-    if faces is not None and inside:
-        if across is None:
-            across = _core.neighbors(simplices, len(array), number)
-        result.winding_numbers, figures, warning = _core.winding_numbers(array, simplices, across, vertices, faces, number)
-        result.inside_figures = InsideFigures(*figures)
-        if warning:
-            warnings.warn(f"inside: {warning}", stacklevel=2)
-    return result
+    if faces is None or not inside:
+        return Delaunay3(array, simplices, across, vertices, dimension, number)
+    neighbors_of = _core.neighbors(simplices, len(array), number) if across is None else across
+    winding_numbers, figures, warning = _core.winding_numbers(array, simplices, neighbors_of, vertices, faces, number)
+    if warning:
+        warnings.warn(f"inside: {warning}", stacklevel=2)
+    return Delaunay3(array, simplices, across, vertices, dimension, number, winding_numbers, InsideFigures(*figures))
 
 
 def _kept(faces: Iterable[Iterable[SupportsIndex]]) -> List[Tuple[SupportsIndex, ...]]:

@@ -10,8 +10,9 @@ stage, and that it is done. A task may be done again, by any worker; a dead one 
 
 from __future__ import annotations
 
+import contextlib
 import os
-import shutil
+import re
 import uuid
 from pathlib import Path
 from typing import Any, Dict, Iterable, List, Optional, SupportsIndex, Tuple, Union
@@ -106,9 +107,9 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
     """
     number = number_of_tiles(tiles)
     how = bytes_of(memory), vtu
-    folder = os.fspath(output)
+    folder = os.fsdecode(output)
     files = _files_of(points, client, folder)
-    run = _Run(client, (files, folder), how)
+    run = _Run(client, (files, folder), how, files if hasattr(points, "to_delayed") else [])
     run.to_the_end(number)
     report, numbers = run.call("report", _report, folder)
     return DaskTiles(folder, report, numbers)
@@ -117,8 +118,9 @@ def delaunay3_dask(points: Any, client: Any, output: Place, *, memory: Union[int
 class _Run:
     """The stages of a run, one after the other: the driver is the folder's state, the client hands out its tasks."""
 
-    def __init__(self, client: Any, places: Tuple[List[str], str], how: Tuple[int, bool]) -> None:
-        self.client, self.places, self.how = client, places, how
+    def __init__(self, client: Any, places: Tuple[List[str], str], how: Tuple[int, bool], written: List[str]) -> None:
+        """`written`: files of points that are not the caller's."""
+        self.client, self.places, self.how, self.written = client, places, how, written
 
     def call(self, name: str, function: Any, *arguments: Any) -> Any:
         """What one worker returns: it, too, may die and be replaced."""
@@ -133,7 +135,7 @@ class _Run:
                     return
                 more = self.stage(number, stage, tiles, starts_again)
             except ValueError:  # of a refused input nothing is left
-                self.call("forget", _forget_input, self.places[1])
+                self.call("forget", _forget_input, self.places[1], self.written)
                 raise
             if more > tiles_now:
                 self.call("begin again", _forget, self.places[1])
@@ -151,33 +153,42 @@ class _Run:
             raise
 
 
+def _names_of(files: List[str], folder: str) -> Tuple[List[bytes], bytes]:
+    return [os.fsencode(file) for file in files], os.fsencode(folder)
+
+
 # Functions of an extension cannot be sent to workers; these can.
-def _next(*arguments: Any) -> Tuple[int, str, int]:
-    number, stage, tiles = _core.next_of_tiles(*arguments)
+def _next(files: List[str], folder: str, *how: Any) -> Tuple[int, str, int]:
+    number, stage, tiles = _core.next_of_tiles(*_names_of(files, folder), *how)
     return number, stage, tiles
 
 
 def _forget(folder: str) -> None:
-    _core.forget_tiles(folder)
+    _core.forget_tiles(os.fsencode(folder))
 
 
-def _forget_input(folder: str) -> None:
-    """And what was written of an array."""
-    _core.forget_tiles(folder)
-    shutil.rmtree(Path(folder) / "points", ignore_errors=True)
+def _forget_input(folder: str, written: List[str]) -> None:
+    """And what was written of an array: these files, and nothing that others have beside them."""
+    _core.forget_tiles(os.fsencode(folder))
+    for file in written:
+        Path(file).unlink(missing_ok=True)
+    if written:
+        (Path(folder) / "points" / "name").unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            (Path(folder) / "points").rmdir()
 
 
 def _do_task(k: int, places: Tuple[List[str], str], tiles: int, how: Tuple[int, bool], starts_again: bool) -> int:
-    return int(_core.do_task_of_tiles(*places, tiles, *how, k, starts_again))
+    return int(_core.do_task_of_tiles(*_names_of(*places), tiles, *how, k, starts_again))
 
 
 def _files_of(points: Any, client: Any, folder: str) -> List[str]:
-    if isinstance(points, (str, os.PathLike)):
-        return [os.fspath(points)]
+    if isinstance(points, (str, bytes, os.PathLike)):
+        return [os.fsdecode(points)]
     if not hasattr(points, "to_delayed"):
         if isinstance(points, np.ndarray) or not isinstance(points, Iterable):
             raise TypeError("points: files or a dask.array are needed; dask.array.from_array makes one of NumPy's")
-        return [os.fspath(file) for file in points]
+        return [os.fsdecode(file) for file in points]
     return _write_array(points, client, Path(folder) / "points")
 
 
@@ -205,6 +216,8 @@ def _claim(folder: str, name: str) -> None:
     note = Path(folder) / "name"
     note.parent.mkdir(parents=True, exist_ok=True)
     if not note.exists():
+        if any(re.fullmatch(r"[0-9]{5,}\.npy", file.name) for file in note.parent.iterdir()):
+            raise OSError(f"{folder}: has files of points that are not of this array: name another folder for the tiles")
         aside = note.with_name(f"name-{uuid.uuid4()}.unfinished")
         aside.write_text(name, encoding="utf-8")
         os.replace(aside, note)

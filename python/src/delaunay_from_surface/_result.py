@@ -120,7 +120,13 @@ class Delaunay3:
         self.inside_figures = inside_figures
         self._threads = threads
         if neighbors is not None:
-            self.neighbors = neighbors
+            self.__dict__["neighbors"] = neighbors  # it need not be computed
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Each once: what is computed from one is kept, and would not be that of another."""
+        if name in self.__dict__ or hasattr(type(self), name):
+            raise AttributeError(f"{name}: a triangulation does not change: make another one")
+        super().__setattr__(name, value)
 
     def __repr__(self) -> str:
         return f"<Delaunay3: {self.npoints} points, {self.nsimplex} {NAMES[self.dimension]}>"

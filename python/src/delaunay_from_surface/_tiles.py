@@ -10,9 +10,8 @@ import json
 import numbers
 import os
 import re
-import sys
 from pathlib import Path
-from typing import Any, Callable, Dict, Iterable, Iterator, NamedTuple, Optional, SupportsIndex, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 
@@ -20,7 +19,7 @@ from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads, whole_number
 from ._types import Places, Reals
 
-Place = Union[str, "os.PathLike[str]"]
+Place = Union[str, bytes, "os.PathLike[str]"]
 
 
 class Tile(NamedTuple):
@@ -42,7 +41,7 @@ class Tiles:
     """
 
     def __init__(self, folder: Place) -> None:
-        self.folder = Path(folder)
+        self.folder = Path(os.fsdecode(folder))
         report = self.folder / "tiles.json"
         if not report.is_file():
             raise FileNotFoundError(f"{report}: there is none, so no run has ended there")
@@ -88,6 +87,14 @@ def number_of_tiles(tiles: Optional[SupportsIndex]) -> int:
     return 0 if tiles is None else whole_number("tiles", tiles, 1, 10**6)
 
 
+def names_of(files: Iterable[Place]) -> List[bytes]:
+    """The names of files that are there, whatever bytes they have."""
+    names = [os.fsencode(file) for file in files]
+    for name in names:
+        os.stat(name)  # FileNotFoundError says which one is not there
+    return names
+
+
 def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memory: Union[int, str] = "4G",
                     tiles: Optional[SupportsIndex] = None, workers: Optional[SupportsIndex] = 1, vtu: bool = False,
                     progress: Optional[Callable[[str, int, int], object]] = None) -> Tiles:
@@ -119,6 +126,8 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
 
     Raises
     ------
+    FileNotFoundError
+        If one of the files is not there.
     OSError
         If a file cannot be read or written, or is not what it should be, or the folder is that of another input.
     ValueError
@@ -126,9 +135,9 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
     MemoryError
         If a tile keeps more points than it may, and more tiles do not help or their number was given.
     """
-    names = [os.fspath(file) for file in ([files] if isinstance(files, (str, os.PathLike)) else files)]
+    names = names_of([files] if isinstance(files, (str, bytes, os.PathLike)) else files)
     if not names:
         raise ValueError("files: there is none")
-    number = number_of_threads("workers", workers, most=sys.maxsize)
-    _core.delaunay3_tiles(names, os.fspath(output), number_of_tiles(tiles), bytes_of(memory), number, vtu, progress)
+    number = number_of_threads("workers", workers, most=None)
+    _core.delaunay3_tiles(names, os.fsencode(output), number_of_tiles(tiles), bytes_of(memory), number, vtu, progress)
     return Tiles(output)
