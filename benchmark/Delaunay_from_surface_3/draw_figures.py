@@ -8,26 +8,29 @@
   draw_figures.py [FOLDER]      where they go; default: where the manual has them
 """
 
+import argparse
 import sys
 from pathlib import Path
-
-import paper_tables
-import speed_plots
-from manual_tables import read
 
 HERE = Path(__file__).resolve().parent
 MOST_BYTES = 30000
 
-FIGURES = [  # file, name of the results, and what draws it
-    ("times.svg", "calls_256k", speed_plots.draw_times),
-    ("where_time_goes.svg", "compare_64k", speed_plots.draw_where_time_goes),
-    ("paper_work.svg", "total_work", paper_tables.draw_work),
-]
+
+def figures():
+    """For each the file, the name of the results, and what draws it, which needs Matplotlib."""
+    import paper_tables
+    import speed_plots
+    return [("times.svg", "calls_256k", speed_plots.draw_times),
+            ("where_time_goes.svg", "compare_64k", speed_plots.draw_where_time_goes),
+            ("paper_work.svg", "total_work", paper_tables.draw_work)]
 
 
 def main():
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parents[1] / "doc/Delaunay_from_surface_3/fig"
-    for name, results, draw in FIGURES:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", type=Path, default=HERE.parents[1] / "doc/Delaunay_from_surface_3/fig")
+    folder = parser.parse_args().folder
+    from manual_tables import read
+    for name, results, draw in figures():
         draw(read(HERE / f"results/{results}.json"), folder / name)
         size = (folder / name).stat().st_size
         print(f"{name}: {size} bytes")

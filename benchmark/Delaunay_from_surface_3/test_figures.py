@@ -7,6 +7,7 @@ drawn from the results."""
 
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -52,6 +53,13 @@ class Figures(unittest.TestCase):
         in_readme = {(ROOT / path).resolve() for _, path in images_of_readme()}
         there = {path for path in FIGURES.iterdir() if path.suffix in (".svg", ".webp", ".png")}
         self.assertEqual({FIGURES / name for name in shown} | in_readme, there)
+
+    def test_help_without_matplotlib(self):
+        """With nothing but Python's own modules."""
+        for option in ("--help", "-h"):
+            done = subprocess.run([sys.executable, "-S", "-B", HERE / "draw_figures.py", option], text=True, capture_output=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("Draws the plots", done.stdout)
 
     def test_plots_are_drawn(self):
         python = python_with("matplotlib")

@@ -353,6 +353,24 @@ class Output(ProgramCase):
         marks = marks.split("SCALARS")[0].split()
         self.assertEqual((set(marks), marks.count("1") in (5, 6)), ({"0", "1"}, True))
 
+    def test_points_of_other_programs(self):
+        """Names of columns are passed over; molecules, strips and what is compressed are refused with what to do."""
+        corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
+        for k, first in enumerate(("//X Y Z", "// X Y Z R G B", "x y z", "X Y Z Nx Ny Nz", "//")):
+            self.write("named.xyz", *([first] if k < 4 else [first, "4"]), *corners)
+            self.works("named.xyz", "--quiet", "--json", prints=[r'"finite cells": 1\b'])
+        for count, comment, atoms in (("4", "water, and more", ["C 0 0 0", "H 1 0 0", "He 0 1 0", "O 0 0 1"]),
+                                      (" 4 ", "0 0 0", [f"Na {c} 0.5" for c in corners]), ("2", "", ["C1 0 0 0", "C2 1 1e-3 1"])):
+            self.write("atoms.xyz", count, comment, *atoms)
+            self.refuses(r"atoms.xyz: cannot be read as .xyz: it is a molecule, .*; remedy: .*tail -n \+3 FILE \| awk", "atoms.xyz")
+        self.write("strips.ply", *PLY_VERTICES, "element tristrips 1", "property list int int vertex_indices", "end_header",
+                   *corners, "4 0 1 2 3")
+        self.refuses("strips.ply: cannot be read as .ply: its triangles are in strips, .*; remedy: export it with faces", "strips.ply")
+        for name, remedy in (("a.obj.gz", r"zcat a.obj.gz \| delaunay_from_surface - --from obj"), ("b.gz", "zcat b.gz .* --from FORMAT"),
+                             ("c.ply.bz2", "bzcat c.ply.bz2 .* --from ply"), ("d.STL.XZ", "xzcat d.STL.XZ .* --from stl")):
+            self.write(name, "anything")
+            self.refuses(f"{name}: is compressed; remedy: {remedy}", name)
+
     def test_no_inside(self):
         """What is not closed is counted, and placed."""
         sides = ["3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3"]

@@ -183,6 +183,29 @@ function finish() {
         self.assertEqual(steps[0]["sum"], steps[1]["sum"])
         self.assertGreater(steps[0]["colours"], 20)
 
+    def test_no_frame_is_black(self):
+        """Whoever changes the canvas' size has cleared it: it is drawn before the next frame, which may show it."""
+        page = self.write_page(TORUS).replace("<head>\n", "<head>\n" + LISTEN, 1)
+        script = REPORT.replace("<script>\n", """<script>
+// Called behind the page's own observer, when the browser has laid out a frame; it asks for no more frames itself.
+window.requestAnimationFrame = () => 0;
+new ResizeObserver(() => {
+  look("observed");
+  if (steps.length === 1)
+    setTimeout(() => { element("canvas").style.width = "200px"; }, 50);
+  else
+    finish();
+}).observe(element("canvas"));
+function finish() {
+""", 1).replace("</script>", "}\n</script>")
+        (self.folder / "observed.html").write_text(page.replace("</body>", LOOK + script + "</body>"))
+        steps = report_in(chromium(self.folder, "--window-size=420,600", "--virtual-time-budget=5000", "--dump-dom",
+                                   f"file://{self.folder}/observed.html"))["steps"]
+        self.assertEqual(len(steps), 2)
+        for step in steps:
+            self.assertGreater(step["colours"], 20, step)
+        self.assertNotEqual(steps[0]["width"], steps[1]["width"])
+
     @staticmethod
     def cells_cut(arrays, share):
         heights = arrays["points"][0::3]

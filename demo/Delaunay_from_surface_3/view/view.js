@@ -277,7 +277,7 @@ function listen() {
     input.addEventListener("change", () => cutAlong(input.value));
   window.addEventListener("keydown", pressKey);
   followPointers($("canvas"));
-  new ResizeObserver(fitWindow).observe($("canvas"));
+  new ResizeObserver(() => { fitWindow(), draw(); }).observe($("canvas")); // which has cleared it: no frame may come between
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", paint);
   // What was drawn before may be gone: sizes and styles come late, and a graphics card may be taken away for a while.
   window.addEventListener("load", () => { fitWindow(), draw(); });

@@ -38,6 +38,9 @@ public:
         read_vertices(element, soup);
       else if (element.name == "face" || element.name == "faces")
         read_faces(element, soup);
+      else if (element.name == "tristrips" && element.count > 0)
+        throw Bad_content("its triangles are in strips, which are not read; remedy: export it with "
+                          "faces, for instance by MeshLab");
       else if (!element.properties.empty())
         for (std::size_t i = 0; i < element.count; ++i)
           read_item(element, [](std::size_t, double) {});

@@ -93,6 +93,16 @@ inline Polygon_soup read_polygon_soup(const std::string& file_name, std::string 
 {
   if (format.empty())
     format = file_extension(file_name);
+  if (format == "gz" || format == "bz2" || format == "xz" || format == "zst") {
+    const std::string inner = file_extension(std::filesystem::path(file_name).stem().string());
+    throw std::runtime_error(file_name + ": is compressed; remedy: " +
+                             (format == "gz"    ? "zcat"
+                              : format == "bz2" ? "bzcat"
+                              : format == "xz"  ? "xzcat"
+                                                : "zstdcat") +
+                             " " + file_name + " | delaunay_from_surface - --from " +
+                             (is_format_read(inner) ? inner : "FORMAT"));
+  }
   if (!is_format_read(format))
     throw std::runtime_error(file_name + ": unknown extension; " + formats_read + " are read");
   const std::string content =

@@ -67,7 +67,9 @@ public:
     }
   }
 
-  /// returns a number derived from the sizes of the files and their times of last modification.
+  /// returns a number derived from the sizes of the files and their times of last modification. A file
+  /// that has been changed and has both as before is only recognized if one of 64 points, which are
+  /// compared as well, has changed.
   std::uint64_t stamp() const override
   {
     std::uint64_t stamp = 0;
