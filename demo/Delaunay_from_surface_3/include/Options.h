@@ -70,6 +70,8 @@ inline std::string input_format(const Options& options)
     throw std::runtime_error("the standard input needs '--from': no extension says the format");
   const std::string format =
       options.from.empty() ? files::file_extension(options.input) : options.from;
+  if (options.from.empty())
+    files::refuse_compressed(options.input, format);
   if (!files::is_format_read(format))
     throw std::runtime_error(
         (options.from.empty() ? options.input + ": unknown extension; "

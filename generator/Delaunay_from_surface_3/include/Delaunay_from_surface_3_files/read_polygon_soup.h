@@ -34,6 +34,19 @@ inline bool is_format_read(const std::string& format)
          format == "xyz" || format == "pts";
 }
 
+// Says how to read what is compressed.
+inline void refuse_compressed(const std::string& file_name, const std::string& format)
+{
+  static constexpr const char* commands[][2] = {
+      {"gz", "zcat"}, {"bz2", "bzcat"}, {"xz", "xzcat"}, {"zst", "zstdcat"}};
+  const std::string inner = file_extension(std::filesystem::path(file_name).stem().string());
+  for (const auto& [extension, command] : commands)
+    if (format == extension)
+      throw std::runtime_error(file_name + ": is compressed; remedy: " + command + " " + file_name +
+                               " | delaunay_from_surface - --from " +
+                               (is_format_read(inner) ? inner : "FORMAT"));
+}
+
 // All that comes from the standard input.
 inline std::string content_of_standard_input()
 {
@@ -93,16 +106,7 @@ inline Polygon_soup read_polygon_soup(const std::string& file_name, std::string 
 {
   if (format.empty())
     format = file_extension(file_name);
-  if (format == "gz" || format == "bz2" || format == "xz" || format == "zst") {
-    const std::string inner = file_extension(std::filesystem::path(file_name).stem().string());
-    throw std::runtime_error(file_name + ": is compressed; remedy: " +
-                             (format == "gz"    ? "zcat"
-                              : format == "bz2" ? "bzcat"
-                              : format == "xz"  ? "xzcat"
-                                                : "zstdcat") +
-                             " " + file_name + " | delaunay_from_surface - --from " +
-                             (is_format_read(inner) ? inner : "FORMAT"));
-  }
+  refuse_compressed(file_name, format);
   if (!is_format_read(format))
     throw std::runtime_error(file_name + ": unknown extension; " + formats_read + " are read");
   const std::string content =
