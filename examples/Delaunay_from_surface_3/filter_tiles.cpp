@@ -18,6 +18,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <random>
+#include <string>
 #include <vector>
 
 using Vector = std::array<double, 3>;
@@ -71,9 +73,13 @@ double part_of_voronoi_cell(const Vector& a, const Vector& b, const Vector& c)
 int main(int argc, char* argv[])
 {
   const std::size_t side = argc > 1 ? std::size_t(std::atoi(argv[1])) : 20;
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "filter_tiles";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const std::filesystem::path folder = // one that nobody else has
+      std::filesystem::temp_directory_path() /
+      ("filter_tiles-" + std::to_string(std::random_device()()));
+  if (!std::filesystem::create_directory(folder)) {
+    std::cerr << folder << " is there already\n";
+    return EXIT_FAILURE;
+  }
   {
     std::ofstream file(folder / "lattice.raw", std::ios::binary);
     for (std::size_t i = 0; i < side * side * side; ++i) {

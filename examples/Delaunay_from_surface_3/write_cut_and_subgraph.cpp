@@ -17,10 +17,12 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <system_error>
 #include <vector>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -87,6 +89,11 @@ int main(int argc, char** argv)
   }
 
   const std::string file_name = argc > 2 ? argv[2] : "cut_and_subgraph.vtk";
+  std::error_code is_not_there;
+  if (std::filesystem::equivalent(surface, file_name, is_not_there)) {
+    std::cerr << file_name << " is the surface, and would be overwritten\n";
+    return EXIT_FAILURE;
+  }
   if (!write_vtk(file_name, mesh, subgraph, cut)) {
     std::cerr << "Cannot write " << file_name << '\n';
     return EXIT_FAILURE;
