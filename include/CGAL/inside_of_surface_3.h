@@ -52,7 +52,7 @@ files in \ref dfs_inside "the user manual" it separates solids without a deck fr
 tubes.)
 
 A patch, a sheet, a Möbius strip and points alone have no inside. Nor has a surface with a part that is
-closed and not orientable, or one whose faces cancel each other.
+not orientable, or one whose faces cancel each other.
 
 <b>Complexity</b>: \f$O((n + m) \log n)\f$ for n faces and m tetrahedra if the surface is spread
 evenly.

@@ -91,7 +91,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         seed or the number of threads is out of range. If `inside` is asked of a surface that has none: less volume is
         surely inside, with a number near a whole one other than 0, than in doubt, and its openings have more than 3/10
         of its area, or there are several wide ones. So it is with patches, sheets and short tubes. It has none, either,
-        if it is closed and not orientable, or its faces cancel each other.
+        if a part of it is not orientable, or its faces cancel each other.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError

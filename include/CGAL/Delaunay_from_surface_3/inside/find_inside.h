@@ -242,12 +242,11 @@ std::vector<Open_edge> orient(Triangles_of_faces& surface, std::size_t n, const 
                               Inside_3& inside)
 {
   Sides sides(surface.triangles, n);
-  const Not_orientable not_orientable = turn_alike(sides, point_of);
-  if (not_orientable.is_any_closed)
-    throw Surface_input_error("the surface has no inside: it is not orientable; remedy: cut it "
-                              "open where its sides meet, "
-                              "or leave out the faces of such parts, of which there are " +
-                              std::to_string(not_orientable.number));
+  if (const std::size_t number = turn_alike(sides, point_of); number > 0)
+    throw Surface_input_error(
+        "the surface has no inside: it is not orientable, as a Möbius strip or Klein's bottle is "
+        "not; remedy: cut it open, or leave out the faces of such parts, of which there are " +
+        std::to_string(number));
   std::vector<Open_edge> open = open_edges(sides);
   inside.number_of_turned = surface.turn(sides);
   return open;

@@ -91,22 +91,22 @@ private:
   Lists<std::uint32_t> m_lists;
 };
 
-// For each side the other one of its edge; `border` if there is none, `crowded` if there are more.
+// For each side the other one of its edge; `none` if there is none, or more than one.
 class Other_sides
 {
 public:
-  static constexpr std::uint32_t crowded = std::uint32_t(-1), border = crowded - 1;
+  static constexpr std::uint32_t none = std::uint32_t(-1);
 
   explicit Other_sides(const Sides& sides)
-    : m_others(3 * sides.triangles().size(), crowded)
+    : m_others(3 * sides.triangles().size(), none)
   {
     sides.for_each_edge([&](std::size_t, std::size_t, const std::vector<std::uint32_t>& of_edge) {
       const std::uint32_t s = of_edge.front(), t = of_edge.back();
-      if (of_edge.size() > 2)
+      if (of_edge.size() != 2)
         return;
-      m_others[s] = of_edge.size() == 2 ? t : border;
-      m_others[t] = of_edge.size() == 2 ? s : border;
-      m_do_agree = m_do_agree && (s == t || sides.ends(s)[0] == sides.ends(t)[1]);
+      m_others[s] = t;
+      m_others[t] = s;
+      m_do_agree = m_do_agree && sides.ends(s)[0] == sides.ends(t)[1];
     });
   }
 
@@ -120,25 +120,18 @@ private:
   bool m_do_agree = true;
 };
 
-// Components that are not orientable.
-struct Not_orientable
-{
-  std::size_t number = 0;
-  bool is_any_closed = false; // whether one of them has no edge with a single triangle
-};
-
 // Turns triangles so that those agree that are joined by edges with two triangles: in a component that
 // is not coherent, those that disagree with most of its area. Where both sides have the same area, as
 // halves of a sphere, those are turned by which it has a positive volume. A component that is coherent
-// stays: if it looks inwards, it is the wall of a cavity. So does what is not orientable. point_of(v)
-// are coordinates that need no care. Linear.
+// stays: if it looks inwards, it is the wall of a cavity. So does what is not orientable; returns how many
+// components are not. point_of(v) are coordinates that need no care. Linear.
 template <class PointOf>
-Not_orientable turn_alike(Sides& sides, const PointOf& point_of)
+std::size_t turn_alike(Sides& sides, const PointOf& point_of)
 {
-  Not_orientable result;
+  std::size_t not_orientable = 0;
   const Other_sides others(sides);
   if (others.do_agree())
-    return result;
+    return not_orientable;
   const std::vector<Corners>& triangles = sides.triangles();
   std::vector<signed char> kind(triangles.size(),
                                 -1); // whether it disagrees with the first; -1: unseen
@@ -146,7 +139,7 @@ Not_orientable turn_alike(Sides& sides, const PointOf& point_of)
   for (std::size_t first = 0; first < triangles.size(); ++first) {
     if (kind[first] >= 0)
       continue;
-    bool is_orientable = true, is_closed = true;
+    bool is_orientable = true;
     double areas[2] = {0, 0}, volume = 0; // volume: if those of kind 1 are turned
     kind[first] = 0;
     component.assign(1, std::uint32_t(first));
@@ -158,8 +151,7 @@ Not_orientable turn_alike(Sides& sides, const PointOf& point_of)
       areas[kind[t]] += std::sqrt(dot(n, n));
       volume += (kind[t] == 0 ? 1 : -1) * dot(n, p);
       for (std::size_t s = 3 * t; s < 3 * t + 3; ++s) {
-        is_closed = is_closed && others[s] != Other_sides::border;
-        if (others[s] >= Other_sides::border)
+        if (others[s] == Other_sides::none)
           continue;
         const std::uint32_t u = others[s] / 3;
         const bool agrees = sides.ends(s)[0] == sides.ends(others[s])[1];
@@ -172,8 +164,7 @@ Not_orientable turn_alike(Sides& sides, const PointOf& point_of)
       }
     }
     if (!is_orientable) {
-      ++result.number;
-      result.is_any_closed = result.is_any_closed || is_closed;
+      ++not_orientable;
       continue;
     }
     const bool are_equal = std::abs(areas[0] - areas[1]) <= 1e-9 * areas[0];
@@ -183,7 +174,7 @@ Not_orientable turn_alike(Sides& sides, const PointOf& point_of)
         if (kind[t] == to_turn)
           sides.turn(t);
   }
-  return result;
+  return not_orientable;
 }
 
 struct Open_edge
