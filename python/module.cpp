@@ -131,7 +131,6 @@ py::tuple triangulated(const py::array& array, const py::object& faces, bool nei
   python::Copied_points points(array);
   core::Soup_edges soup = edges_of(faces, points.size(), executor);
   core::Order_request request;
-  request.kind = soup.lower.items.empty() ? core::Order_request::SPACED : core::Order_request::NETS;
   request.seed = seed;
   core::Given_edges edges(std::move(soup.lower));
   auto orders = core::order_of_core(request, edges);

@@ -127,7 +127,6 @@ Arrays built_of(const core::Point_array& points,
                 const core::Executor& executor)
 {
   core::Order_request request;
-  request.kind = faces.empty() ? core::Order_request::SPACED : core::Order_request::NETS;
   core::Given_edges edges(std::move(core::soup_edges(faces, points.size(), executor).lower));
   const auto orders = core::order_of_core(request, edges);
   core::Given_points source(points);

@@ -222,6 +222,7 @@ class Tiles(unittest.TestCase):
                 (output / "tiles.json", [], "tiles.json: would overwrite a file of the run"),
                 (output / "tiles.pvtu", [], "tiles.pvtu: would overwrite a file of the run"),
                 (output / "state" / "input", [], "input: would overwrite a file of the run"),
+                (output / "state" / "neighbors" / "all.npy", [], "all.npy: would overwrite a file of the run"),
                 (self.folder / "folder" / "ids-00000.npy", [], "ids-00000.npy: would overwrite a file of the run"),
                 (self.folder / "missing" / "all.npy", [], "all.npy: cannot be written: No such file or directory"),
                 (self.folder, [], "cannot be written: Is a directory")):

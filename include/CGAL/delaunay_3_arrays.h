@@ -198,9 +198,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
   Soup_graph soup = soup_graph(faces, read.size(), executor);
   Given_edges edges(soup.graph.take_lists());
-  const auto kind =
-      std::begin(faces) == std::end(faces) ? Order_request::SPACED : Order_request::NETS;
-  const auto orders = order_of_core(order_of_arrays(kind, np), edges);
+  const auto orders = order_of_core(order_of_arrays(Order_request::NETS, np), edges);
   return insert_into_arrays<Index>(read, *orders, soup.irregularity, executor, np);
 }
 

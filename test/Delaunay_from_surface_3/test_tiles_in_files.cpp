@@ -632,6 +632,14 @@ BOOST_AUTO_TEST_CASE(an_input_that_would_be_overwritten)
   fs::create_symlink(file, folder.path / "link.npy");
   check_refused([&] { run(folder.path / "link.npy", folder.path); }, "link.npy",
                 "would be overwritten");
+  // Nor one that would be removed with the state; what others have in a folder of that name stays.
+  const Folder used;
+  const fs::path below = used.path / "state" / "scans" / "mine.npy";
+  fs::create_directories(below.parent_path());
+  fs::copy_file(file, below);
+  check_refused([&] { run(below, used.path); }, "mine.npy", "would be overwritten");
+  check_refused([&] { run(file, used.path); }, "scans", "is of another run");
+  BOOST_TEST(fs::exists(below));
   run(file, folder.path / "tiles");
   BOOST_TEST(fs::file_size(file) == npy("<f8", "800, 3", "False", data).size());
 }

@@ -34,14 +34,15 @@ struct Inside_3
   /// the volume of the tetrahedra in doubt divided by that of the tetrahedra inside.
   double doubtful_volume = 0;
 
-  /// the number of faces that have been turned round, to agree with their neighbors.
+  /// the number of faces that have been turned round, to agree with their neighbours.
   std::size_t number_of_turned = 0;
 
   /// the area of the faces that are no facets of the triangulation, divided by that of the surface.
   double missing_area = 0;
 
   /// the volume of the tetrahedra that such faces pass through, divided by that of these and of all
-  /// tetrahedra inside. As much may be wrong, since such a tetrahedron is partly inside.
+  /// tetrahedra inside. Such a tetrahedron may be partly inside, so this bounds the share that may be
+  /// wrong. It may be far too large where large tetrahedra outside are crossed.
   double crossed_volume = 0;
 
   /// the area of triangles that would close the openings, each from its middle, divided by that of

@@ -34,9 +34,6 @@ def triangulate(points: Any, threads: Optional[SupportsIndex] = 1) -> Any:
     torch = sys.modules.get("torch")
     if torch is not None and isinstance(points, torch.Tensor):
         array = points.detach().cpu().numpy()
-    elif hasattr(points, "__dlpack__") and not isinstance(points, np.ndarray) and hasattr(np, "from_dlpack"):
-        array = np.from_dlpack(points)
-        torch = None
     else:
         array, torch = points, None
     result = delaunay3(array, threads=threads)

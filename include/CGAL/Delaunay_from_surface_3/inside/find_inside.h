@@ -75,8 +75,12 @@ public:
   {
     if (m_inside == 0 && inside.share_of_openings == 0)
       throw Surface_input_error(
-          "the surface has no inside: no tetrahedron is inside; faces that are given twice, once "
-          "turned round, cancel each other; remedy: give them once");
+          std::string("the surface has no inside: no tetrahedron is inside; ") +
+          (m_crossed > 0
+               ? "faces are not facets of the triangulation, but cross tetrahedra; remedy: "
+                 "refine the surface first"
+               : "there are no faces with an area, or each is given twice, once turned "
+                 "round; remedy: give each face once"));
     inside.doubtful_volume = m_inside > 0 ? m_doubtful / m_inside : 0;
     inside.crossed_volume =
         m_crossed > 0 ? m_crossed / (m_inside - m_crossed_inside + m_crossed) : 0;
@@ -306,7 +310,7 @@ void judge_inside(const Cells& cells, const std::vector<Cutting_triangle>& no_fa
   judge.finish(share_of_largest, inside);
 }
 
-// What may be wrong in an inside, and the remedies; empty if it is little.
+// What may be wrong in an inside, and the remedies; empty if little may be.
 inline std::string warning_of(const Inside_3& inside)
 {
   constexpr double much_doubtful = 0.05, much_crossed = 0.1;

@@ -133,8 +133,8 @@ std::size_t turn_alike(Sides& sides, const PointOf& point_of)
   if (others.do_agree())
     return not_orientable;
   const std::vector<Corners>& triangles = sides.triangles();
-  std::vector<signed char> kind(triangles.size(),
-                                -1); // whether it disagrees with the first; -1: unseen
+  // Whether each disagrees with the first of its component; -1 if it has not been seen yet.
+  std::vector<signed char> kind(triangles.size(), -1);
   std::vector<std::uint32_t> component;
   for (std::size_t first = 0; first < triangles.size(); ++first) {
     if (kind[first] >= 0)

@@ -165,6 +165,9 @@ private:
     if (std::filesystem::exists(m_folder / "state" / "input"))
       return;
     std::vector<std::filesystem::path> others = files_of_tiles(m_folder);
+    for (const std::string& name : names_in(m_folder / "state")) // it is removed as a whole
+      if (name_when_finished(name).empty())
+        others.push_back(m_folder / "state" / name);
     if (std::filesystem::exists(m_folder / "tiles.json"))
       others.insert(others.begin(), m_folder / "tiles.json");
     if (!others.empty())

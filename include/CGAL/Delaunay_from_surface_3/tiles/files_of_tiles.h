@@ -81,12 +81,21 @@ inline std::vector<std::filesystem::path> left_files(const std::filesystem::path
   return files;
 }
 
-// Whether a file is in this folder, by way of links or not; neither need be there.
-inline bool is_in_folder(const std::filesystem::path& file, const std::filesystem::path& folder)
+// The place that a name means, by way of links; it need not be there.
+inline std::filesystem::path place_of(const std::filesystem::path& name)
 {
   std::error_code error;
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path(), error) ==
-         std::filesystem::weakly_canonical(std::filesystem::absolute(folder), error);
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(name), error);
+}
+
+// Whether a run in this folder writes a file of this name, or removes it with its state.
+inline bool is_of_run(const std::filesystem::path& file, const std::filesystem::path& folder)
+{
+  const std::filesystem::path parent = place_of(file.parent_path()),
+                              state = place_of(folder / "state");
+  return (is_file_of_run(file.filename().string()) && parent == place_of(folder)) ||
+         std::mismatch(state.begin(), state.end(), parent.begin(), parent.end()).first ==
+             state.end();
 }
 
 // A file that points are read from must not be one that a run in this folder writes.
@@ -96,7 +105,7 @@ inline void refuse_to_overwrite(const Tile_source_3& source, const std::filesyst
   for (const std::filesystem::path& file : source.files())
     for (const auto& place :
          {std::filesystem::absolute(file, error), std::filesystem::canonical(file, error)})
-      if (is_file_of_tiles(place.filename().string()) && is_in_folder(place, folder))
+      if (is_of_run(place, folder))
         throw Tile_files_error(file.string() +
                                ": would be overwritten: name another folder for the tiles");
 }
@@ -113,8 +122,7 @@ inline void refuse_output(const Tile_source_3& source, const std::filesystem::pa
                              ": name another file");
   for (const auto& place :
        {std::filesystem::absolute(output, error), std::filesystem::weakly_canonical(output, error)})
-    if ((is_file_of_run(place.filename().string()) && is_in_folder(place, folder)) ||
-        is_in_folder(place, folder / "state"))
+    if (is_of_run(place, folder))
       throw Tile_files_error(output.string() +
                              ": would overwrite a file of the run: name another file");
 }
