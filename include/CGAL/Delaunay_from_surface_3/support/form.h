@@ -63,6 +63,15 @@
       CGAL_DELAUNAY_FROM_SURFACE_3_CHECKS, CGAL_DELAUNAY_FROM_SURFACE_3_INSTRUCTIONS,              \
       CGAL_DELAUNAY_FROM_SURFACE_3_ARITHMETIC)
 
+// ThreadSanitizer knows atomic words, and neither fences nor vectors.
+#if defined(__SANITIZE_THREAD__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED
+#endif
+#endif
+
 // Of functions that are no templates.
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INLINE

@@ -19,15 +19,6 @@
 #include <cstddef>
 #include <type_traits>
 
-// ThreadSanitizer knows atomic words, and neither fences nor vectors.
-#if defined(__SANITIZE_THREAD__)
-#define CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED
-#endif
-#endif
-
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {

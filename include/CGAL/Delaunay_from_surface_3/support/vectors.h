@@ -7,11 +7,13 @@
 
 // Functions in vector instructions that the user need not compile for: they are marked with their
 // target, and called where the machine has it. It fuses products into sums if the compiler's options
-// allow it (-ffp-contract), and filters are proved for either.
-
-#if defined(__GNUC__) && defined(__x86_64__)
+// allow it (-ffp-contract), and filters are proved for either. A vector that is read from a vertex
+// has a word more than its point, which other threads may write and nobody looks at; ThreadSanitizer
+// cannot know that, and where it watches there are no vectors.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#if defined(__GNUC__) && defined(__x86_64__) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)
 
 #include <tmmintrin.h> // not <immintrin.h>, which takes g++ 12 a hundred megabytes more
 

@@ -81,11 +81,14 @@ inline std::vector<std::filesystem::path> left_files(const std::filesystem::path
   return files;
 }
 
-// The place that a name means, by way of links; it need not be there.
+// The place that a name means, by way of links; it need not be there, and may be one that the
+// system cannot follow.
 inline std::filesystem::path place_of(const std::filesystem::path& name)
 {
   std::error_code error;
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(name), error);
+  const std::filesystem::path absolute = std::filesystem::absolute(name);
+  const std::filesystem::path place = std::filesystem::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : place;
 }
 
 // Whether a run in this folder writes a file of this name, or removes it with its state.
@@ -103,8 +106,7 @@ inline void refuse_to_overwrite(const Tile_source_3& source, const std::filesyst
 {
   std::error_code error; // what is not there is not overwritten
   for (const std::filesystem::path& file : source.files())
-    for (const auto& place :
-         {std::filesystem::absolute(file, error), std::filesystem::canonical(file, error)})
+    for (const auto& place : {std::filesystem::absolute(file, error), place_of(file)})
       if (is_of_run(place, folder))
         throw Tile_files_error(file.string() +
                                ": would be overwritten: name another folder for the tiles");
@@ -120,8 +122,7 @@ inline void refuse_output(const Tile_source_3& source, const std::filesystem::pa
     if (std::filesystem::equivalent(file, output, error))
       throw Tile_files_error(output.string() + ": would overwrite the points of " + file.string() +
                              ": name another file");
-  for (const auto& place :
-       {std::filesystem::absolute(output, error), std::filesystem::weakly_canonical(output, error)})
+  for (const auto& place : {std::filesystem::absolute(output, error), place_of(output)})
     if (is_of_run(place, folder))
       throw Tile_files_error(output.string() +
                              ": would overwrite a file of the run: name another file");

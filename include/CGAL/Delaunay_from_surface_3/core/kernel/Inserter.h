@@ -40,7 +40,6 @@ struct Alone_with_complex
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
   using Wide_explore = Widest_explore_neighbors<Id>;
 #endif
-  static constexpr bool may_be_wide = true;
 
   Write write() const
   {
@@ -139,7 +138,7 @@ private:
   Compact_predicates<Id> m_predicates{m_complex, zone.counts};
   Fill_star<Id, typename Access::Write> m_fill_star;
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-  const bool m_is_wide = Access::may_be_wide && machine_has_vectors();
+  const bool m_is_wide = machine_has_vectors();
 #endif
 };
 

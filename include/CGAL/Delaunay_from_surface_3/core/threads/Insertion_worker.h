@@ -85,7 +85,6 @@ struct Announced_to_others
   using Wide_explore = std::conditional_t<std::is_same<Id, std::uint32_t>::value,
                                           Wide_explore_announced<Protocol>, Explore>;
 #endif
-  static constexpr bool may_be_wide = !is_watched;
 
   Write write() const
   {
