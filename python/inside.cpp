@@ -6,13 +6,13 @@
 
 #include "Unlocked.h"
 #include "functions.h"
+#include "interruptible.h"
 #include "numpy_rows.h"
 
 #include <CGAL/Delaunay_from_surface_3/Inside_3.h>
 #include <CGAL/Delaunay_from_surface_3/inside/find_inside.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
-#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 
 #include <array>
 #include <cstddef>
@@ -43,7 +43,7 @@ py::tuple winding_numbers(const python::Points& points, const python::Numbers& s
   CGAL::Inside_3 inside = python::with_faces(faces, [&](const auto& read) {
     const python::Unlocked unlocked;
     const core::Rounding_to_nearest rounding;
-    const core::Thread_executor executor(threads);
+    const python::Interruptible_executor executor(threads);
     const core::Point_array array(coordinates.data(), n);
     return core::find_inside(
         array, read, rows.size(),

@@ -7,7 +7,7 @@
 
 #include "Unlocked.h"
 #include "Copied_points.h"
-#include "Interruptible_watcher.h"
+#include "interruptible.h"
 #include "functions.h"
 #include "numpy_ranges.h"
 

@@ -7,6 +7,7 @@
 
 #include "Unlocked.h"
 #include "functions.h"
+#include "interruptible.h"
 #include "numpy_rows.h"
 
 #include <CGAL/Delaunay_from_surface_3/arrays/adjacent_vertices.h>
@@ -16,7 +17,6 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/match_facets.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
-#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
@@ -61,6 +61,28 @@ auto with_corners(std::size_t corners, const F& f)
   }
 }
 
+// Numbers points 0, …, n-1 anew, in the order in which they are met as corners; those that are not come
+// last. What is near in space is then near in memory. Returns the old numbers; negative ones stay.
+std::vector<Index> number_as_met(Index* corners, std::size_t number_of_corners, std::size_t n,
+                                 const core::Executor& executor)
+{
+  core::Steps step(executor);
+  std::vector<Index> number_of(n, -1), met;
+  met.reserve(n);
+  const auto number = [&](Index v) {
+    if (number_of[std::size_t(v)] < 0) {
+      number_of[std::size_t(v)] = Index(met.size());
+      met.push_back(v);
+    }
+    return number_of[std::size_t(v)];
+  };
+  for (std::size_t i = 0; i < number_of_corners; ++i, step())
+    corners[i] = corners[i] < 0 ? corners[i] : number(corners[i]);
+  for (std::size_t i = 0; i < n; ++i)
+    number(Index(i));
+  return met;
+}
+
 Numbers neighbors(const Numbers& simplices, std::size_t n, std::size_t threads)
 {
   const Rows rows(simplices);
@@ -68,22 +90,23 @@ Numbers neighbors(const Numbers& simplices, std::size_t n, std::size_t threads)
   std::vector<Index> found(corners * rows.size(), -1);
   if (corners > 1) {
     const python::Unlocked unlocked;
-    const std::vector<Index> vertices = checked_copy(rows, n);
-    const core::Thread_executor executor(threads);
-    const bool is_right = with_corners(corners, [&](auto constant) {
+    std::vector<Index> vertices = checked_copy(rows, n);
+    const python::Interruptible_executor executor(threads);
+    number_as_met(vertices.data(), vertices.size(), n, executor);
+    const core::Matched_facets matched = with_corners(corners, [&](auto constant) {
       constexpr std::size_t number = decltype(constant)::value;
       return core::match_facets<number>(
-          core::Corners_view<Index>{vertices.data(), number, rows.size(), 0}, n,
+          core::Corners_view<Index>{vertices.data(), number, rows.size()}, n,
           [&](std::size_t c, std::size_t k, std::size_t d) { found[number * c + k] = Index(d); },
           executor);
     });
-    if (!is_right)
+    if (!matched.are_pairs)
       throw std::invalid_argument("simplices: more than two have a facet in common");
   }
   return array_from(std::move(found), {simplices.shape(0), simplices.shape(1)});
 }
 
-// Of points in groups, between which Ctrl-C is seen.
+// Of points in groups, so that not all are copied at once.
 Numbers find_simplex(const Points& points, const Numbers& simplices, const Numbers& neighbors,
                      const Points& queries, std::size_t threads)
 {
@@ -95,7 +118,7 @@ Numbers find_simplex(const Points& points, const Numbers& simplices, const Numbe
       vertices.size(), std::size_t(points.shape(0))};
   const Point_of point_of = {python::Points_view(points)};
   const core::Rounding_to_nearest rounding;
-  const core::Thread_executor executor(threads);
+  const python::Interruptible_executor executor(threads);
   const auto number = std::size_t(queries.shape(0));
   std::vector<Index> found(number);
   std::vector<double> coordinates;
@@ -108,8 +131,6 @@ Numbers find_simplex(const Points& points, const Numbers& simplices, const Numbe
       core::find_simplices(view, point_of, core::Point_array(coordinates.data(), size),
                            found.data() + first, executor);
     }
-    if (PyErr_CheckSignals() != 0)
-      throw py::error_already_set();
   }
   return array_from(std::move(found), {queries.shape(0)});
 }
@@ -125,7 +146,7 @@ py::tuple adjacent_vertices(const Numbers& simplices, std::size_t n, std::size_t
     adjacent = core::adjacent_vertices<Index>(
         rows.size(), corners, n,
         [&](std::size_t c, std::size_t k) { return vertices[corners * c + k]; },
-        core::Thread_executor(threads));
+        python::Interruptible_executor(threads));
   }
   const auto firsts = py::ssize_t(adjacent.first.size());
   const auto items = py::ssize_t(adjacent.items.size());
@@ -166,25 +187,34 @@ Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64
   };
   const auto n = std::size_t(points.shape(0));
   const Point_of point_of = {python::Points_view(points)};
-  std::vector<Edge> edges;
-  for (std::size_t v = 0; v < n; ++v)
-    for (auto i = firsts.at(py::ssize_t(v)); i < firsts.at(py::ssize_t(v) + 1); ++i) {
-      const Index w = items.at(py::ssize_t(i));
-      if (w <= Index(v) || std::size_t(w) >= n)
-        continue;
-      edges.push_back({squared_length(point_of(v), point_of(std::size_t(w))), {Index(v), w}});
-    }
+  const auto first_of = firsts.unchecked<1>();
+  const auto item = items.unchecked<1>();
+  if (std::size_t(firsts.shape(0)) != n + 1 || first_of(py::ssize_t(n)) != items.shape(0))
+    throw py::value_error("minimum_spanning_tree: expected as many lists as points");
   std::vector<Index> tree;
   {
     const python::Unlocked unlocked;
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    const python::Interruptible_executor executor(1);
+    core::Steps step(executor);
+    std::vector<Edge> edges;
+    edges.reserve(std::size_t(items.shape(0)) / 2);
+    for (std::size_t v = 0; v < n; ++v)
+      for (auto i = first_of(py::ssize_t(v)); i < first_of(py::ssize_t(v) + 1); ++i, step()) {
+        const Index w = item(py::ssize_t(i));
+        if (w > Index(v) && std::size_t(w) < n)
+          edges.push_back({squared_length(point_of(v), point_of(std::size_t(w))), {Index(v), w}});
+      }
+    std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+      step();
       return std::tie(a.squared_length, a.ends[0], a.ends[1]) <
              std::tie(b.squared_length, b.ends[0], b.ends[1]);
     });
     core::Disjoint_sets<Index> sets(n);
-    for (const Edge& edge : edges)
+    for (const Edge& edge : edges) {
+      step();
       if (sets.unite(edge.ends[0], edge.ends[1]))
         tree.insert(tree.end(), edge.ends, edge.ends + 2);
+    }
   }
   const auto number = py::ssize_t(tree.size() / 2);
   return array_from(std::move(tree), {number, 2});
@@ -201,11 +231,12 @@ void measure(const Points& points, const Numbers& simplices, std::size_t threads
   const Point_of point_of = {python::Points_view(points)};
   const auto n = std::size_t(points.shape(0));
   const python::Unlocked unlocked;
-  const core::Thread_executor executor(threads);
+  const python::Interruptible_executor executor(threads);
   const std::size_t blocks = core::number_of_blocks(executor, rows.size(), 4096);
   core::for_each_block(executor, rows.size(), blocks,
                        [&](std::size_t first, std::size_t last, std::size_t) {
-                         for (std::size_t c = first; c < last; ++c) {
+                         core::Steps step(executor);
+                         for (std::size_t c = first; c < last; ++c, step()) {
                            std::array<double, 3> corners[4];
                            for (std::size_t k = 0; k < 4; ++k)
                              corners[k] = point_of(std::size_t(rows.number(c, k, n)));
@@ -277,11 +308,12 @@ py::array barycentric(const Points& points, const Numbers& simplices, const Poin
   std::vector<double> result(4 * number, core::no_measure);
   {
     const python::Unlocked unlocked;
-    const core::Thread_executor executor(threads);
+    const python::Interruptible_executor executor(threads);
     const std::size_t blocks = core::number_of_blocks(executor, number, 4096);
     core::for_each_block(
         executor, number, blocks, [&](std::size_t first, std::size_t last, std::size_t) {
-          for (std::size_t q = first; q < last; ++q) {
+          core::Steps step(executor);
+          for (std::size_t q = first; q < last; ++q, step()) {
             const std::int64_t c = simplex_of(py::ssize_t(q));
             if (c < 0)
               continue;
@@ -310,23 +342,32 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
     return false;
   std::vector<double> coordinates;
   python::copy_points(python::Points_view(points), n, "points: point", coordinates);
-  std::vector<Index> vertices(n);
-  for (std::size_t i = 0; i < n; ++i)
-    vertices[i] = vertices_of_points.at(py::ssize_t(i));
+  const auto vertex = vertices_of_points.unchecked<1>();
   const python::Unlocked unlocked;
   const core::Rounding_to_nearest rounding;
+  const python::Interruptible_executor executor(threads);
+  for (std::size_t i = 0; i < n; ++i) // the first of those at its place
+    if (vertex(py::ssize_t(i)) < 0 || std::size_t(vertex(py::ssize_t(i))) > i)
+      return false;
   std::vector<std::array<Index, 4>> cells(rows.size(), {-1, -1, -1, -1});
-  const auto is_wrong = [&](Index v) { return v < 0 || std::size_t(v) >= n; };
   for (std::size_t c = 0; c < rows.size(); ++c)
     for (std::size_t k = 0; k < rows.corners(); ++k)
-      if (is_wrong(cells[c][k] = rows.entry(c, k)))
+      if ((cells[c][k] = rows.entry(c, k)) < 0 || std::size_t(cells[c][k]) >= n)
         return false;
-  if (std::any_of(vertices.begin(), vertices.end(), is_wrong))
-    return false;
-  const auto arrays = core::complete_arrays<Index>(dimension, std::move(cells), std::move(vertices),
-                                                   core::Thread_executor(threads));
-  return core::is_valid(arrays, core::Point_array(coordinates.data(), n),
-                        CGAL::Delaunay_validity_level(level));
+  const std::vector<Index> met =
+      number_as_met(cells.empty() ? nullptr : cells[0].data(), 4 * cells.size(), n, executor);
+  std::vector<Index> number_of(n), vertices(n);
+  std::vector<double> met_coordinates(3 * n);
+  for (std::size_t i = 0; i < n; ++i)
+    number_of[std::size_t(met[i])] = Index(i);
+  for (std::size_t i = 0; i < n; ++i) {
+    vertices[i] = number_of[std::size_t(vertex(met[i]))];
+    std::copy_n(coordinates.data() + 3 * std::size_t(met[i]), 3, met_coordinates.data() + 3 * i);
+  }
+  const auto arrays = core::complete_arrays<Index>(dimension, cells, std::move(vertices), executor);
+  return arrays.has_value() &&
+         core::is_valid_if_linked(*arrays, core::Point_array(met_coordinates.data(), n),
+                                  CGAL::Delaunay_validity_level(level), executor);
 }
 
 } // namespace

@@ -1180,6 +1180,49 @@ class Control(unittest.TestCase):
             killer.join()
         self.assertLess(shares[-1], 1)
 
+    def test_signals_in_long_calls(self):
+        """Signals come every millisecond: who sees them at the end alone sees one."""
+        points = random_points(200000)
+        t = dfs.delaunay3(points)
+        simplex, corner = np.nonzero(t.neighbors < 0)
+        others = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
+        faces = t.simplices[simplex[:, None], others[corner]]
+        t.vertex_neighbor_vertices, t.find_simplex(points[:1])
+        calls = {
+            "check": t.check,
+            "find_simplex": lambda: t.find_simplex(np.repeat(points, 4, axis=0)),
+            "minimum_spanning_tree": t.minimum_spanning_tree,
+            "inside": lambda: dfs.delaunay3(points, faces, inside=True),
+        }
+        for name in ("neighbors", "vertex_neighbor_vertices", "voronoi_volumes", "transform"):
+            calls[name] = lambda name=name: getattr(dfs.Delaunay3(points, t.simplices, None, t.vertices, 3), name)
+        for name, call in calls.items():
+            for raises in (False, True):
+                seen = []
+
+                def see(*_):
+                    seen.append(name)
+                    if raises and len(seen) == 2:
+                        raise LookupError(name)
+
+                def call_with_signals():
+                    try:
+                        signal.setitimer(signal.ITIMER_REAL, .001, .001)
+                        call()
+                    finally:
+                        signal.setitimer(signal.ITIMER_REAL, 0)
+                before = signal.signal(signal.SIGALRM, see)
+                try:
+                    with self.subTest(call=name, raises=raises):
+                        if raises:
+                            with self.assertRaisesRegex(LookupError, name):
+                                call_with_signals()
+                        else:
+                            call_with_signals()
+                            self.assertGreater(len(seen), 1)
+                finally:
+                    signal.signal(signal.SIGALRM, before)
+
     def test_other_threads_run(self):
         ticks, done = [], threading.Event()
 

@@ -5,7 +5,7 @@
 // Tiles out of core: from files to files, so nothing but names and numbers crosses.
 
 #include "Unlocked.h"
-#include "Interruptible_watcher.h"
+#include "interruptible.h"
 #include "functions.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>

@@ -101,7 +101,7 @@ Inside_3 inside_of_surface_3(const PointRange& points, const FaceRange& faces,
   if (arrays.neighbors_data() != nullptr)
     return find([&](std::size_t c) { return arrays.neighbors(c); });
   const auto neighbors = neighbors_of_corners(
-      Corners_view<Index>{arrays.vertices_data(), arrays.stride(), arrays.number_of_simplices(), 0},
+      Corners_view<Index>{arrays.vertices_data(), arrays.stride(), arrays.number_of_simplices()},
       array.size(), executor);
   return find([&](std::size_t c) { return neighbors[c]; });
 }

@@ -69,8 +69,10 @@ std::vector<std::array<std::int32_t, 4>> simplices_of(const Arrays& arrays)
 // Neighbours and infinite cells are found again from the simplices alone.
 void check_completion(const Arrays& arrays, const core::Point_array& points, const char* where)
 {
-  const Arrays complete = core::complete_arrays<std::int32_t>(
+  const auto completed = core::complete_arrays<std::int32_t>(
       arrays.dimension(), simplices_of(arrays), arrays.vertices_of_points(), core::Alone());
+  check(completed.has_value(), "facets in pairs", where);
+  const Arrays& complete = *completed;
   check(complete.number_of_cells() == arrays.number_of_cells(), "infinite cells", where);
   check(core::is_valid(complete, points, CGAL::Delaunay_validity_level::DELAUNAY),
         "is not valid when completed", where);

@@ -9,12 +9,15 @@
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/are_links_spheres.h>
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -29,25 +32,33 @@ class Links_of_arrays
   using Cell = std::array<Index, 4>;
 
 public:
-  // Keeps a reference. Neighbours and infinite cells are still there.
-  explicit Links_of_arrays(const Arrays& arrays)
+  // Keeps references. Neighbours and infinite cells are still there.
+  Links_of_arrays(const Arrays& arrays, const Executor& executor)
     : m_arrays(arrays)
+    , m_executor(executor)
     , m_corners(std::size_t(arrays.dimension() + 1))
   {
   }
 
-  // Whether vertices are points, each the first of those at its place and in a cell, and neighbours
-  // lead back.
+  // Whether neighbours lead back, and the vertices are right.
   bool are_valid() const
   {
+    return have_vertices() && holds_for_all(m_executor, m_arrays.number_of_cells(),
+                                            [&](std::size_t c) { return has_neighbors(c); });
+  }
+
+  // Whether vertices are points, each the first of those at its place and in a cell.
+  bool have_vertices() const
+  {
+    if (!holds_for_all(m_executor, m_arrays.number_of_cells(),
+                       [&](std::size_t c) { return has_vertices(c); }))
+      return false;
     std::vector<char> is_in_cell(m_arrays.number_of_points());
-    for (std::size_t c = 0; c < m_arrays.number_of_cells(); ++c) {
-      if (!has_vertices(c) || !has_neighbors(c))
-        return false;
+    Steps step(m_executor);
+    for (std::size_t c = 0; c < m_arrays.number_of_cells(); ++c, step())
       for (std::size_t k = 0; k < m_corners; ++k)
         if (const Index v = m_arrays.vertices(c)[k]; v != Arrays::none)
           is_in_cell[std::size_t(v)] = 1;
-    }
     for (std::size_t i = 0; i < is_in_cell.size(); ++i) {
       const Index v = m_arrays.vertex_of_point(i);
       if (v < 0 || std::size_t(v) > i || is_in_cell[std::size_t(v)] == 0 ||
@@ -80,7 +91,13 @@ public:
     case 2:
       return cells + 4 == 2 * n;
     default:
-      return are_links_spheres(shifted_cells(), m_arrays.number_of_points() + 1);
+      using Id = std::make_unsigned_t<Index>; // the infinite vertex is number 0
+      return are_links_spheres<Id>(
+          cells, m_arrays.number_of_points() + 1,
+          [&](std::size_t c, unsigned k) {
+            return Id(m_arrays.vertices_data()[c * m_arrays.stride() + k] + 1);
+          },
+          m_executor);
     }
   }
 
@@ -136,35 +153,18 @@ private:
 
   bool is_connected() const
   {
-    std::vector<char> is_seen(m_arrays.number_of_cells());
-    std::vector<std::size_t> stack(is_seen.empty() ? 0 : 1, 0);
-    std::size_t seen = stack.size();
-    if (!stack.empty())
-      is_seen[0] = 1;
-    while (!stack.empty()) {
-      const std::size_t c = stack.back();
-      stack.pop_back();
+    std::size_t parts = m_arrays.number_of_cells();
+    Disjoint_sets<Index> sets(parts);
+    Steps step(m_executor);
+    for (std::size_t c = 0; c < m_arrays.number_of_cells(); ++c, step())
       for (std::size_t k = 0; k < m_corners; ++k)
-        if (const auto d = std::size_t(m_arrays.neighbors(c)[k]); !is_seen[d]) {
-          is_seen[d] = 1;
-          ++seen;
-          stack.push_back(d);
-        }
-    }
-    return seen == is_seen.size();
-  }
-
-  // With the infinite vertex as number 0.
-  std::vector<std::array<std::uint64_t, 4>> shifted_cells() const
-  {
-    std::vector<std::array<std::uint64_t, 4>> cells(m_arrays.number_of_cells());
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      for (std::size_t k = 0; k < 4; ++k)
-        cells[c][k] = std::uint64_t(m_arrays.vertices(c)[k] + 1);
-    return cells;
+        if (const Index d = m_arrays.neighbors(c)[k]; std::size_t(d) < c && sets.unite(Index(c), d))
+          --parts;
+    return parts <= 1;
   }
 
   const Arrays& m_arrays;
+  const Executor& m_executor;
   const std::size_t m_corners; // of a cell
 };
 

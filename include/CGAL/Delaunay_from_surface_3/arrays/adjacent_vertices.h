@@ -49,9 +49,11 @@ Adjacent_vertices<Index> adjacent_vertices(std::size_t number, std::size_t corne
   adjacent.first.assign(n + 1, 0);
   for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
     std::vector<Index> met_by(n, Index(-1));
+    Steps step(executor);
     for (std::size_t v = first; v < last; ++v) {
       const std::size_t begin = items[b].size();
       met_by[v] = Index(v);
+      step(corners * std::size_t(simplices.end(v) - simplices.begin(v)));
       for (const std::uint32_t* c = simplices.begin(v); c != simplices.end(v); ++c)
         for (std::size_t k = 0; k < corners; ++k) {
           const Index w = vertex_of(*c, k);
@@ -66,6 +68,7 @@ Adjacent_vertices<Index> adjacent_vertices(std::size_t number, std::size_t corne
   });
   for (std::size_t v = 0; v < n; ++v)
     adjacent.first[v + 1] += adjacent.first[v];
+  executor.interruption_point();
   adjacent.items.reserve(std::size_t(adjacent.first[n]));
   for (const std::vector<Index>& part : items)
     adjacent.items.insert(adjacent.items.end(), part.begin(), part.end());

@@ -37,8 +37,11 @@ void find_simplices(const Simplices_view<Index>& simplices, const PointOf& point
                    std::iota(order.begin(), order.end(), first);
                    Sort_by_halves()(queries, order.data(), order.data() + order.size());
                    Find_simplex<Index, PointOf> find(simplices, point_of);
-                   for (const std::size_t i : order)
+                   Steps step(executor);
+                   for (const std::size_t i : order) {
+                     step(64); // cells on the way, about
                      found[i] = find({queries[i][0], queries[i][1], queries[i][2]});
+                   }
                  });
 }
 

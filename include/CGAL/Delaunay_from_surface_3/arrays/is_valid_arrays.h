@@ -16,7 +16,9 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/apex_of_plane.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
@@ -51,27 +53,28 @@ public:
       m_is_turned = sign_of_cell(cell(0)) < 0;
   }
 
-  bool are_positive() const
+  // Whether cells are positive and, if that is asked, in conflict with no vertex across a facet, which is
+  // the same from both sides. In one pass.
+  bool are_right(bool are_without_conflict, const Executor& executor) const
   {
-    for (std::size_t c = 0; c < m_arrays.number_of_simplices(); ++c)
-      if (sign_of_cell(cell(c)) <= 0)
+    const Links_of_arrays<Index> links(m_arrays, executor);
+    return holds_for_all(executor, m_arrays.number_of_cells(), [&](std::size_t c) {
+      const Compact_cell<Id> here = cell(c);
+      if (!m_arrays.is_infinite(Index(c)) && sign_of_cell(here) <= 0)
         return false;
-    return true;
-  }
-
-  bool are_without_conflict() const
-  {
-    const Links_of_arrays<Index> links(m_arrays);
-    Insertion_counts uncounted;
-    Compact_predicates<Id> predicates(m_vertices.complex, uncounted);
-    for (std::size_t c = 0; c < m_arrays.number_of_cells(); ++c)
-      for (std::size_t k = 0; k <= std::size_t(m_arrays.dimension()); ++k) {
-        const auto there = m_arrays.vertices(std::size_t(m_arrays.neighbors(c)[k]));
-        const Index across = there[links.place_across(c, k)];
-        if (across != Arrays::none && predicates.is_in_conflict(cell(c), vertex(across)))
+      Insertion_counts uncounted;
+      Compact_predicates<Id> predicates(m_vertices.complex, uncounted);
+      const auto neighbors = m_arrays.neighbors(c), corners = m_arrays.vertices(c);
+      for (int k = 0; are_without_conflict && k <= m_arrays.dimension(); ++k) {
+        const std::size_t d = std::size_t(neighbors[k]);
+        if (d < c && corners[k] != Arrays::none)
+          continue; // seen from there
+        const Index across = m_arrays.vertices(d)[links.place_across(c, std::size_t(k))];
+        if (across != Arrays::none && predicates.is_in_conflict(here, vertex(across)))
           return false;
       }
-    return true;
+      return true;
+    });
   }
 
 private:
@@ -144,14 +147,14 @@ bool is_line_of_segments(const Delaunay_3_arrays<Index>& arrays, const Point_arr
   return true;
 }
 
-// Whether they are those of these points. Neighbours and infinite cells are still there.
+// Whether they are those of these points, if their links are known to be right.
 template <class Index>
-bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
-              Delaunay_validity_level level)
+bool is_valid_if_linked(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
+                        Delaunay_validity_level level, const Executor& executor)
 {
   using Level = Delaunay_validity_level;
-  const Links_of_arrays<Index> links(arrays);
-  if (arrays.number_of_points() != points.size() || !links.are_valid() ||
+  const Links_of_arrays<Index> links(arrays, executor);
+  if (arrays.number_of_points() != points.size() || !links.have_vertices() ||
       (level >= Level::EULER && points.size() > 0 && !links.are_spheres()))
     return false;
   if (level < Level::ORIENTATION)
@@ -168,7 +171,16 @@ bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
   if (simplex.dimension == 1)
     return is_line_of_segments(arrays, points);
   const Cells_of_arrays<Index> cells(arrays, points, simplex);
-  return cells.are_positive() && (level < Level::DELAUNAY || cells.are_without_conflict());
+  return cells.are_right(level >= Level::DELAUNAY, executor);
+}
+
+// Whether they are those of these points. Neighbours and infinite cells are still there.
+template <class Index>
+bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
+              Delaunay_validity_level level, const Executor& executor = Alone())
+{
+  return Links_of_arrays<Index>(arrays, executor).are_valid() &&
+         is_valid_if_linked(arrays, points, level, executor);
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -24,20 +24,21 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The vertices of a facet in ascending order; 0 in place of those that it lacks.
+// The vertices of a facet in ascending order; 0 in place of those that it lacks. And whether they were
+// swapped an odd number of times, from the order in which the simplex is oriented.
 struct Facet_key
 {
   std::uint32_t least = 0, middle = 0, greatest = 0;
+  bool is_odd = false;
 };
 
-// Simplices: corner k of simplex c is rows[stride · c + k] + shift, one of 0, …, n-1.
+// Simplices: corner k of simplex c is rows[stride · c + k], one of 0, …, n-1.
 template <class Index>
 struct Corners_view
 {
   const Index* rows;
   std::size_t stride;
   std::size_t number;
-  Index shift;
 };
 
 // The key of facet f: that of simplex f / Corners which leaves out corner f % Corners.
@@ -46,17 +47,20 @@ Facet_key key_of_facet(const Corners_view<Index>& simplices, std::size_t f)
 {
   const Index* const row = simplices.rows + simplices.stride * (f / Corners);
   const auto vertex = [&](std::size_t i) {
-    return std::uint32_t(row[(f % Corners + i) % Corners] + simplices.shift);
+    return std::uint32_t(row[(f % Corners + i) % Corners]);
   };
   Facet_key key;
+  key.is_odd = (Corners - 1) * f % 2 != 0; // so many swaps bring the corner to the front
   key.least = vertex(1);
   if constexpr (Corners > 2) {
     const std::uint32_t v = vertex(2);
+    key.is_odd ^= v < key.least;
     key.middle = (std::max)(key.least, v);
     key.least = (std::min)(key.least, v);
   }
   if constexpr (Corners > 3) {
     const std::uint32_t v = vertex(3), m = (std::max)(key.least, v);
+    key.is_odd ^= m == v && v < key.middle;
     key.least = (std::min)(key.least, v);
     key.greatest = (std::max)(key.middle, m);
     key.middle = (std::min)(key.middle, m);
@@ -87,37 +91,45 @@ public:
     for (std::uint32_t i = chain; i != none; i = m_entries[i].next)
       if (m_entries[i].both == both) {
         m_has_pairs_only &= !std::exchange(m_entries[i].has_partner, true);
+        m_is_oriented &= m_entries[i].is_odd != key.is_odd;
         return m_entries[i].number;
       }
-    m_entries.push_back({both, number, chain, false});
+    m_entries.push_back({both, number, chain, key.is_odd, false});
     chain = std::uint32_t(m_entries.size() - 1);
     return none;
   }
 
   // Whether there never was a third one.
   bool has_pairs_only() const { return m_has_pairs_only; }
+  // Whether the two of each pair are seen from two sides.
+  bool is_oriented() const { return m_is_oriented; }
 
 private:
   struct Entry
   {
     std::uint64_t both;
     std::uint32_t number, next;
-    bool has_partner;
+    bool is_odd, has_partner;
   };
 
   std::vector<std::uint32_t> m_chains;
   std::size_t m_mask = 0;
   std::vector<Entry> m_entries;
-  bool m_has_pairs_only = true;
+  bool m_has_pairs_only = true, m_is_oriented = true;
+};
+
+// What all the facets have that simplices share: at most two simplices each, and these on two sides.
+struct Matched_facets
+{
+  bool are_pairs = true, are_oriented = true;
 };
 
 // Calls set(c, k, d) for facet k of simplex c and the simplex d across, both ways; a facet that has no
-// partner is left out. Returns false if one has several: the simplices are those of no triangulation.
-// Throws if there are 2^30 simplices; `set` is called by several threads. Expected linear; 16 bytes
+// partner is left out. If one has several the simplices are those of no triangulation. Throws if there are 2^30 simplices; `set` is called by several threads. Expected linear; 16 bytes
 // for each simplex, and 4 for each of the n vertices.
 template <std::size_t Corners, class Index, class Set>
-bool match_facets(const Corners_view<Index>& simplices, std::size_t n, const Set& set,
-                  const Executor& executor)
+Matched_facets match_facets(const Corners_view<Index>& simplices, std::size_t n, const Set& set,
+                            const Executor& executor)
 {
   const auto key = [&](std::size_t f) { return key_of_facet<Corners>(simplices, f); };
   const Lists<std::uint32_t> facets = in_lists<std::uint32_t>(
@@ -127,12 +139,14 @@ bool match_facets(const Corners_view<Index>& simplices, std::size_t n, const Set
           [](std::size_t f) { return std::uint32_t(f); }),
       executor);
   const std::size_t blocks = number_of_blocks(executor, n, 4096);
-  std::vector<char> has_pairs_only(blocks);
+  std::vector<Matched_facets> matched(blocks);
   for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
     Facet_table table;
+    Steps step(executor);
     const std::uint32_t* const end = facets.items.data() + facets.items.size();
     for (std::size_t v = first; v < last; ++v) {
       table.reset(std::size_t(facets.end(v) - facets.begin(v)));
+      step(std::size_t(facets.end(v) - facets.begin(v)));
       for (const std::uint32_t* f = facets.begin(v); f != facets.end(v); ++f) {
         if (end - f > std::ptrdiff_t(prefetch_distance))
           prefetch(simplices.rows + simplices.stride * (f[prefetch_distance] / Corners));
@@ -143,9 +157,14 @@ bool match_facets(const Corners_view<Index>& simplices, std::size_t n, const Set
         }
       }
     }
-    has_pairs_only[b] = char(table.has_pairs_only());
+    matched[b] = {table.has_pairs_only(), table.is_oriented()};
   });
-  return std::find(has_pairs_only.begin(), has_pairs_only.end(), 0) == has_pairs_only.end();
+  Matched_facets all;
+  for (const Matched_facets& of_block : matched) {
+    all.are_pairs &= of_block.are_pairs;
+    all.are_oriented &= of_block.are_oriented;
+  }
+  return all;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -97,7 +97,8 @@ private:
     std::vector<char> is_facet(table.size(), 0);
     for_each_block(m_executor, m_cells.number, number_of_blocks(m_executor, m_cells.number, 4096),
                    [&](std::size_t first, std::size_t last, std::size_t) {
-                     for (std::size_t c = first; c < last; ++c)
+                     Steps step(m_executor);
+                     for (std::size_t c = first; c < last; ++c, step())
                        cross_facets_of(c, table, is_facet);
                    });
     table.for_each([&](std::uint32_t v, std::uint32_t r) {
@@ -130,7 +131,8 @@ private:
   {
     for_each_block(m_executor, m_cells.number, number_of_blocks(m_executor, m_cells.number, 1024),
                    [&](std::size_t first, std::size_t last, std::size_t) {
-                     for (std::size_t c = first; c < last; ++c) {
+                     Steps step(m_executor);
+                     for (std::size_t c = first; c < last; ++c, step()) {
                        const Jumps crossings = Crossings::of(tree, m_cells, c);
                        for (std::size_t k = 0; k < 4; ++k)
                          m_jumps[c][k] =
@@ -155,7 +157,8 @@ private:
     m_places.reserve(m + 1);
     for (std::uint32_t c = 0; c <= m; ++c)
       m_places.push_back({c, 0});
-    for (std::size_t c = 0; c < m; ++c) {
+    Steps step(m_executor);
+    for (std::size_t c = 0; c < m; ++c, step()) {
       const auto neighbors = m_cells.neighbors_of(c);
       for (std::size_t k = 0; k < 4; ++k) {
         const std::size_t d = (std::min)(std::size_t(neighbors[k]), m);

@@ -149,10 +149,11 @@ void find_numbers(const Winding_tree& tree, const Cells& cells, double* numbers,
   const std::size_t groups = (order.size() + most - 1) / most;
   for_each_block(executor, groups, number_of_blocks(executor, groups, 64),
                  [&](std::size_t begin, std::size_t end, std::size_t) {
+                   Steps step(executor);
                    Vector_3d q[most];
                    double found[most];
                    for (std::size_t k = most * begin; k < (std::min)(most * end, order.size());
-                        k += most) {
+                        k += most, step(64 * most)) {
                      const std::size_t n = (std::min)(most, order.size() - k);
                      for (std::size_t i = 0; i < n; ++i)
                        q[i] = vector_of(queries[order[k + i]]);
@@ -178,7 +179,8 @@ void find_numbers_by_regions(const Cells& cells, Regions<Cells>& regions,
       regions.numbers(closing, [&](std::size_t c) { return ask(c) - of_closing(c); });
   for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 1024),
                  [&](std::size_t first, std::size_t last, std::size_t) {
-                   for (std::size_t c = first; c < last; ++c)
+                   Steps step(executor);
+                   for (std::size_t c = first; c < last; ++c, step())
                      numbers[c] = whole[c] + of_closing(c);
                  });
 }
@@ -194,7 +196,8 @@ std::vector<char> crossed_cells(const Cells& cells, const std::vector<Cutting_tr
   const Box_tree tree{std::vector<Cutting_triangle>(triangles)};
   for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 1024),
                  [&](std::size_t first, std::size_t last, std::size_t) {
-                   for (std::size_t c = first; c < last; ++c) {
+                   Steps step(executor);
+                   for (std::size_t c = first; c < last; ++c, step()) {
                      const std::array<Vector_3d, 4> p = cells(c);
                      Box_3d box;
                      for (const Vector_3d& corner : p)
@@ -302,7 +305,8 @@ void judge_inside(const Cells& cells, const std::vector<Cutting_triangle>& no_fa
     inside.missing_area += std::abs(t.number) * std::sqrt(dot(t.normal, t.normal)) / 2 / area;
   const std::vector<char> is_crossed = crossed_cells(cells, no_facets, executor);
   Judge_inside judge;
-  for (std::size_t c = 0; c < cells.number; ++c) {
+  Steps step(executor);
+  for (std::size_t c = 0; c < cells.number; ++c, step()) {
     const std::array<Vector_3d, 4> p = cells(c);
     const double volume = dot(minus(p[1], p[0]), cross(minus(p[2], p[0]), minus(p[3], p[0])));
     judge.add(inside.winding_numbers[c], std::abs(volume), is_crossed[c] != 0, inside);
@@ -346,6 +350,7 @@ Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::siz
     in_frame.push_back(frame(vector_of(points[i])));
   const Tetrahedra<VerticesOf, NeighborsOf> cells = {in_frame, m, vertices_of, neighbors_of};
   Inside_3 inside;
+  executor.interruption_point();
   const auto point_of = [&](std::size_t v) { return in_frame[v]; };
   const auto [closing, areas] =
       closing_triangles(orient(surface, points.size(), point_of, inside), point_of);

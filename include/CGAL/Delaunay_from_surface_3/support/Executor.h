@@ -36,6 +36,9 @@ public:
   // Calls task(0) in the thread that calls this, and task(1), …, task(number - 1) at the same time,
   // or later, anywhere. Returns when all have returned, or throws.
   virtual void run(std::size_t number, const Task& task) const = 0;
+
+  // Long tasks call this now and then; what it throws stops them.
+  virtual void interruption_point() const {}
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE

@@ -184,11 +184,16 @@ Lists<Index> in_lists(std::size_t n, const std::vector<Items>& blocks,
     throw std::length_error("lists have more items than an index can number");
   Sort_into_lists<Index> sort(n, blocks.size(), executor);
   sort.count([&](std::size_t b, Index* numbers) {
-    for (std::size_t k = 0; k < blocks[b].size(); ++k)
-      ++numbers[blocks[b].list(k)];
+    for_each_part(blocks[b].size(), executor, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        ++numbers[blocks[b].list(k)];
+    });
   });
-  return sort.place(
-      [&](std::size_t b, Index* places, Index* items) { place_items(blocks[b], places, items); });
+  return sort.place([&](std::size_t b, Index* places, Index* items) {
+    for_each_part(blocks[b].size(), executor, [&](std::size_t first, std::size_t last) {
+      place_items(Part_of_items<Items>(blocks[b], first, last), places, items);
+    });
+  });
 }
 
 // The same for items in one piece, which is cut into blocks where there are many.

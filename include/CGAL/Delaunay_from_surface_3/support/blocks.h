@@ -77,6 +77,7 @@ void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks,
   std::vector<std::exception_ptr> errors(blocks);
   call_each(executor, blocks, [&](std::size_t b) {
     try {
+      executor.interruption_point();
       const std::size_t size = size_of_block(n, blocks);
       body((std::min)(n, b * size), (std::min)(n, (b + 1) * size), b);
     } catch (...) {
@@ -86,6 +87,54 @@ void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks,
   for (const std::exception_ptr& error : errors)
     if (error)
       std::rethrow_exception(error);
+}
+
+// Counts the steps of a long loop, and asks the executor now and then whether it shall go on.
+class Steps
+{
+public:
+  // Keeps a reference.
+  explicit Steps(const Executor& executor)
+    : m_executor(executor)
+  {
+  }
+
+  void operator()(std::size_t number = 1)
+  {
+    if ((m_number += number) >= 1 << 14) {
+      m_number = 0;
+      m_executor.interruption_point();
+    }
+  }
+
+private:
+  const Executor& m_executor;
+  std::size_t m_number = 0;
+};
+
+// Calls body(first, last) for short parts of 0, …, n-1, and asks the executor between them.
+template <class Body>
+void for_each_part(std::size_t n, const Executor& executor, const Body& body)
+{
+  constexpr std::size_t size = 1 << 16;
+  for (std::size_t first = 0; first < n; first += size) {
+    executor.interruption_point();
+    body(first, (std::min)(n, first + size));
+  }
+}
+
+// Whether is_right(i) holds for i = 0, …, n-1.
+template <class Predicate>
+bool holds_for_all(const Executor& executor, std::size_t n, const Predicate& is_right)
+{
+  const std::size_t blocks = number_of_blocks(executor, n, 4096);
+  std::vector<char> is_wrong(blocks, 0);
+  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
+    Steps step(executor);
+    for (std::size_t i = first; i < last && !is_wrong[b]; ++i, step())
+      is_wrong[b] = char(!is_right(i));
+  });
+  return std::find(is_wrong.begin(), is_wrong.end(), 1) == is_wrong.end();
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -7,11 +7,15 @@
 
 // Euler's formula, vertex by vertex.
 
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -26,27 +30,41 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 // connected, which is 2 for spheres alone. One of several components has a larger sum; where that
 // is made up for by handles, nothing is seen.
 //
-// Vertices are 0, …, n - 1. O(m log m) for m cells, and 48 bytes for each if an Id has 32 bits.
-template <class Id>
-bool are_links_spheres(const std::vector<std::array<Id, 4>>& cells, std::size_t n)
+// Cells are given by vertex_of(c, k), vertices are 0, …, n - 1. Linear; 24 bytes for each cell, and 20
+// for each vertex, if an Id has 32 bits.
+template <class Id, class VertexOf>
+bool are_links_spheres(std::size_t number_of_cells, std::size_t n, const VertexOf& vertex_of,
+                       const Executor& executor)
 {
-  std::vector<std::pair<Id, Id>> edges;
-  edges.reserve(6 * cells.size());
-  std::vector<std::size_t> number_of_cells(n), number_of_neighbors(n);
-  for (const std::array<Id, 4>& v : cells)
-    for (unsigned i = 0; i < 4; ++i) {
-      ++number_of_cells[v[i]];
-      for (unsigned j = i + 1; j < 4; ++j)
-        edges.emplace_back((std::min)(v[i], v[j]), (std::max)(v[i], v[j]));
+  if (std::uint64_t(number_of_cells) > (std::numeric_limits<Id>::max)() / 6)
+    return are_links_spheres<std::uint64_t>(number_of_cells, n, vertex_of, executor);
+  Steps step(executor);
+  const auto for_each_edge = [&](const auto& f) {
+    for (std::size_t c = 0; c < number_of_cells; ++c, step()) {
+      const Id v[4] = {vertex_of(c, 0), vertex_of(c, 1), vertex_of(c, 2), vertex_of(c, 3)};
+      for (unsigned i = 0; i < 4; ++i)
+        for (unsigned j = 0; j < i; ++j)
+          f((std::min)(v[i], v[j]), (std::max)(v[i], v[j]));
     }
-  std::sort(edges.begin(), edges.end());
-  const auto end = std::unique(edges.begin(), edges.end());
-  for (auto e = edges.begin(); e != end; ++e) {
-    ++number_of_neighbors[e->first];
-    ++number_of_neighbors[e->second];
-  }
+  };
+  Sort_into_lists<Id> sort(n, 1, executor);
+  sort.count([&](std::size_t, Id* numbers) { for_each_edge([&](Id v, Id) { ++numbers[v]; }); });
+  const Lists<Id> larger_ends = sort.place([&](std::size_t, Id* places, Id* items) {
+    for_each_edge([&](Id v, Id w) { items[places[v]++] = w; });
+  });
+  std::vector<Id> number_of_neighbors(n, 0), number_of_cells_at(n, 0), met_by(n, Id(n));
+  for (std::size_t c = 0; c < number_of_cells; ++c)
+    for (unsigned k = 0; k < 4; ++k)
+      ++number_of_cells_at[vertex_of(c, k)];
   for (std::size_t v = 0; v < n; ++v)
-    if (number_of_cells[v] > 0 && 2 * number_of_neighbors[v] != number_of_cells[v] + 4)
+    for (const Id* w = larger_ends.begin(v); w != larger_ends.end(v); ++w, step())
+      if (std::exchange(met_by[*w], Id(v)) != Id(v)) {
+        ++number_of_neighbors[v];
+        ++number_of_neighbors[*w];
+      }
+  for (std::size_t v = 0; v < n; ++v)
+    if (number_of_cells_at[v] > 0 &&
+        2 * std::uint64_t(number_of_neighbors[v]) != std::uint64_t(number_of_cells_at[v]) + 4)
       return false;
   return true;
 }

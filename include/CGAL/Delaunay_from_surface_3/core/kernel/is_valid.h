@@ -10,9 +10,9 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/are_links_spheres.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_delaunay.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -25,12 +25,13 @@ template <class Id>
 bool are_links_spheres(const Compact_complex<Id>& complex)
 {
   using Complex = Compact_complex<Id>;
-  std::vector<std::array<Id, 4>> cells;
-  cells.reserve(complex.cells_end());
+  std::vector<Id> cells;
   for (std::size_t c = 0; c < complex.cells_end(); ++c)
-    if (const Compact_cell<Id>& cell = complex.cell(c); !Complex::is_dead(cell))
-      cells.push_back({cell.v[0], cell.v[1], cell.v[2], cell.v[3]});
-  return are_links_spheres(cells, complex.vertices_end());
+    if (!Complex::is_dead(complex.cell(c)))
+      cells.push_back(Id(c));
+  return are_links_spheres<Id>(
+      cells.size(), complex.vertices_end(),
+      [&](std::size_t i, unsigned k) { return complex.cell(cells[i]).v[k]; }, Alone());
 }
 
 template <class Id>
@@ -47,7 +48,7 @@ bool are_finite_cells_positive(const Compact_complex<Id>& complex)
   return true;
 }
 
-// Checks as much as the level says. Linear up to the links of vertices, which take sorting.
+// Checks as much as the level says. Linear.
 template <class Id>
 bool is_valid(const Compact_complex<Id>& complex, Delaunay_validity_level level)
 {

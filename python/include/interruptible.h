@@ -2,18 +2,25 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_WATCHER_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_WATCHER_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_H
+
+// Long calls that see signals, Ctrl-C above all.
 
 #include "Unlocked.h"
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <exception>
+#include <thread>
 
 namespace python {
 
@@ -27,7 +34,7 @@ inline bool says_no(const py::object& answer)
   return py::isinstance(answer, py::module_::import("numpy").attr("bool_")) && !py::bool_(answer);
 }
 
-// Says at once, and then every 50 ms, that it is time; it is asked every 256 points.
+// Says at once, and then every 50 ms, that it is time.
 class Alarm_clock
 {
   using Clock = std::chrono::steady_clock;
@@ -100,6 +107,46 @@ private:
   bool m_is_stopped = false;
 };
 
+// Threads whose tasks end when a signal has raised an exception, such as KeyboardInterrupt. It is made,
+// and its tasks are run, by one thread, which has given the interpreter's lock back when they run.
+class Interruptible_executor final : public CGAL::Delaunay_from_surface_3::internal::Executor
+{
+  using Task = CGAL::Delaunay_from_surface_3::internal::Task;
+
+public:
+  explicit Interruptible_executor(std::size_t threads)
+    : m_threads(threads)
+  {
+  }
+
+  std::size_t number_of_workers() const override { return m_threads.number_of_workers(); }
+  void run(std::size_t number, const Task& task) const override { m_threads.run(number, task); }
+
+  void interruption_point() const override
+  {
+    if (std::this_thread::get_id() == m_caller && m_clock.is_time())
+      see_signals();
+    if (m_is_stopped)
+      std::rethrow_exception(m_error);
+  }
+
+private:
+  void see_signals() const
+  {
+    const Locked lock;
+    if (PyErr_CheckSignals() == 0)
+      return;
+    m_error = std::make_exception_ptr(py::error_already_set());
+    m_is_stopped = true;
+  }
+
+  const CGAL::Delaunay_from_surface_3::internal::Thread_executor m_threads;
+  const std::thread::id m_caller = std::this_thread::get_id();
+  mutable Alarm_clock m_clock; // the caller's alone
+  mutable std::exception_ptr m_error;
+  mutable std::atomic<bool> m_is_stopped{false};
+};
+
 } // namespace python
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_WATCHER_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_H
