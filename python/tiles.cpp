@@ -34,15 +34,12 @@ struct Run
   CGAL::Point_files_3 points;
   CGAL::Tiles_options options;
 
-  Run(const std::vector<std::string>& files, std::uint32_t tiles, std::uint64_t memory,
-      std::size_t workers)
+  Run(const std::vector<std::string>& files, std::uint32_t tiles, std::uint64_t memory)
     : points(std::vector<std::filesystem::path>(files.begin(), files.end()))
   {
     options.number_of_tiles = tiles;
     options.starts_again = tiles == 0;
     options.memory = memory;
-    options.points_at_once =
-        std::size_t((std::min)(std::uint64_t(4000000), memory / workers / 100 + 1));
   }
 };
 
@@ -80,7 +77,7 @@ py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::strin
                          const py::object& progress)
 {
   const CGAL::Tiles_report report = without_lock([&] {
-    Run run(files, tiles, memory, workers);
+    Run run(files, tiles, memory);
     run.options.progress = [&](const char* what, std::size_t done, std::size_t all) {
       const python::Locked lock;
       if (PyErr_CheckSignals() != 0)
@@ -112,7 +109,7 @@ py::tuple next_of_tiles(const std::vector<std::string>& files, const std::string
     std::uint32_t tiles;
   };
   const Next next = without_lock([&] {
-    const Run run(files, tiles, memory, 1);
+    const Run run(files, tiles, memory);
     core::Tiles_to_files work(output, 1, vtu);
     const std::size_t n = work.next(run.points, run.options);
     return Next{n, work.name(), work.number_of_tiles()};
@@ -126,7 +123,7 @@ std::uint32_t do_task_of_tiles(const std::vector<std::string>& files, const std:
                                std::size_t task, bool starts_again)
 {
   return without_lock([&]() -> std::uint32_t {
-    Run run(files, tiles, memory, 1);
+    Run run(files, tiles, memory);
     run.options.starts_again = starts_again;
     core::Tiles_to_files work(output, 1, vtu);
     try {

@@ -181,6 +181,37 @@ BOOST_AUTO_TEST_CASE(tile_out_of_core)
   std::filesystem::remove_all(folder);
 }
 
+// A tile that would need more than it may have is refused before it has it: around a hub, of which it is
+// told by others, and between two lines, where few points have many cells.
+BOOST_AUTO_TEST_CASE(tiles_that_are_too_large)
+{
+  if (!forget_peak())
+    return;
+  std::vector<double> hub = {0, 0, 0}, lines;
+  for (int i = 0; i < 600000; ++i) {
+    const double z = 1 - 2 * (i + .5) / 600000, r = std::sqrt(1 - z * z), a = 3.883222077450933 * i;
+    hub.insert(hub.end(), {r * std::cos(a), r * std::sin(a), z});
+  }
+  for (int i = 0; i < 3000; ++i)
+    lines.insert(lines.end(), {i / 3000., 0, 0, .5, i / 3000. - .5, 1});
+  for (const std::vector<double>& coordinates : {hub, lines}) {
+    const CGAL::Tile_array_source_3 source(coordinates.data(), coordinates.size() / 3);
+    CGAL::Tiles_options options;
+    options.number_of_tiles = 8;
+    options.memory = std::uint64_t(50) << 20;
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("memory-" + std::to_string(std::random_device()()));
+    const std::size_t before = memory("VmRSS");
+    BOOST_TEST_REQUIRE(forget_peak());
+    BOOST_CHECK_THROW(Tiles_to_files(folder, 1, false).run(source, options),
+                      CGAL::Delaunay_from_surface_3::internal::Tile_too_large);
+    const double share = double(memory("VmHWM") - before) / double(options.memory);
+    BOOST_TEST_MESSAGE("refused at " << share << " of the memory allowed");
+    BOOST_TEST(share < 1.3);
+    std::filesystem::remove_all(folder);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(points_in_a_cube)
 {
   if (!forget_peak()) {

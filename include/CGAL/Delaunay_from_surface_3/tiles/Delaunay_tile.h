@@ -28,6 +28,7 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/fit_when_merged.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
 
 #include <algorithm>
 #include <array>
@@ -72,8 +73,10 @@ public:
         m_equal.push_back({(std::max)(p, q), (std::min)(p, q)});
       return true;
     };
-    or_too_large(
-        [&] { m_triangulation.insert_first(std::move(own), number, executor, note_equal); });
+    or_too_large([&] {
+      m_triangulation.insert_first(
+          std::move(own), number, executor, [&] { check_bytes(); }, note_equal);
+    });
     m_first_untold = is_new ? 0 : m_triangulation.vertices_end();
   }
 
@@ -90,14 +93,32 @@ public:
   // Offers what is new to the tile, answers questions, and returns what there is to tell now.
   std::vector<Tile_message> absorb(Tile_news news)
   {
-    const bool is_first = m_first_untold == 0;
-    note_known(news.offers);
-    or_too_large([&] {
-      m_triangulation.insert(
-          std::move(news.offers), m_number, [&] { return wants(); }, [](auto...) { return true; });
-    });
-    std::vector<Tile_message> messages = tell(is_first);
-    answer(news.questions, messages);
+    offer(std::move(news.offers));
+    return tell_and_answer(news.questions);
+  }
+
+  // The same in two steps, of which the first may be taken again and again. No more points wait at once
+  // than an eighth of those that may be kept.
+  void offer(std::vector<Tile_point> points)
+  {
+    note_known(points);
+    const std::size_t most = (std::max)(m_limit / 8, std::size_t(1024));
+    const auto insert = [&](std::vector<Tile_point> some) {
+      or_too_large([&] {
+        m_triangulation.insert(
+            std::move(some), m_number, [&] { return wants(); }, [](auto...) { return true; });
+      });
+    };
+    while (points.size() > most && number_of_points_kept() + points.size() > m_limit) {
+      insert({points.end() - std::ptrdiff_t(most), points.end()});
+      points.resize(points.size() - most);
+    }
+    insert(std::move(points));
+  }
+  std::vector<Tile_message> tell_and_answer(const std::vector<Tile_message>& questions)
+  {
+    std::vector<Tile_message> messages = tell(m_first_untold == 0);
+    answer(questions, messages);
     return messages;
   }
 
@@ -142,7 +163,15 @@ private:
     const bool is_wanted = m_triangulation.find_neighbor([&](Id v) { return is_own(v); });
     if (is_wanted && number_of_points_kept() >= m_limit)
       throw too_large(m_limit);
+    check_bytes();
     return is_wanted;
+  }
+
+  // A point may have many cells.
+  void check_bytes() const
+  {
+    if (m_triangulation.bytes() > m_bytes)
+      throw too_large((std::min)(m_limit, number_of_points_kept()));
   }
 
   void note_known(const std::vector<Tile_point>& told)
@@ -283,6 +312,7 @@ private:
   const Tiling& m_tiling;
   const std::uint32_t m_number;
   const std::size_t m_limit;
+  const std::uint64_t m_bytes = std::uint64_t(m_limit) * bytes_per_point_kept;
   std::size_t m_number_of_own_points = 0;
   std::vector<std::uint64_t> m_known; // ids that were offered, ascending
   std::vector<Told> m_told;           // ascending

@@ -30,11 +30,15 @@ struct Tile_news
 };
 
 // Of tile t, which knows ids that ascend. The sample is from the tile itself, and asks nothing.
-inline Tile_news news_of(const std::vector<Tile_message>& messages, const Tiling& tiling,
-                         std::uint32_t t, const std::vector<std::uint64_t>& known)
+inline Tile_news news_of(std::vector<Tile_message> messages, const Tiling& tiling, std::uint32_t t,
+                         const std::vector<std::uint64_t>& known)
 {
   Tile_news news;
-  for (const Tile_message& message : messages) {
+  std::size_t number = 0;
+  for (const Tile_message& message : messages)
+    number += message.points.size();
+  news.offers.reserve(number);
+  for (Tile_message& message : messages) {
     Tile_message question{message.from, t, {}};
     for (const Tile_point& p : message.points)
       if (tiling.tree.owner(p.coordinates) == t)
@@ -43,6 +47,7 @@ inline Tile_news news_of(const std::vector<Tile_message>& messages, const Tiling
         news.offers.push_back(p);
     if (message.from != t && !question.points.empty())
       news.questions.push_back(std::move(question));
+    std::vector<Tile_point>().swap(message.points);
   }
   std::sort(news.offers.begin(), news.offers.end(),
             [](const Tile_point& p, const Tile_point& q) { return p.id < q.id; });

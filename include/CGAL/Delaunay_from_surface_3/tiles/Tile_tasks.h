@@ -23,7 +23,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -89,25 +91,43 @@ struct Tile_tasks
     Tile_state state;
     if (round > 0)
       state = folder.read_state(t, before.last_rounds[t]);
-    Tile_news news = news_of(inbox(t, tiling, round, before), tiling, t, state.known);
+    std::optional<Delaunay_tile> tile; // made when something is new
+    const auto make = [&] {
+      if (!tile)
+        tile.emplace(tiling, t, own_points(t), std::move(state), limit, Thread_executor(threads));
+    };
+    std::vector<Tile_message> questions;
+    const auto hear = [&](std::vector<Tile_message> messages) {
+      Tile_news news = news_of(std::move(messages), tiling, t, tile ? tile->known() : state.known);
+      if (news.empty())
+        return;
+      make();
+      tile->offer(std::move(news.offers));
+      std::move(news.questions.begin(), news.questions.end(), std::back_inserter(questions));
+    };
+    if (round == 0)
+      hear({{t, t, tiling.sample}});
+    else
+      hear_messages(t, round - 1, before, hear);
     const std::vector<std::uint32_t> partners = partners_of(t, shown);
-    if (round > 0 && news.empty() && partners.empty()) // nothing is new
+    if (round > 0 && !tile && partners.empty()) // nothing is new
       return folder.write_state(t, round, state);
-    Delaunay_tile tile = make_tile(t, tiling, std::move(state));
-    std::vector<Tile_message> messages = tile.absorb(std::move(news));
-    for (Tile_message& message : tile.witnesses(partners))
+    make();
+    std::vector<Tile_message> messages = tile->tell_and_answer(questions);
+    for (Tile_message& message : tile->witnesses(partners))
       messages.push_back(std::move(message));
     if (!messages.empty())
       folder.write_post(t, round, messages);
     std::vector<Tile_message>().swap(messages);
-    folder.write_state(t, round, std::move(tile).state());
+    folder.write_state(t, round, std::move(*tile).state());
   }
 
   // What a tile has when all is done.
   void finish_tile(std::uint32_t t, const Tiling& tiling, const Closed_round& last) const
   {
     Tile_state state{folder.read_state(t, last.last_rounds[t]).kept, {}, {}}; // nothing is told now
-    const Delaunay_tile tile = make_tile(t, tiling, std::move(state));
+    const Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit,
+                             Thread_executor(threads));
     folder.write_piece(Piece_of_tile(tile));
     folder.write_certificate(certificate_of(tile, last.seed, input.compares_cells != 0));
   }
@@ -122,12 +142,6 @@ private:
     return Sampling(input.points, input.tiles, std::size_t(input.sample_share));
   }
 
-  Delaunay_tile make_tile(std::uint32_t t, const Tiling& tiling, Tile_state&& state) const
-  {
-    return Delaunay_tile(tiling, t, own_points(t), std::move(state), limit,
-                         Thread_executor(threads));
-  }
-
   std::vector<Tile_point> own_points(std::uint32_t t) const
   {
     std::vector<Tile_point> own;
@@ -136,18 +150,24 @@ private:
     return own;
   }
 
-  std::vector<Tile_message> inbox(std::uint32_t t, const Tiling& tiling, std::size_t round,
-                                  const Closed_round& before) const
+  // Calls hear(messages) for what the tile was told in a round, as often as it takes for no more points to
+  // wait than it may keep.
+  template <class Hear>
+  void hear_messages(std::uint32_t t, std::size_t round, const Closed_round& closed,
+                     const Hear& hear) const
   {
-    if (round == 0)
-      return {{t, t, tiling.sample}};
     std::vector<Tile_message> messages;
-    for (const Posted& posted : before.posts)
+    std::size_t waiting = 0;
+    for (const Posted& posted : closed.posts)
       if (posted.to == t) {
         messages.push_back({posted.from, t, {}});
-        folder.append_message(posted, round - 1, messages.back().points);
+        folder.append_message(posted, round, messages.back().points);
+        waiting += messages.back().points.size();
+        if (waiting > limit)
+          hear(std::exchange(messages, {}));
+        waiting = messages.empty() ? 0 : waiting;
       }
-    return messages;
+    hear(std::move(messages));
   }
 
   static std::vector<std::uint32_t> partners_of(std::uint32_t t, const Tile_pairs& pairs)

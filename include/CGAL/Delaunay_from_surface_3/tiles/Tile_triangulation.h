@@ -63,20 +63,22 @@ public:
   Tile_triangulation(const Tile_triangulation&) = delete;
 
   // Inserts points that are wanted whatever they touch, before any others: by all workers, or as
-  // insert() does. The vertices are the same then, and the cells, but in another order.
-  template <class Equal>
+  // insert() does. The vertices are the same then, and the cells, but in another order. check() is called
+  // now and then, and may throw.
+  template <class Check, class Equal>
   void insert_first(std::vector<Tile_point> points, unsigned int seed, const Executor& executor,
-                    const Equal& equal)
+                    const Check& check, const Equal& equal)
   {
     if (executor.number_of_workers() == 1 || points.size() < least_points_for_threads)
       return insert(
-          std::move(points), seed, [] { return true; }, equal);
+          std::move(points), seed, [&] { return check(), true; }, equal);
     Insertion_order order = order_of(points, seed);
     add_vertices(points, order.order);
     const std::size_t before = std::exchange(m_vertices_end, m_ids.size()) - 1;
     std::vector<Tile_point>().swap(points);
     std::vector<std::size_t>().swap(order.order);
-    merge_equal_points(insert_by_threads(m_complex, before, order.round_ends, executor), equal);
+    merge_equal_points(insert_by_threads(m_complex, before, order.round_ends, executor, check),
+                       equal);
   }
 
   // Inserts those that wants() when the zone of conflict is dug, in random rounds, each sorted by
@@ -107,6 +109,13 @@ public:
         if (visit(v))
           return true;
     return false;
+  }
+
+  // That are taken by what there is.
+  std::uint64_t bytes() const
+  {
+    return m_complex.cells_end() * sizeof(Cell) +
+           m_ids.size() * (sizeof(Complex::Vertex) + sizeof(std::uint64_t) + sizeof(std::uint32_t));
   }
 
   // The number of vertices, the infinite one, which is 0, included.

@@ -75,8 +75,8 @@ public:
   {
     std::vector<std::vector<Tile_message>> messages(m_tiles.size());
     for_each([&](std::size_t k) {
-      messages[k] =
-          m_tiles[k]->absorb(news_of(m_inboxes[k], *m_tiling, number(k), m_tiles[k]->known()));
+      messages[k] = m_tiles[k]->absorb(
+          news_of(std::move(m_inboxes[k]), *m_tiling, number(k), m_tiles[k]->known()));
       done(k);
     });
     m_inboxes.assign(m_tiles.size(), {});

@@ -179,7 +179,7 @@ private:
     m_input = {m_source->size(),
                fingerprint_of(*m_source),
                options.sample_share,
-               std::clamp(options.points_at_once, std::size_t(1), std::size_t(1) << 30),
+               most_points_read(options, at_once),
                number_of_tiles(options, m_source->size(), at_once),
                options.compares_cells};
     std::random_device random;

@@ -26,11 +26,11 @@ constexpr std::size_t least_points_for_threads = 10000;
 
 // Inserts all vertices behind the first ones, which are in cells, in rounds that end there; each worker
 // starts from the one it inserted before. Returns by place, that is vertex less 1, the vertices, of equal
-// points that of any of them.
-template <class Id>
+// points that of any of them. check() is called now and then, and may throw.
+template <class Id, class Check>
 std::vector<Id> insert_by_threads(Compact_complex<Id>& complex, std::size_t first,
                                   const std::vector<std::size_t>& round_ends,
-                                  const Executor& executor)
+                                  const Executor& executor, const Check& check)
 {
   std::vector<Id> vertex_of(complex.vertices_end() - 1, 0);
   std::iota(vertex_of.begin(), vertex_of.begin() + std::ptrdiff_t(first), Id(1));
@@ -43,6 +43,7 @@ std::vector<Id> insert_by_threads(Compact_complex<Id>& complex, std::size_t firs
                            Starting_cells<Id>(complex, vertex_of, nullptr, 1),
                            [](std::size_t) { return true; });
       place = next;
+      check();
     }
   workers.finish();
   return vertex_of;

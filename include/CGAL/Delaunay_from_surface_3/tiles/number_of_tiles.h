@@ -35,6 +35,16 @@ inline std::size_t most_points_kept(const Tiles_options& options, std::size_t at
                                                                       std::uint64_t(64))));
 }
 
+// How many points are read at a time: 60 bytes each while they are sorted by tiles.
+inline std::size_t most_points_read(const Tiles_options& options, std::size_t at_once)
+{
+  const std::uint64_t fit = options.memory / (std::max)(at_once, std::size_t(1)) / 100;
+  const std::size_t most =
+      options.memory == 0 ? options.points_at_once
+                          : std::size_t((std::min)(std::uint64_t(options.points_at_once), fit));
+  return std::clamp(most, std::size_t(1), std::size_t(1) << 30);
+}
+
 // For n points, if the worst tile keeps five times its own points, which are up to a tenth more
 // than those of others.
 inline std::uint32_t number_of_tiles(const Tiles_options& options, std::uint64_t n,
