@@ -97,8 +97,7 @@ py::tuple views_of(Arrays&& moved, bool with_neighbors)
 Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::Watcher& watcher,
                  const core::Executor& executor)
 {
-  if (const char* const obstacle = core::obstacle_of_core())
-    throw std::runtime_error(std::string("the module would be slow, or not exact: ") + obstacle);
+  python::refuse_obstacle();
   const auto build = executor.number_of_workers() > 1
                          ? &core::build<std::uint32_t, core::Many_threads>
                          : &core::build<std::uint32_t, core::One_thread>;

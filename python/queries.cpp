@@ -110,6 +110,7 @@ Numbers neighbors(const Numbers& simplices, std::size_t n, std::size_t threads)
 Numbers find_simplex(const Points& points, const Numbers& simplices, const Numbers& neighbors,
                      const Points& queries, std::size_t threads)
 {
+  python::refuse_obstacle();
   const Rows vertices(simplices), across(neighbors);
   if (vertices.corners() != 4 || across.corners() != 4 || vertices.size() != across.size())
     throw py::value_error("find_simplex: expected tetrahedra");
@@ -334,6 +335,7 @@ py::array barycentric(const Points& points, const Numbers& simplices, const Poin
 bool is_valid(const Points& points, const Numbers& simplices, const Numbers& vertices_of_points,
               int dimension, int level, std::size_t threads)
 {
+  python::refuse_obstacle();
   const Rows rows(simplices);
   const auto n = std::size_t(points.shape(0));
   if (vertices_of_points.ndim() != 1 || std::size_t(vertices_of_points.shape(0)) != n ||

@@ -59,12 +59,12 @@ def row_of(path, name, program):
             message = done.stderr.strip().splitlines()[-1].removeprefix("error: ").removeprefix(f"{surface}: ")
             return {**row, "inside": "none", "message": message.replace(folder + "/", ""), "edges": edges_of(message)}
         values = json.loads(done.stdout)
-        row.update(faces=values["surface faces"], vertices=values["vertices"], inside="winding numbers" if "not closed" in values else "closed mesh",
-                   tetrahedra=values["finite cells"])
-        if "not closed" in values:
-            row.update(in_doubt=share(values["tetrahedra in doubt"]), in_several=values["in several parts"],
-                       volume_in_doubt=round(float(values["volume in doubt"].split()[0]) / 100, 6),
-                       openings=round(float(values["openings"].split()[0]) / 100, 6), not_closed=values["not closed"], edges=edges_of(values["not closed"]))
+        row.update(faces=values["surface_faces"], vertices=values["vertices"], inside="winding numbers" if "not_closed" in values else "closed mesh",
+                   tetrahedra=values["finite_cells"])
+        if "not_closed" in values:
+            row.update(in_doubt=share(values["tetrahedra_in_doubt"]), in_several=values["in_several_parts"],
+                       volume_in_doubt=round(float(values["volume_in_doubt"].split()[0]) / 100, 6),
+                       openings=round(float(values["openings"].split()[0]) / 100, 6), not_closed=values["not_closed"], edges=edges_of(values["not_closed"]))
         return row
 
 

@@ -138,7 +138,7 @@ class Surfaces(ProgramCase):
     def test_marks_of_editors(self):
         """What stands before a text in UTF-8, and ends of lines as Windows has them."""
         self.write("mark.xyz", b"\xef\xbb\xbf0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n")
-        self.works("mark.xyz", "--quiet", "--json", prints=[r'"finite cells": 1\b'])
+        self.works("mark.xyz", "--quiet", "--json", prints=[r'"finite_cells": 1\b'])
 
     def test_carriage_returns_alone(self):
         """As systems had them whose editors are still around."""
@@ -146,7 +146,7 @@ class Surfaces(ProgramCase):
         self.write("mac.obj", "\r".join(TETRAHEDRON).encode())
         self.write("mac.xyz", b"0 0 0\r1 0 0\r0 1 0\r0 0 1")
         for name in ("mac.off", "mac.obj", "mac.xyz"):
-            self.works(name, "--quiet", "--json", prints=[r'"finite cells": 1\b'])
+            self.works(name, "--quiet", "--json", prints=[r'"finite_cells": 1\b'])
         self.write("short.off", b"OFF\r4 1 0\r0 0 0\r1 0 0\r")
         self.refuses("short.off: cannot be read as .off: line 4: the file ends too early", "short.off")
 
@@ -157,14 +157,14 @@ class Surfaces(ProgramCase):
         self.write("crlf.obj", crlf)
         self.write("end.obj", (self.folder / "long.obj").read_bytes() + b"f 1 2 3 \\")
         for name, faces in (("long.obj", 1), ("crlf.obj", 1), ("end.obj", 2)):
-            self.works(name, "--quiet", "--json", prints=[rf'"surface faces": {faces}\b', r'"finite cells": 1\b'])
+            self.works(name, "--quiet", "--json", prints=[rf'"surface_faces": {faces}\b', r'"finite_cells": 1\b'])
         for wrong, message in (("v 1\\ 2 3", r"line 1: '1\\' is not a number"),
                                ("v 1 \\\n2", "line 1: a vertex has too few"),
                                ("v 1 2 \\\n3\nv 1 x", "line 3: 'x' is not a number")):
             self.write("wrong.obj", wrong)
             self.refuses(r"wrong.obj: cannot be read as .obj: " + message, "wrong.obj")
         self.write("points.xyz", "0 0 0 \\", "1 0 0", "0 1 0", "0 0 1")  # elsewhere it is passed over
-        self.works("points.xyz", "--quiet", "--json", prints=[r'"finite cells": 1\b'])
+        self.works("points.xyz", "--quiet", "--json", prints=[r'"finite_cells": 1\b'])
 
     def test_points_that_are_announced(self):
         corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
@@ -358,7 +358,7 @@ class Output(ProgramCase):
         corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
         for k, first in enumerate(("//X Y Z", "// X Y Z R G B", "x y z", "X Y Z Nx Ny Nz", "//")):
             self.write("named.xyz", *([first] if k < 4 else [first, "4"]), *corners)
-            self.works("named.xyz", "--quiet", "--json", prints=[r'"finite cells": 1\b'])
+            self.works("named.xyz", "--quiet", "--json", prints=[r'"finite_cells": 1\b'])
         for count, comment, atoms in (("4", "water, and more", ["C 0 0 0", "H 1 0 0", "He 0 1 0", "O 0 0 1"]),
                                       (" 4 ", "0 0 0", [f"Na {c} 0.5" for c in corners]), ("2", "", ["C1 0 0 0", "C2 1 1e-3 1"])):
             self.write("atoms.xyz", count, comment, *atoms)
@@ -415,16 +415,16 @@ class Output(ProgramCase):
             return json.loads(text), marks.split("SCALARS")[0].split(), numbers[1:]
 
         values, whole, numbers = inside("whole.off", faces)
-        self.assertEqual((values["faces turned"], len(numbers), set(whole)), (0, 1, {"0", "1"}))
+        self.assertEqual((values["faces_turned"], len(numbers), set(whole)), (0, 1, {"0", "1"}))
         self.assertNotIn("not closed", values)
         flipped = [" ".join([*line.split()[:2], *line.split()[:1:-1]]) for line in faces[300:310]]
         for name, some in (("holes.off", faces[:100] + faces[104:]), ("flips.off", faces[:300] + flipped + faces[310:]),
                            ("twice.off", faces + faces[500:520])):
             values, marks, numbers = inside(name, some)
-            self.assertEqual((values["faces turned"], len(numbers), len(marks)), (10 * (name == "flips.off"), 1, len(whole)), name)
+            self.assertEqual((values["faces_turned"], len(numbers), len(marks)), (10 * (name == "flips.off"), 1, len(whole)), name)
             self.assertIn("not closed", values)
             self.assertAlmostEqual(marks.count("1"), whole.count("1"), delta=20, msg=name)
-            self.assertEqual(int(values["tetrahedra in doubt"].split()[0]) > 0, name != "flips.off", name)
+            self.assertEqual(int(values["tetrahedra_in_doubt"].split()[0]) > 0, name != "flips.off", name)
 
     def boxes(self, name, *boxes, turned=lambda side: False, n=4):
         """Writes boxes, (corner, size) each, of squares cut in two; those sides are turned for which turned(number) holds."""
@@ -493,10 +493,10 @@ class Output(ProgramCase):
     def test_json(self):
         text = self.works(TORUS, "--json", "--stats", "--compare", "--repetitions", 1, "--traits", "tracing")
         values = json.loads(text)
-        self.assertEqual((values["vertices"], values["finite cells"], values["equal"]), (960, 8317, "yes"))
+        self.assertEqual((values["vertices"], values["finite_cells"], values["equal"]), (960, 8317, "yes"))
         self.assertEqual(values["rounds"][-2]["phase"], "update")
         self.assertIsNone(values["rounds"][-2]["cells"])
-        self.assertGreater(json.loads(self.works(TORUS, "--json", "--stats", "--quiet"))["cells destroyed"], 9)
+        self.assertGreater(json.loads(self.works(TORUS, "--json", "--stats", "--quiet"))["cells_destroyed"], 9)
         self.write('a "name".off', TORUS.read_text())
         self.assertEqual(json.loads(self.works('a "name".off', "--json"))["input"], 'a "name".off')
 

@@ -5,9 +5,21 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_FUNCTIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_FUNCTIONS_H
 
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+
 #include <pybind11/pybind11.h>
 
+#include <stdexcept>
+#include <string>
+
 namespace python {
+
+// Where signs would not be right, as in a thread that takes denormal numbers for 0.
+inline void refuse_obstacle()
+{
+  if (const char* const obstacle = CGAL::Delaunay_from_surface_3::internal::obstacle_of_core())
+    throw std::runtime_error(std::string("the module would be slow, or not exact: ") + obstacle);
+}
 
 // What the files beside module.cpp add to the extension.
 void define_surface_functions(pybind11::module_& m);

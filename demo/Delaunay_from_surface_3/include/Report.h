@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_REPORT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_REPORT_H
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
@@ -44,6 +45,13 @@ inline std::string json_string(const std::string& text)
   }
   quoted << '"';
   return quoted.str();
+}
+
+// A key has no blanks there.
+inline std::string json_key(std::string text)
+{
+  std::replace(text.begin(), text.end(), ' ', '_');
+  return json_string(text);
 }
 
 // Prints results: as lines "key:      value" and tables, as one JSON object, or not at all.
@@ -96,13 +104,13 @@ public:
     for (const auto& row : rows) {
       json += json.empty() ? "[" : ", ";
       for (std::size_t k = 0; k < columns.size(); ++k)
-        json += (k == 0 ? "{" : ", ") + json_string(columns[k]) + ": " +
+        json += (k == 0 ? "{" : ", ") + json_key(columns[k]) + ": " +
                 (k < words       ? json_string(row[k])
                  : row[k] == "-" ? "null"
                                  : row[k]);
       json += "}";
     }
-    m_json += (m_json.empty() ? "" : ",\n") + ("  " + json_string(key)) + ": " +
+    m_json += (m_json.empty() ? "" : ",\n") + ("  " + json_key(key)) + ": " +
               (json.empty() ? "[" : json) + "]";
   }
 
@@ -118,7 +126,7 @@ private:
   {
     if (m_style == Style::TEXT)
       m_out << std::left << std::setw(24) << key + ':' << text << '\n';
-    m_json += (m_json.empty() ? "" : ",\n") + ("  " + json_string(key)) + ": " + json;
+    m_json += (m_json.empty() ? "" : ",\n") + ("  " + json_key(key)) + ": " + json;
   }
 
   void print_row(const std::vector<std::string>& row, std::size_t words)
