@@ -422,7 +422,7 @@ class Output(ProgramCase):
                            ("twice.off", faces + faces[500:520])):
             values, marks, numbers = inside(name, some)
             self.assertEqual((values["faces_turned"], len(numbers), len(marks)), (10 * (name == "flips.off"), 1, len(whole)), name)
-            self.assertIn("not closed", values)
+            self.assertIn("not_closed", values)
             self.assertAlmostEqual(marks.count("1"), whole.count("1"), delta=20, msg=name)
             self.assertEqual(int(values["tetrahedra_in_doubt"].split()[0]) > 0, name != "flips.off", name)
 
