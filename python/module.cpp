@@ -14,11 +14,11 @@
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Kept_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
 
 #include <algorithm>
 #include <atomic>

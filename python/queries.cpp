@@ -10,14 +10,12 @@
 #include "interruptible.h"
 #include "numpy_rows.h"
 
-#include <CGAL/Delaunay_from_surface_3/arrays/adjacent_vertices.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/complete_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/arrays/find_simplices.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/arrays/match_facets.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
-#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
 #include <algorithm>

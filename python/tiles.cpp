@@ -9,9 +9,9 @@
 #include "functions.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
 #include <pybind11/stl.h>
 

@@ -8,7 +8,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY
 
 #include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Insert_by_workers.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 
 #include <cstdint>
 #include <memory>

@@ -8,14 +8,14 @@
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
-#include <CGAL/Delaunay_from_surface_3/arrays/find_simplices.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Insert_by_workers.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>

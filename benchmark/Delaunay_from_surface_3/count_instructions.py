@@ -31,13 +31,13 @@ from one_record_per_line import text_of
 EXTENSIONS = {".off", ".ply", ".obj", ".stl"}
 FUNCTIONS = ["insert_once_by_plain_cgal", "insert_once_by_default"]
 PHASES = {  # a phase is all that is called from lines of the first within the second, by regular expressions
-    "read": ("door/Read_\\w+.h", ""),
+    "read": ("adapters/Read_\\w+.h", ""),
     "plan": ("core/order/Order_of_core.h", "::make"),
     "permute": ("core/kernel/Ordered_complex.h", "::Ordered_complex"),
     "walk": ("core/kernel/Walk_to_conflict.h", ""),
     "dig": ("core/kernel/Inserter.h", "::dig_in_vectors"),
     "fill": ("core/kernel/Fill_star.h", "Fill_star<.*operator"),
-    "export": ("door/Way_through_core.h", ""),
+    "export": ("adapters/insert_surface.h", "Way_through_core"),
 }
 MOST_BYTES = 150  # of a file, for each of the vertices that it may have: larger ones are not tried
 

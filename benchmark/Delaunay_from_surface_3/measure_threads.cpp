@@ -19,8 +19,8 @@
 #include <Delaunay_from_surface_3_threads/simulate_workers.h>
 #include <Delaunay_from_surface_3_threads/time_parts.h>
 
-#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
-#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_points_3.h>

@@ -11,8 +11,7 @@
 #include "report_tiles.h"
 #include "tiles_folder.h"
 
-#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 #include <CGAL/Tiles_by_mpi_3.h>
 
 #include <boost/program_options.hpp>

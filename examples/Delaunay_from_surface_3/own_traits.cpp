@@ -7,16 +7,16 @@
 
 #include <CGAL/insert_surface_vertices_3.h>
 
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Tracing_traits_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <cstddef>

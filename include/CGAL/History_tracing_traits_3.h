@@ -6,7 +6,7 @@
 #define CGAL_HISTORY_TRACING_TRAITS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 

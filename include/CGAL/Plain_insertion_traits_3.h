@@ -5,8 +5,8 @@
 #ifndef CGAL_PLAIN_INSERTION_TRAITS_3_H
 #define CGAL_PLAIN_INSERTION_TRAITS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 

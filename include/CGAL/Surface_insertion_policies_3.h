@@ -5,7 +5,7 @@
 #ifndef CGAL_SURFACE_INSERTION_POLICIES_3_H
 #define CGAL_SURFACE_INSERTION_POLICIES_3_H
 
-#include <CGAL/Delaunay_from_surface_3/paper/Starts_in_core.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 
 namespace CGAL {
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_WINDING_NUMBER_3_H
 #define CGAL_WINDING_NUMBER_3_H
 
-#include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
-#include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

@@ -5,9 +5,9 @@
 #ifndef CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 #define CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/surface/certify_edges.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Surface_component_topology.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
+#include <CGAL/Delaunay_from_surface_3/surface/certify_edges.h>
 #include <CGAL/Delaunay_from_surface_3/surface/with_rotation_system.h>
 
 namespace CGAL {

@@ -9,8 +9,8 @@
 // EMST(S)". It does exactly if its own minimum spanning tree has edges of the same lengths.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
-#include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 

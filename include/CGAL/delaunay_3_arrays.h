@@ -9,14 +9,12 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Kept_order.h>
-#include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
-#include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
-#include <CGAL/Delaunay_from_surface_3/door/Visitor_watcher.h>
-#include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
-#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
-#include <CGAL/Delaunay_from_surface_3/door/visitor_of_caller.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Visitor_watcher.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -48,7 +46,7 @@ Order_request order_of_arrays(Order_request::Kind kind, const NamedParameters& n
   return request;
 }
 
-// The door into arrays: one of those that the core has.
+// The way into arrays: one of those that the core has.
 template <class Index, class Executor, class NamedParameters>
 Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& orders,
                                             const std::optional<std::string>& irregularity,

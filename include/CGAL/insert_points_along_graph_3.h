@@ -5,11 +5,11 @@
 #ifndef CGAL_INSERT_POINTS_ALONG_GRAPH_3_H
 #define CGAL_INSERT_POINTS_ALONG_GRAPH_3_H
 
-#include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
-#include <CGAL/Delaunay_from_surface_3/door/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/door/read_items.h>
-#include <CGAL/Delaunay_from_surface_3/door/refuse_triangulation.h>
-#include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/refuse_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 

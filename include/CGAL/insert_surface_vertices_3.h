@@ -5,9 +5,9 @@
 #ifndef CGAL_INSERT_SURFACE_VERTICES_3_H
 #define CGAL_INSERT_SURFACE_VERTICES_3_H
 
-#include <CGAL/Delaunay_from_surface_3/door/Read_mesh.h>
-#include <CGAL/Delaunay_from_surface_3/door/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/door/refuse_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/refuse_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 

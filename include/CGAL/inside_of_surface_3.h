@@ -8,8 +8,8 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Inside_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
-#include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/inside/find_inside.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

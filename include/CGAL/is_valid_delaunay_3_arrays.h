@@ -8,7 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/door/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 

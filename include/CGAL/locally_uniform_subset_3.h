@@ -12,7 +12,7 @@
 // ball of one kept before it, is nearer to that one than its own size.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/samples/read_distinct_points.h>
 #include <CGAL/Delaunay_from_surface_3/samples/make_lipschitz.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

@@ -5,7 +5,7 @@
 #ifndef CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 #define CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 
-#include <CGAL/Delaunay_from_surface_3/surface/Minimum_degree_witness.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
 #include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
 

@@ -5,7 +5,7 @@
 #ifndef CGAL_NEIGHBOR_SPACING_3_H
 #define CGAL_NEIGHBOR_SPACING_3_H
 
-#include <CGAL/Delaunay_from_surface_3/door/check_named_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/samples/read_distinct_points.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -8,7 +8,7 @@
 #include "Unlocked.h"
 #include "numpy_ranges.h"
 
-#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
 #include <cstddef>

@@ -9,7 +9,7 @@
 
 #include "Unlocked.h"
 
-#include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>

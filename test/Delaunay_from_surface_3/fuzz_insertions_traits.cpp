@@ -11,23 +11,19 @@
 #include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
 #include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/History_tracing_traits_3.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include "parallel_case.h"
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <CGAL/Delaunay_from_surface_3/door/Tbb_executor.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #endif

@@ -11,11 +11,9 @@
 #include "input.h"
 
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/vertex_info.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/History_tracing_traits_3.h>

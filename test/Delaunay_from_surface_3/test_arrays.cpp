@@ -13,11 +13,11 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
-#include <CGAL/Delaunay_from_surface_3/arrays/find_simplices.h>
 #include <CGAL/delaunay_3_arrays.h>
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>

@@ -64,7 +64,7 @@ class Arrows(unittest.TestCase):
 
     def test_another_library(self):
         self.assertEqual(self.check_tree({f"{PACKAGE}/core/kernel/Cell.h": "CGAL/enum.h",
-                                          f"{PACKAGE}/door/Export.h": "CGAL/enum.h"}),
+                                          f"{PACKAGE}/adapters/Export.h": "CGAL/enum.h"}),
                          (1, "Delaunay_from_surface_3/core/kernel/Cell.h:2: core kernel names another library's "
                              "header: CGAL/enum.h\n"))
 
@@ -72,8 +72,8 @@ class Arrows(unittest.TestCase):
         one = f"{PACKAGE}/tiles/Ranks_of_mpi.h"
         self.assertEqual(self.check_tree({one: "mpi.h", f"{PACKAGE}/tiles/Tiles_by_mpi.h": one}),
                          (0, "all arrows go down\n"))
-        self.assertEqual(self.check_tree({f"{PACKAGE}/door/Export.h": "mpi.h"}),
-                         (1, f"Delaunay_from_surface_3/door/Export.h:2: MPI's header is named by "
+        self.assertEqual(self.check_tree({f"{PACKAGE}/adapters/Export.h": "mpi.h"}),
+                         (1, f"Delaunay_from_surface_3/adapters/Export.h:2: MPI's header is named by "
                              "Delaunay_from_surface_3/tiles/Ranks_of_mpi.h alone\n"))
 
     def test_surface_knows_no_triangulation(self):

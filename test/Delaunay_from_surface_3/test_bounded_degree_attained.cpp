@@ -14,9 +14,9 @@
 #include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
 
 #include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Opened_surface.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Open_along_cut.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Surface_component_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 

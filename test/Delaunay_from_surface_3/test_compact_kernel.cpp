@@ -14,20 +14,19 @@
 #include "differential.h"
 #include "points_and_graphs.h"
 
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/insert_points_along_graph_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

@@ -9,23 +9,21 @@
 
 #include "archetypes.h"
 
-#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_insertion_traits_3.h>
-#include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/insert_points_3.h>
-#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
+#include <CGAL/insert_points_3.h>
+#include <CGAL/insert_points_along_graph_3.h>
+#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 

@@ -12,12 +12,11 @@
 #include "Perturbed_predicates.h"
 #include "hostile_points.h"
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/flat_beyond_sign.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Random.h>

@@ -15,10 +15,10 @@
 #include "kept_inputs.h"
 #include "parallel_case.h"
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Power_of_scale.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_policies_3.h>

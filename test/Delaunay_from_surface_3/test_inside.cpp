@@ -9,7 +9,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/inside/solid_angle.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
 #include <CGAL/Winding_number_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/inside_of_surface_3.h>

@@ -16,7 +16,6 @@
 #include "include/halfedge_mesh.h"
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Minimum_degree_witness.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>

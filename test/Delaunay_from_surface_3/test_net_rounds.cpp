@@ -14,24 +14,20 @@
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Net_hierarchy.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/is_order.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Edges_of_graph.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/order_by_core.h>
-#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 #include <CGAL/squared_distance_3.h>
-#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -315,8 +311,8 @@ BOOST_AUTO_TEST_CASE(graphs_on_which_nets_do_not_shrink)
   for (std::size_t i = 0; i < n; ++i)
     add_edge(i, i, loops);
   const std::size_t random_rounds = ends_of_random_rounds(n);
-  const DFS::Insertion_order alone = DFS::Spaced_rounds(1)(
-      points, Kernel(), Graph(n), get(boost::vertex_index, Graph(n)));
+  const DFS::Insertion_order alone =
+      DFS::Spaced_rounds(1)(points, Kernel(), Graph(n), get(boost::vertex_index, Graph(n)));
   BOOST_TEST((checked_net_plan(points, Graph(n)).order == alone.order));
   BOOST_TEST(checked_net_plan(points, loops).round_ends.size() == random_rounds);
   // entered at the centre or at a leaf

@@ -18,9 +18,9 @@
 
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>

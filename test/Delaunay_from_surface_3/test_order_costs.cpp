@@ -17,19 +17,14 @@
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
-#include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/is_order.h>
-#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Index_graph.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/delaunay_3_arrays.h>

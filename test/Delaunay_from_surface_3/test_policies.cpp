@@ -14,23 +14,18 @@
 #include "checking_hints.h"
 #include "points_and_graphs.h"
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/spatial_sort.h>
-#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Spaced_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
 #include <CGAL/History_tracing_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/insert_points_along_graph_3.h>
+#include <CGAL/spatial_sort.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>

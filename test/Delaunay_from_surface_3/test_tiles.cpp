@@ -11,9 +11,8 @@
 #include "named_surfaces.h"
 #include "tile_calls.h"
 
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/run_tasks.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
 

@@ -14,7 +14,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
 

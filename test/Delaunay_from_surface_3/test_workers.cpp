@@ -11,7 +11,7 @@
 #include "Owning_worker.h"
 #include "parallel_case.h"
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Starting_cells.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 
 #include <algorithm>
 #include <cstddef>

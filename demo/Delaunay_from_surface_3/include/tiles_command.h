@@ -11,9 +11,8 @@
 #include "report_tiles.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
 
 #include <boost/program_options.hpp>
 

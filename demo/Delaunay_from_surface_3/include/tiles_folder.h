@@ -7,12 +7,11 @@
 
 // The folder of a run that keeps no state in it.
 
-#include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_folder.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/files_of_tiles.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/join_tiles.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 
 #include <array>
 #include <cstddef>

@@ -18,7 +18,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/door/soup_graph.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/surface_of.h>
 

@@ -229,9 +229,9 @@ def draw_call():
     svg.way("arrow dashed", [(456, 208), (588, 208), (588, 124)])
     svg.text(600, 182, "budget exceeded: what was built", "small")
     svg.text(600, 200, "is dropped, a new order is made", "small")
-    svg.text(216, 18, "door", "middle small")
+    svg.text(216, 18, "adapter", "middle small")
     svg.text(470, 18, "core: numbers alone", "middle small")
-    svg.text(765, 18, "door", "middle small")
+    svg.text(765, 18, "adapter", "middle small")
     svg.write("call.svg")
 
 

@@ -9,14 +9,14 @@
 //
 //   write_scenes MESH.off FOLDER
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/OFF.h>
-#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
 
 #include <algorithm>
 #include <cstddef>

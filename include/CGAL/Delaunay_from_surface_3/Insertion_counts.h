@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_COUNTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSERTION_COUNTS_H
 
-#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
 

@@ -35,52 +35,52 @@ def evaluated(text, **names):
 
 
 class Row:
-    """Row<Number> of determinants.h; its w may be something else (balanced_signs.h)."""
+    """Row<Number> of Sphere_filter.h; its w may be something else (balanced_signs.h)."""
 
     def __init__(self, x, y, z, w=None):
         self.x, self.y, self.z = self.s, self.t, _ = x, y, z
-        self.w = w if w is not None else evaluated(found(r"w\(carried\((.*?)\)\) \{", "determinants.h"),
+        self.w = w if w is not None else evaluated(found(r"w\(carried\((.*?)\)\) \{", "Sphere_filter.h"),
                                                    dx=x, dy=y, dz=z)
 
 
 def minor_of(a, b):
     return evaluated(found(r"minor_of\(const Row<Number>& a, const Row<Number>& b\) \{ return (.*?); \}",
-                           "determinants.h"), a=a, b=b)
+                           "Sphere_filter.h"), a=a, b=b)
 
 
 def determinant_of(a, b, c):
-    return evaluated(found(r"determinant_of\([^)]*\) \{ return (.*?); \}", "determinants.h"),
+    return evaluated(found(r"determinant_of\([^)]*\) \{ return (.*?); \}", "Sphere_filter.h"),
                      a=a, b=b, c=c, minor_of=minor_of)
 
 
 def sphere_cofactors(a, b, c, d):
     names = {"a": a, "b": b, "c": c, "d": d}
-    minors = found(r"const auto (ab = minor_of.*?);", "determinants.h")
+    minors = found(r"const auto (ab = minor_of.*?);", "Sphere_filter.h")
     for name, first, second in re.findall(r"(\w\w) = minor_of\((\w), (\w)\)", minors):
         names[name] = minor_of(names[first], names[second]).named(name)
-    return [evaluated(found(rf"of\[{k}\] = (carried\([abcd]\.z .*?\));", "determinants.h"), **names).named(f"of{k}")
+    return [evaluated(found(rf"of\[{k}\] = (carried\([abcd]\.z .*?\));", "Sphere_filter.h"), **names).named(f"of{k}")
             for k in range(4)]
 
 
 def lifted(of, a, b, c, d):
     """The determinant of four rows."""
-    return evaluated(found(r"lifted\(const Row<Number>& a.*?return (.*?); \}", "determinants.h"),
+    return evaluated(found(r"lifted\(const Row<Number>& a.*?return (.*?); \}", "Sphere_filter.h"),
                      a=a, b=b, c=c, d=d, of=of)
 
 
 def circle_cofactors(r):
-    names = {name: evaluated(found(rf"const auto {name} = (r\[.*?);", "determinants.h"), r=r).named(name)
+    names = {name: evaluated(found(rf"const auto {name} = (r\[.*?);", "Sphere_filter.h"), r=r).named(name)
              for name in ("bc", "ca", "ab")}
-    area = evaluated(found(r"area = (carried\(.*?\));", "determinants.h"), **names)
+    area = evaluated(found(r"area = (carried\(.*?\));", "Sphere_filter.h"), **names)
     return list(names.values()), area
 
 
 def lifted_circle(of, r):
-    return evaluated(found(r"lifted\(const Row<Number>\* r\) const \{ return (.*?); \}", "determinants.h"), r=r, of=of)
+    return evaluated(found(r"lifted\(const Row<Number>\* r\) const \{ return (.*?); \}", "Sphere_filter.h"), r=r, of=of)
 
 
 class Wide:
-    """Lane 0 of the vectors of Wide_sphere_filter.h: its own row, and the three others."""
+    """Lane 0 of the vectors of Sphere_filter.h: its own row, and the three others."""
 
     class Column:
         def __init__(self, v, a, b, c):
@@ -88,16 +88,16 @@ class Wide:
 
     class Minors:
         def __init__(self, r, s, name):
-            self.minors = {k: evaluated(found(rf"{k}\((r\.. \* s\.. - s\.. \* r\..)\)", "Wide_sphere_filter.h"),
+            self.minors = {k: evaluated(found(rf"{k}\((r\.. \* s\.. - s\.. \* r\..)\)", "Sphere_filter.h"),
                                         r=r, s=s).named(name + k) for k in ("bc", "ca", "ab")}
 
         def times(self, t):
-            return evaluated(found(r"times\(const Wide_column& t\) const \{ return (.*?); \}", "Wide_sphere_filter.h"),
+            return evaluated(found(r"times\(const Wide_column& t\) const \{ return (.*?); \}", "Sphere_filter.h"),
                              t=t, **self.minors)
 
     @staticmethod
     def w(x, y, z):
-        return evaluated(found(r" w = (x \* x .*?);", "Wide_sphere_filter.h"), x=x, y=y, z=z)
+        return evaluated(found(r" w = (x \* x .*?);", "Sphere_filter.h"), x=x, y=y, z=z)
 
     @classmethod
     def columns(cls, rows):
@@ -107,7 +107,7 @@ class Wide:
     def sphere(cls, e, rows):
         """The sphere test of the neighbor whose vertex e is, and of three vertices of the cell."""
         x, y, z, w = cls.columns([None_row, *rows])
-        return evaluated(found(r"const Four_doubles value = (\(e\.x.*?);", "Wide_sphere_filter.h"),
+        return evaluated(found(r"const Four_doubles value = (\(e\.x.*?);", "Sphere_filter.h"),
                          e=e, x=x, y=y, z=z, w=w, xy=cls.Minors(x, y, "xy_"), zw=cls.Minors(z, w, "zw_"))
 
     @classmethod
@@ -116,11 +116,11 @@ class Wide:
         value = []
         for i in range(4):
             x, y, z, _ = cls.columns([rows[i], rows[i ^ 1], rows[i ^ 2], rows[i ^ 3]])
-            found(r"(const Four_doubles facets = Wide_minors\(x, y\)\.times\(z\);)", "Wide_sphere_filter.h")
+            found(r"(const Four_doubles facets = Wide_minors\(x, y\)\.times\(z\);)", "Sphere_filter.h")
             facets = cls.Minors(x, y, f"xy{i}_").times(z).named(f"facet{i}")
-            value.append(evaluated(found(r"const Four_doubles lifted = (.*?);", "Wide_sphere_filter.h"),
+            value.append(evaluated(found(r"const Four_doubles lifted = (.*?);", "Sphere_filter.h"),
                                    facets=facets, rows=rows[i]).named(f"value{i}"))
-        text = found(r"const double m = [^;]*; view\.sphere = certified_sign\((.*?), Filter", "Wide_sphere_filter.h")
+        text = found(r"const double m = [^;]*; view\.sphere = certified_sign\((.*?), Filter", "Sphere_filter.h")
         return evaluated(text, value=value)
 
 

@@ -106,24 +106,24 @@ def by_columns(determinants, constant, bound, columns):
 
 
 def columns_four(constant):
-    found(r"return four \* unit_of_double \* (\(\(x \* y\) \* \(z \* w\)\)) \+ tiny;", "Column_sizes.h")
+    found(r"return four \* unit_of_double \* (\(\(x \* y\) \* \(z \* w\)\)) \+ tiny;", "Sphere_filter.h")
     return by_columns([sphere, wide_sphere, wide_view], constant,
                       lambda c: f"add(mul({c}, mul(mul(1, 1), mul(1, 1))), 0)", "x, y, z, w")
 
 
 def columns_three(constant):
-    found(r"return three \* unit_of_double \* (\(x \* y \* z\)) \+ tiny;", "Column_sizes.h")
+    found(r"return three \* unit_of_double \* (\(x \* y \* z\)) \+ tiny;", "Sphere_filter.h")
     return by_columns([beyond, cofactor, wide_facet], constant,
                       lambda c: f"add(mul({c}, mul(mul(1, 1), 1)), 0)", "x, y, z")
 
 
 def columns_circle(constant):
-    found(r"(80|\d+) \* Filter_bounds::unit \* box \* m \+ Column_sizes::tiny", "flat_beyond_sign.h")
+    found(r"(80|\d+) \* Filter_bounds::unit \* box \* m \+ Column_sizes::tiny", "Compact_predicates.h")
     return by_columns([circle], constant, lambda c: f"add(mul(mul({c}, mul(1, 1)), 1), 0)", "s, t, w")
 
 
 def columns_area(constant):
-    found(r"(\d+) \* Filter_bounds::unit \* box \+ Column_sizes::tiny", "flat_beyond_sign.h")
+    found(r"(\d+) \* Filter_bounds::unit \* box \+ Column_sizes::tiny", "Compact_predicates.h")
     return by_columns([area], constant, lambda c: f"add(mul({c}, mul(1, 1)), 0)", "s, t")
 
 
@@ -345,15 +345,15 @@ SCRIPTS = {
     "lengths_three": (lengths_three, read(r"three_rows\(double m\) \{ return (\d+) \* unit \* \(m \* std::sqrt\(m\)\) \+ tiny",
                                           "Sphere_filter.h"), 10),
     "wide_lengths_four": (lengths_four, read(r"m \* m \* sqrt_of\(m\) \* \((\d+) \* Filter_bounds::unit\) \+ Filter_bounds::tiny",
-                                             "Wide_sphere_filter.h"), 74),
+                                             "Sphere_filter.h"), 74),
     "lengths_circle": (lengths_circle, read(r"(\d+) \* Filter_bounds::unit \* m \* m \+ Filter_bounds::tiny",
-                                            "flat_beyond_sign.h"), 37),
+                                            "Compact_predicates.h"), 37),
     "lengths_area": (lengths_area, read(r"(\d+) \* Filter_bounds::unit \* m \+ Filter_bounds::tiny",
-                                        "flat_beyond_sign.h"), 19),
-    "columns_four": (columns_four, read(r"four = (\d+), three", "Column_sizes.h"), 378),
-    "columns_three": (columns_three, read(r"three = (\d+);", "Column_sizes.h"), 47),
-    "columns_circle": (columns_circle, read(r"(\d+) \* Filter_bounds::unit \* box \* m", "flat_beyond_sign.h"), 71),
-    "columns_area": (columns_area, read(r"(\d+) \* Filter_bounds::unit \* box \+", "flat_beyond_sign.h"), 35),
+                                        "Compact_predicates.h"), 19),
+    "columns_four": (columns_four, read(r"four = (\d+), three", "Sphere_filter.h"), 378),
+    "columns_three": (columns_three, read(r"three = (\d+);", "Sphere_filter.h"), 47),
+    "columns_circle": (columns_circle, read(r"(\d+) \* Filter_bounds::unit \* box \* m", "Compact_predicates.h"), 71),
+    "columns_area": (columns_area, read(r"(\d+) \* Filter_bounds::unit \* box \+", "Compact_predicates.h"), 35),
     "collinear": (collinear, read(r"bound = (\d+) \* Filter_bounds::unit \* m \+", "exact_predicates.h"), 5),
     "distances": (distances, read(r"bound = (\d+) \* Filter_bounds::unit \* \(v \+ w\)", "exact_predicates.h"), 7),
     "double_double_product": (double_double_product, lambda: OF_PRODUCT, Fraction(1, 2**101)),
@@ -362,8 +362,8 @@ SCRIPTS = {
         found(r"bound = 1\. / (\d+)\. \* \(m \* m \* std::sqrt\(m\)\)", "Double_double.h")), Fraction(1, 2**94)),
     "balanced_doubles": (balanced_doubles, read(r"error = (\d+) \* Filter_bounds::unit;", "balanced_signs.h"), 18),
     "balanced_double_doubles": (balanced_double_doubles, read(r"error = (0x1p-\d+);", "balanced_signs.h"), Fraction(1, 2**96)),
-    "underflow_lengths": (underflow_lengths, read(r"double tiny = (1e-\d+);", "Sphere_filter.h"), Fraction(1, 2**1066)),
-    "underflow_columns": (underflow_columns, read(r"double tiny = (1e-\d+);", "Column_sizes.h"), Fraction(1, 2**886)),
+    "underflow_lengths": (underflow_lengths, read(r"unit_of_double; static constexpr double tiny = (1e-\d+);", "Sphere_filter.h"), Fraction(1, 2**1066)),
+    "underflow_columns": (underflow_columns, read(r"struct Column_sizes \{ static constexpr double tiny = (1e-\d+);", "Sphere_filter.h"), Fraction(1, 2**886)),
     "underflow_balanced": (underflow_balanced, read(r"d\.size \+ (0x1p-\d+)\)", "balanced_signs.h"), Fraction(1, 2**886)),
 }
 

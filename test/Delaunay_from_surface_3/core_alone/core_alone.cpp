@@ -6,13 +6,12 @@
 // dimension, degenerate ones, with edges and without, into arrays.
 
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
-#include <CGAL/Delaunay_from_surface_3/arrays/adjacent_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/complete_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Given_edges.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/lower_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 

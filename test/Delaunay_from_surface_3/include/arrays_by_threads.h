@@ -9,7 +9,7 @@
 
 #include "Thread_executor.h"
 
-#include <CGAL/Delaunay_from_surface_3/core/threads/Insert_by_workers.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 #include <CGAL/delaunay_3_arrays.h>
 
 #include <cstddef>

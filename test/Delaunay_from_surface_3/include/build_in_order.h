@@ -5,11 +5,11 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_BUILD_IN_ORDER_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_BUILD_IN_ORDER_H
 
-// The core, without a door.
+// The core, without an adapter.
 
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/view_of_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/order_by_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -11,7 +11,7 @@
 #include "named_surfaces.h"
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/insert_points_3.h>

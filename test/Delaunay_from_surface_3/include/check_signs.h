@@ -12,13 +12,11 @@
 #include "fuzz_tally.h"
 #include "hostile_numbers.h" // Points
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/flat_beyond_sign.h>
 
 #include <algorithm>
 #include <array>

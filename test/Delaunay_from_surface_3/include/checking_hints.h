@@ -9,7 +9,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 

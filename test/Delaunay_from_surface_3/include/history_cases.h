@@ -10,10 +10,10 @@
 #include "check_equal.h"
 #include "named_surfaces.h"
 
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Index_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_policies_3.h>

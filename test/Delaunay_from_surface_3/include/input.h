@@ -10,23 +10,23 @@
 #include "check_equal.h"
 #include "points_and_graphs.h"
 
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_insertion_traits_3.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/insert_points_along_graph_3.h>
-#include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Tracing_traits_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/insert_points_3.h>
+#include <CGAL/insert_points_along_graph_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>

@@ -12,7 +12,7 @@
 // two or three cells take a fresh cell, or none, or give one back.
 //
 // What is shared is read and written as in Insertion_worker.h, Explore_announced.h and
-// Write_announced.h, access by access: each function here has the name of one there. Not modelled:
+// Explore_announced.h, access by access: each function here has the name of one there. Not modelled:
 // hints (wherever a walk starts, it is checked), the growth of arrays, and stores that make a fresh
 // cell dead, before anybody can have a link to it.
 

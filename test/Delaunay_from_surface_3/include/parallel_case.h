@@ -9,9 +9,9 @@
 
 #include "Thread_executor.h"
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_triangulation.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/is_delaunay.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 
 #include <algorithm>

@@ -15,22 +15,18 @@
 #include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
 #include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 
-#include <CGAL/Surface_insertion_traits_3.h>
-#include <CGAL/insert_surface_vertices_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Previous_hint_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Spatial_sort_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
-#include <CGAL/Surface_insertion_policies_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Point_insertion_traits_3.h>
+#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
 
 #include <array>
 #include <functional>

@@ -14,14 +14,14 @@
 #include <Delaunay_from_surface_3_theory/trees.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <Delaunay_from_surface_3_meters/History_dag_3.h>
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 
 #include <array>
 #include <cstddef>

@@ -13,10 +13,10 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Trace_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
-#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 
 #include <cstddef>
 #include <vector>

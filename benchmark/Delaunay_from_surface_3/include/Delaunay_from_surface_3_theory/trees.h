@@ -11,9 +11,9 @@
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
-#include <CGAL/Delaunay_from_surface_3/paper/Index_graph.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/trees/Minimum_spanning_forest.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -14,18 +14,17 @@
 #include <Delaunay_from_surface_3_comparison/triangulations.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
-#include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
-#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Neighbor_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Full_graph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/History_tracing_traits_3.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/Tracing_traits_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
+#include <Delaunay_from_surface_3_meters/History_hints_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 
 #include <cstddef>
 #include <functional>

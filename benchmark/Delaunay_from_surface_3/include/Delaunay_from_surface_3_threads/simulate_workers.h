@@ -10,12 +10,11 @@
 // zone stays announced while all others act. Wherever many cores can be had they clash less: their
 // insertions overlap for a part of the time only.
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Segments.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>

@@ -11,9 +11,9 @@
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 
-#include <CGAL/Delaunay_from_surface_3/door/Executor_by_tag.h>
-#include <CGAL/Delaunay_from_surface_3/door/Read_soup.h>
-#include <CGAL/Delaunay_from_surface_3/door/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

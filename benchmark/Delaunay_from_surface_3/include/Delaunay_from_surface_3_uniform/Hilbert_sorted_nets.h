@@ -8,7 +8,7 @@
 // The sets of points of Surface_net_rounds, in the order in which uniform samples come.
 
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/order_of_indices.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 
 #include <vector>
 

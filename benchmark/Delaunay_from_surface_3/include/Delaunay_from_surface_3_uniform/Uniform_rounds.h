@@ -8,7 +8,7 @@
 // Nested locally uniform subsets as rounds: a model of InsertionPlan to be compared with nets.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/order_of_indices.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/locally_uniform_subset_3.h>
 #include <CGAL/neighbor_spacing_3.h>
 

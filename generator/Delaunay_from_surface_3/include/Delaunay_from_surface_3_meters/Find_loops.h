@@ -16,8 +16,8 @@
 // Cost: O(n), and O(gn) to write the loops down; about 90 bytes per vertex besides the lists. For
 // comparison with the cut graph only.
 
-#include <CGAL/Delaunay_from_surface_3/surface/Pair_darts.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Refuse_input.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Find_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 // been inserted last when its turn comes. One pass over the edges of F finds it for all points.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/support/permutation.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 
 #include <algorithm>
 #include <cstddef>

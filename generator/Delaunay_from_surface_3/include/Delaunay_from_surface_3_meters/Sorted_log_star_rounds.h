@@ -7,7 +7,7 @@
 
 // Log_star_rounds that are a type for each way to sort them, as Surface_insertion_policies_3 asks.
 
-#include <CGAL/Delaunay_from_surface_3/paper/Log_star_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 
 namespace meters {
 

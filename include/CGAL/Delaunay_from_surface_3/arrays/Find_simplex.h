@@ -9,10 +9,12 @@
 // from the point, as exact orientations say. In a Delaunay triangulation, a perturbed one too, it never
 // comes back (Devillers, Pion, Teillaud 2002).
 
-#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -20,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <unordered_set>
 #include <utility>
@@ -206,6 +209,29 @@ private:
   std::unordered_set<Index> m_many_met;
   std::map<Face, Index> m_least; // around faces with many simplices
 };
+
+// Finds the simplices of many points: each thread sorts a part of them by space, and walks from one
+// to the next.
+
+// Writes to found[i] what contains queries[i].
+template <class Index, class PointOf>
+void find_simplices(const Simplices_view<Index>& simplices, const PointOf& point_of,
+                    const Point_array& queries, Index* found, const Executor& executor)
+{
+  const std::size_t blocks = number_of_blocks(executor, queries.size(), 1024);
+  for_each_block(executor, queries.size(), blocks,
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   std::vector<std::size_t> order(last - first);
+                   std::iota(order.begin(), order.end(), first);
+                   Sort_by_halves()(queries, order.data(), order.data() + order.size());
+                   Find_simplex<Index, PointOf> find(simplices, point_of);
+                   Steps step(executor);
+                   for (const std::size_t i : order) {
+                     step(64); // cells on the way, about
+                     found[i] = find({queries[i][0], queries[i][1], queries[i][2]});
+                   }
+                 });
+}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

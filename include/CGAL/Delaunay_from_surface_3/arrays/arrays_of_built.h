@@ -9,17 +9,18 @@
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
-#include <CGAL/Delaunay_from_surface_3/arrays/flat_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/arrays/partition_cells.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
-#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -28,6 +29,201 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The arrays of points that lie in one plane, on one line, or at one place.
+//
+// In a plane: one point more, the apex, off the plane. The sphere through a triangle and the apex
+// cuts the plane in the circle of the triangle, so the cells at the apex are the triangles of the
+// Delaunay triangulation in the plane, infinite ones included, each with the apex on top. CGAL's
+// perturbation of points on one circle is the same in both: raising the apex changes no sign, as
+// the other four points of a test lie in one plane. So the kernel need not know of planes.
+
+// The triangles at the apex, the last vertex of what was built, as rows of eight entries: three
+// vertices by `names`, three neighbours; the infinite ones last. Returns how many are finite, and how many there
+// are.
+template <class Index, class Id>
+std::pair<std::size_t, std::size_t>
+triangles_at(const Built<Id>& built, const std::vector<Index>& names, Page_array<Index>& rows)
+{
+  using Numbers = Compact_numbers<Id>;
+  const Id apex = built.vertex_of[built.number_of_places - 1];
+  const auto place_of_apex = [&](std::size_t c) { // 4: none
+    const Id* const v = built.cells[c].v;
+    return Numbers::is_dead(built.cells[c]) ? std::ptrdiff_t(4) : std::find(v, v + 4, apex) - v;
+  };
+  std::vector<Index> numbers(built.cells_end, -1);
+  std::size_t finite = 0, all = 0;
+  for (const bool is_infinite : {false, true}) {
+    for (std::size_t c = 0; c < built.cells_end; ++c)
+      if (place_of_apex(c) < 4 && Numbers::is_infinite(built.cells[c]) == is_infinite)
+        numbers[c] = Index(all++);
+    finite = is_infinite ? finite : all;
+  }
+  rows.allocate(8 * all);
+  std::fill(rows.data(), rows.data() + 8 * all, Index(-1));
+  for (std::size_t c = 0; c < built.cells_end; ++c)
+    if (numbers[c] >= 0) {
+      Index* const row = rows.data() + 8 * std::size_t(numbers[c]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const unsigned corner = facet_corners[place_of_apex(c)][k];
+        row[k] = names[built.cells[c].v[corner]];
+        row[4 + k] = numbers[built.cells[c].links[corner] >> 2];
+      }
+    }
+  return {finite, all};
+}
+
+// The segments between points in `line`, indices that ascend along a line, as rows of eight: the
+// segments first, then the infinite one at each end.
+template <class Index>
+Page_array<Index> segments_of(const std::vector<Index>& line)
+{
+  const std::size_t n = line.size();
+  Page_array<Index> rows;
+  rows.allocate(8 * (n + 1));
+  std::fill(rows.data(), rows.data() + 8 * (n + 1), Index(-1));
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    Index* const row = rows.data() + 8 * k;
+    row[0] = line[k], row[1] = line[k + 1];
+    row[4] = k + 2 < n ? Index(k + 1) : Index(n);
+    row[5] = k > 0 ? Index(k - 1) : Index(n - 1);
+  }
+  Index* const first = rows.data() + 8 * (n - 1); // before the first point, and after the last
+  Index* const last = first + 8;
+  first[0] = line.front(), first[4] = Index(n), first[5] = 0;
+  last[0] = line.back(), last[4] = Index(n - 1), last[5] = Index(n - 2);
+  return rows;
+}
+
+// The arrays of points on a line, or at one place. Throws if an Index cannot number their cells.
+template <class Index>
+Delaunay_3_arrays<Index> arrays_on_line(const Point_array& points)
+{
+  using Arrays = Delaunay_3_arrays<Index>;
+  const std::size_t n = points.size();
+  if (n >= std::size_t((std::numeric_limits<Index>::max)()))
+    throw Too_few_ids(std::numeric_limits<Index>::digits);
+  const auto point = [&](Index i) {
+    const double* const p = points[std::size_t(i)];
+    return std::array<double, 3>{p[0], p[1], p[2]};
+  };
+  std::vector<Index> sorted(n);
+  std::iota(sorted.begin(), sorted.end(), Index(0));
+  std::sort(sorted.begin(), sorted.end(), [&](Index i, Index j) {
+    const auto p = point(i), q = point(j);
+    return p != q ? p < q : i < j;
+  });
+  std::vector<Index> line, vertices_of_points(n);
+  for (const Index i : sorted) {
+    if (line.empty() || point(line.back()) != point(i))
+      line.push_back(i);
+    vertices_of_points[std::size_t(i)] = line.back();
+  }
+  if (line.size() > 1)
+    return Arrays(1, line.size() - 1, line.size() + 1, segments_of(line),
+                  std::move(vertices_of_points));
+  if (line.empty())
+    return Arrays();
+  Page_array<Index> rows; // a vertex, and the infinite one
+  rows.allocate(16);
+  std::fill(rows.data(), rows.data() + 16, Arrays::none);
+  rows[0] = line.front();
+  rows[4] = 1, rows[12] = 0;
+  return Arrays(0, 1, 2, std::move(rows), std::move(vertices_of_points));
+}
+
+// Puts the cells in place: the finite ones first, then the infinite ones, and none that is dead.
+//
+// A link names the facet of the neighbour, too. So a cell can be moved at any time: the four links
+// that lead back to it are known, and no table from old to new numbers is needed. Several threads
+// look for the cells that may have to move, the dead and the infinite ones, which are few where the
+// points are those of a surface or fill a volume; one moves them. Linear.
+
+// The cell at place c has been moved there: sets the links of its neighbours.
+template <class Id>
+void link_back(Compact_cell<Id>* cells, Id c)
+{
+  for (unsigned i = 0; i < 4; ++i) {
+    const Id there = cells[c].links[i];
+    cells[there >> 2].links[there & 3] = Compact_numbers<Id>::link(c, i);
+  }
+}
+
+template <class Id>
+void swap_cells(Compact_cell<Id>* cells, Id a, Id b)
+{
+  std::swap(cells[a], cells[b]);
+  const auto redirect = [&](Id here,
+                            Id former) { // a cell at `here` that names itself meant the other
+    for (Id& link : cells[here].links)
+      if ((link >> 2) == here)
+        link = Compact_numbers<Id>::link(former, link & 3);
+  };
+  redirect(a, b);
+  redirect(b, a);
+  link_back(cells, a);
+  link_back(cells, b);
+}
+
+// Those of the cells 0, …, n - 1 for which `is` holds, in ascending order.
+template <class Id, class Is>
+std::vector<Id> cells_that(const Compact_cell<Id>* cells, std::size_t n, const Is& is,
+                           const Executor& executor)
+{
+  const std::size_t blocks = number_of_blocks(executor, n, 65536);
+  std::vector<std::vector<Id>> found(blocks);
+  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
+    for (std::size_t c = first; c < last; ++c)
+      if (is(cells[c]))
+        found[b].push_back(Id(c));
+  });
+  for (std::size_t b = 1; b < blocks; ++b)
+    found[0].insert(found[0].end(), found[b].begin(), found[b].end());
+  return std::move(found[0]);
+}
+
+// Moves the last living cells to the places of dead ones. Returns the number of cells.
+template <class Id>
+std::size_t close_gaps(Compact_cell<Id>* cells, std::size_t end, const Executor& executor)
+{
+  using Numbers = Compact_numbers<Id>;
+  const std::vector<Id> dead = cells_that(
+      cells, end, [](const auto& c) { return Numbers::is_dead(c); }, executor);
+  const std::size_t all = end - dead.size();
+  auto gap = dead.begin();
+  for (std::size_t c = all; c < end; ++c)
+    if (!Numbers::is_dead(cells[c])) {
+      const Id to = *gap++;
+      cells[to] = cells[c];
+      link_back(cells, to);
+    }
+  return all;
+}
+
+struct Numbers_of_cells
+{
+  std::size_t finite, all;
+};
+
+// Vertices keep their old cells.
+template <class Id>
+Numbers_of_cells partition_cells(Compact_cell<Id>* cells, std::size_t end, const Executor& executor)
+{
+  using Numbers = Compact_numbers<Id>;
+  const std::size_t all = close_gaps(cells, end, executor);
+  const std::vector<Id> infinite = cells_that(
+      cells, all, [](const auto& c) { return Numbers::is_infinite(c); }, executor);
+  const std::size_t finite = all - infinite.size();
+  std::size_t place = finite;
+  for (const Id c : infinite) {
+    if (c >= finite)
+      break;
+    while (Numbers::is_infinite(cells[place]))
+      ++place;
+    swap_cells(cells, c, Id(place++));
+  }
+  return {finite, all};
+}
 
 // By vertex: the smallest index of its points.
 template <class Index, class Id>

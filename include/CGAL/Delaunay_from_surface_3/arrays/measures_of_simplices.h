@@ -11,12 +11,10 @@
 // measure says which polynomials have to be known well, and is taken in doubles, which are enough for
 // most tetrahedra, in sums of two doubles if their bounds do not tell, and else in integers.
 
-#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Bounded_number.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/powers_of_2.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 

@@ -6,15 +6,10 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_H
 
 // The core: the Delaunay triangulation of points that are doubles, in an order that comes from a
-// surface or from the points alone. It knows no mesh and no triangulation of CGAL's; doors lead
+// surface or from the points alone. It knows no mesh and no triangulation of CGAL's; adapters lead
 // into it (a triangulation's, that of arrays).
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Edge_source.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Order_source.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/crews.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

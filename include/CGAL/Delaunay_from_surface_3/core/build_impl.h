@@ -8,29 +8,80 @@
 // This is the loop of rounds of Choi 2002, Fig. 1, in which nothing is traced: the order itself names
 // a point to start from.
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
-#include <CGAL/Delaunay_from_surface_3/core/Built_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/apex_of_plane.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Insertion_budget.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/order_along_line.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
-#include <CGAL/Delaunay_from_surface_3/support/fail.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The core's side of what build() makes.
+template <class Id>
+class Built_complex final : public Built<Id>
+{
+public:
+  // Keeps an order that has no other owner.
+  Order_view keep(Insertion_order&& order)
+  {
+    m_order = std::move(order);
+    return view_of(m_order);
+  }
+
+  // The complex of the points in the order, and its first four.
+  void start(const Point_array& points, const double* apex, Watcher& watcher,
+             const Executor& executor)
+  {
+    m_points = Ordered_complex<Id>(points, this->order, apex, watcher, executor);
+    this->has_apex = apex != nullptr;
+    show();
+  }
+
+  Ordered_complex<Id>& points() { return m_points; }
+
+  // To be called when cells have come.
+  void show()
+  {
+    this->vertex_of = m_points.vertex_of.data();
+    this->number_of_places = m_points.vertex_of.size();
+    this->cells = m_points.complex.cells();
+    this->cells_end = m_points.complex.cells_end();
+    this->vertices = m_points.complex.vertices();
+    this->vertices_end = m_points.complex.vertices_end();
+  }
+
+  void release_cells(std::size_t first, std::size_t last) override
+  {
+    m_points.complex.memory_of_cells().release(first, last);
+  }
+  void give_up_cells() override { m_points.complex.memory_of_cells().deallocate(); }
+  void give_up_vertices() override { m_points.complex.memory_of_vertices().deallocate(); }
+  Compact_cell<Id>* take_cells(std::size_t& capacity) override
+  {
+    return m_points.complex.memory_of_cells().give_away(capacity);
+  }
+
+private:
+  Ordered_complex<Id> m_points;
+  Insertion_order m_order;
+};
 
 // The points in rounds, the rounds in pieces, between which watcher and budget are asked; not when all
 // are inserted, since what is done is kept.

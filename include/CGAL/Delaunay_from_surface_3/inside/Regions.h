@@ -13,12 +13,8 @@
 // with the largest inscribed sphere, as the centre of a flat one may lie on the wrong side.
 // Expected linear, but for what is no facet.
 
-#include <CGAL/Delaunay_from_surface_3/inside/Box_tree.h>
-#include <CGAL/Delaunay_from_surface_3/inside/Crossings.h>
-#include <CGAL/Delaunay_from_surface_3/inside/Multipole.h>
-#include <CGAL/Delaunay_from_surface_3/inside/Triangle_table.h>
+#include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
@@ -28,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,6 +32,334 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Triangles in a hierarchy of boxes.
+//
+// Invariant: as that of Winding_tree.
+
+// A triangle that counts `number` times. The normal is as long as twice its area.
+struct Cutting_triangle
+{
+  Triangle_3d corners;
+  Vector_3d normal;
+  int number;
+
+  Cutting_triangle(const Triangle_3d& t, int times)
+    : corners(t)
+    , normal(cross(minus(t[1], t[0]), minus(t[2], t[0])))
+    , number(times)
+  {
+  }
+};
+
+class Box_tree
+{
+  static constexpr std::size_t leaf = 4; // triangles, at most
+
+  struct Node
+  {
+    Box_3d box;
+    std::uint32_t first = 0, last = 0, next = 0;
+  };
+
+public:
+  explicit Box_tree(std::vector<Cutting_triangle>&& triangles)
+    : m_triangles(std::move(triangles))
+  {
+    if (!m_triangles.empty())
+      build(0, m_triangles.size());
+  }
+
+  // Calls visit(t) for each triangle that stands in a leaf whose box meets this one.
+  template <class Visit>
+  void visit(const Box_3d& box, const Visit& visit) const
+  {
+    for (std::size_t k = 0; k < m_nodes.size();) {
+      const Node& node = m_nodes[k];
+      if (!node.box.meets(box))
+        k = node.next;
+      else if (node.next == ++k)
+        for (std::size_t t = node.first; t < node.last; ++t)
+          visit(m_triangles[t]);
+    }
+  }
+
+private:
+  void build(std::size_t first, std::size_t last)
+  {
+    const std::size_t k = m_nodes.size();
+    m_nodes.emplace_back();
+    Box_3d box;
+    for (std::size_t t = first; t < last; ++t)
+      for (const Vector_3d& p : m_triangles[t].corners)
+        box.add(p);
+    if (last - first > leaf) {
+      const std::size_t longest = box.longest_side();
+      const std::size_t middle = first + (last - first) / 2;
+      const auto at = [&](std::size_t t) { return m_triangles.begin() + std::ptrdiff_t(t); };
+      std::nth_element(at(first), at(middle), at(last), [&](const auto& s, const auto& t) {
+        return s.corners[0][longest] < t.corners[0][longest];
+      });
+      build(first, middle);
+      build(middle, last);
+    }
+    m_nodes[k] = {box, std::uint32_t(first), std::uint32_t(last), std::uint32_t(m_nodes.size())};
+  }
+
+  std::vector<Cutting_triangle> m_triangles;
+  std::vector<Node> m_nodes;
+};
+
+// The triangles of a surface by their vertices: how often the surface has each, those turned round
+// taken off. Most facets of a triangulation are none, as a word for each vertex tells.
+
+using Corners = std::array<std::uint32_t, 3>;
+
+// Without branches, which nobody could foretell.
+inline Corners ascending(const Corners& t)
+{
+  const std::uint32_t low = (std::min)(t[0], t[1]), high = (std::max)(t[0], t[1]);
+  return {(std::min)(low, t[2]), (std::max)(low, (std::min)(high, t[2])), (std::max)(high, t[2])};
+}
+
+// Whether ascending order turns three different vertices round.
+inline bool is_turned(const Corners& t)
+{
+  return ((t[0] > t[1]) != (t[1] > t[2])) != (t[0] > t[2]);
+}
+
+class Triangle_table
+{
+public:
+  struct Row
+  {
+    std::uint32_t middle, greatest;
+    int number; // how often these, with the least vertex first, are in order, less how often turned
+  };
+
+  static constexpr std::uint32_t none = std::uint32_t(-1);
+
+  // Of triangles on n vertices.
+  Triangle_table(const std::vector<Corners>& triangles, std::size_t n)
+    : m_first(n + 1, 0)
+    , m_words(n, 0)
+  {
+    for (const Corners& t : triangles)
+      ++m_first[ascending(t)[0] + 1];
+    for (std::size_t v = 0; v < n; ++v)
+      m_first[v + 1] += m_first[v];
+    m_rows.resize(triangles.size());
+    std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
+    for (const Corners& triangle : triangles) {
+      const Corners t = ascending(triangle);
+      m_rows[next[t[0]]++] = {t[1], t[2], is_turned(triangle) ? -1 : 1};
+      m_words[t[0]] |= bit(t[1], t[2]);
+    }
+    unite_equal_ones();
+  }
+
+  std::size_t size() const { return m_rows.size(); }
+  const Row& operator[](std::size_t r) const { return m_rows[r]; }
+
+  // The row of three vertices in ascending order.
+  std::uint32_t find(const Corners& t) const
+  {
+    if ((m_words[t[0]] & bit(t[1], t[2])) == 0)
+      return none;
+    const auto first = m_rows.begin() + std::ptrdiff_t(m_first[t[0]]),
+               last = m_rows.begin() + std::ptrdiff_t(m_first[t[0] + 1]);
+    const Row row = {t[1], t[2], 0};
+    const auto found = std::lower_bound(first, last, row, is_less);
+    return found != last && !is_less(row, *found) ? std::uint32_t(found - m_rows.begin()) : none;
+  }
+
+  // Calls visit(least vertex, number of a row) for all.
+  template <class Visit>
+  void for_each(const Visit& visit) const
+  {
+    for (std::size_t v = 0; v + 1 < m_first.size(); ++v)
+      for (std::uint32_t r = m_first[v]; r < m_first[v + 1]; ++r)
+        visit(std::uint32_t(v), r);
+  }
+
+private:
+  static std::uint64_t bit(std::uint32_t middle, std::uint32_t greatest)
+  {
+    return std::uint64_t(1) << ((middle * 0x9e3779b1u ^ greatest * 0x85ebca6bu) >> 26);
+  }
+  static bool is_less(const Row& r, const Row& s)
+  {
+    return std::tie(r.middle, r.greatest) < std::tie(s.middle, s.greatest);
+  }
+
+  void unite_equal_ones()
+  {
+    std::uint32_t end = 0;
+    for (std::size_t v = 0; v < m_words.size(); ++v) {
+      const std::uint32_t first = std::exchange(m_first[v], end), last = m_first[v + 1];
+      std::sort(m_rows.begin() + std::ptrdiff_t(first), m_rows.begin() + std::ptrdiff_t(last),
+                is_less);
+      for (std::uint32_t r = first; r < last; ++r)
+        if (end > m_first[v] && !is_less(m_rows[end - 1], m_rows[r]))
+          m_rows[end - 1].number += m_rows[r].number;
+        else
+          m_rows[end++] = m_rows[r];
+    }
+    m_first.back() = end;
+    m_rows.resize(end);
+  }
+
+  std::vector<std::uint32_t> m_first; // row of each vertex
+  std::vector<Row> m_rows;
+  std::vector<std::uint64_t> m_words; // of each vertex: the bits of its rows
+};
+
+// By how much a winding number changes on the way from the centre of a tetrahedron to those of
+// its facets, where these ways cross triangles. A way that comes so near to the border of a
+// triangle, or ends so near to its plane, that rounding might decide is not known: another will do.
+
+// For each facet of a tetrahedron, by the corner opposite to it.
+using Jumps = std::array<std::int8_t, 4>;
+constexpr int unknown_jump = -128;
+
+inline std::int8_t as_jump(int j)
+{
+  return std::int8_t(std::abs(j) < -unknown_jump ? j : unknown_jump);
+}
+
+// A distance that is no rounding, in a frame of size 1.
+constexpr double no_rounding = 1e-10;
+
+// Whether a triangle passes through the inside of a tetrahedron, and not only along its surface: no
+// direction separates them, neither a normal of one of them nor what an edge of each spans.
+inline bool passes_inside(const Cutting_triangle& t, const std::array<Vector_3d, 4>& p,
+                          const Box_3d& box_of_p)
+{
+  for (std::size_t j = 0; j < 3; ++j) // most are not even near
+    if ((std::max)({t.corners[0][j], t.corners[1][j], t.corners[2][j]}) <= box_of_p.low[j] ||
+        (std::min)({t.corners[0][j], t.corners[1][j], t.corners[2][j]}) >= box_of_p.high[j])
+      return false;
+  const Vector_3d& origin = t.corners[0]; // it is not far from 0, as corners of tetrahedra may be
+  const auto ends_of = [&](const auto& corners, const Vector_3d& direction) {
+    std::array<double, 2> ends = {dot(direction, minus(corners[0], origin)), 0};
+    ends[1] = ends[0];
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+      const double x = dot(direction, minus(corners[k], origin));
+      ends = {(std::min)(ends[0], x), (std::max)(ends[1], x)};
+    }
+    return ends;
+  };
+  const auto separates = [&](const Vector_3d& direction) {
+    const std::array<double, 2> a = ends_of(t.corners, direction), b = ends_of(p, direction);
+    const double length = std::sqrt(dot(direction, direction));
+    return length > 0 && (std::min)(a[1] - b[0], b[1] - a[0]) <= no_rounding * length;
+  };
+  if (separates(t.normal))
+    return false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vector_3d& corner = p[(k + 1) % 4];
+    if (separates(cross(minus(p[(k + 2) % 4], corner), minus(p[(k + 3) % 4], corner))))
+      return false;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j)
+        if (separates(cross(minus(t.corners[(k + 1) % 3], t.corners[k]), minus(p[j], p[i]))))
+          return false;
+  return true;
+}
+
+class Crossings
+{
+  static constexpr double near = no_rounding;
+
+public:
+  // From the centre of tetrahedron c of the cells.
+  template <class Cells>
+  static Jumps of(const Box_tree& tree, const Cells& cells, std::size_t c)
+  {
+    Jumps jumps = {0, 0, 0, 0};
+    Crossings crossings;
+    bool is_ready = false;
+    tree.visit(box_of_ways(cells(c)), [&](const Cutting_triangle& t) {
+      if (!std::exchange(is_ready, true))
+        crossings.set(cells, c);
+      crossings.add(t, jumps);
+    });
+    return jumps;
+  }
+
+private:
+  // The box of the centres, and a little more.
+  static Box_3d box_of_ways(const std::array<Vector_3d, 4>& p)
+  {
+    Box_3d box;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double sum = p[0][j] + p[1][j] + p[2][j] + p[3][j];
+      const auto ends = std::minmax({p[0][j], p[1][j], p[2][j], p[3][j]});
+      box.low[j] = (sum - ends.second) / 3 - near;
+      box.high[j] = (sum - ends.first) / 3 + near;
+    }
+    return box;
+  }
+
+  // The centre of a facet has the same bits in both tetrahedra: vertices are added in ascending
+  // order.
+  template <class Cells>
+  void set(const Cells& cells, std::size_t c)
+  {
+    m_center = cells.center(c);
+    const auto v = cells.vertices_of(c);
+    std::array<std::size_t, 4> order = {0, 1, 2, 3};
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t i, std::size_t j) { return v[i] < v[j]; });
+    for (std::size_t k = 0; k < 4; ++k) {
+      Vector_3d sum = {0, 0, 0};
+      for (const std::size_t i : order)
+        for (std::size_t j = 0; i != k && j < 3; ++j)
+          sum[j] += cells.points[std::size_t(v[i])][j];
+      m_ends[k] = {sum[0] / 3, sum[1] / 3, sum[2] / 3};
+    }
+  }
+
+  static int sign(double x, double tolerance) { return int(x > tolerance) - int(x < -tolerance); }
+
+  void add(const Cutting_triangle& t, Jumps& jumps) const
+  {
+    const double tolerance = near * std::sqrt(dot(t.normal, t.normal));
+    const auto side = [&](const Vector_3d& p) {
+      return sign(dot(t.normal, minus(p, t.corners[0])), tolerance);
+    };
+    const int side_of_center = side(m_center);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int side_of_end = side(m_ends[k]);
+      if ((side_of_center == side_of_end && side_of_end != 0) || jumps[k] == unknown_jump)
+        continue;
+      const int passes = passes_through(t.corners, m_ends[k]);
+      if (passes < 0 || (passes > 0 && side_of_center * side_of_end == 0))
+        jumps[k] = unknown_jump;
+      else if (passes > 0)
+        jumps[k] = as_jump(jumps[k] + side_of_center * t.number);
+    }
+  }
+
+  // Whether the line to q passes through a triangle: 1 if so, 0 if not, -1 if this is not known.
+  int passes_through(const Triangle_3d& corners, const Vector_3d& q) const
+  {
+    const Vector_3d way = minus(q, m_center);
+    int signs[3] = {0, 0, 0}; // negative, small, positive
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector_3d &a = corners[i], &b = corners[(i + 1) % 3];
+      const Vector_3d n = cross(way, minus(b, a));
+      const double lengths = std::sqrt(dot(way, way) * dot(minus(b, a), minus(b, a)));
+      ++signs[1 + sign(dot(n, minus(a, m_center)), near * lengths)];
+    }
+    return signs[0] > 0 && signs[2] > 0 ? 0 : signs[1] > 0 ? -1 : 1;
+  }
+
+  Vector_3d m_center;
+  std::array<Vector_3d, 4> m_ends;
+};
 
 template <class Cells>
 class Regions

@@ -15,7 +15,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Trace_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
 
 #include <CGAL/iterator.h>
 

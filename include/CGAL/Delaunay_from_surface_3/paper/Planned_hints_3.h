@@ -9,15 +9,173 @@
 // or stored while points are inserted.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Starts_in_core.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Insertion
+
+observes nothing and costs nothing; it serves as a base class.
+
+\cgalModels{UpdateObserver_3}
+*/
+struct Null_update_observer
+{
+  /// `false`: the conflict zone is not needed, and the target may insert in the fastest way.
+  static constexpr bool observes_conflict_zone = false;
+
+  /// does nothing.
+  template <class CellIterator>
+  void before_update(std::size_t, CellIterator, CellIterator)
+  {
+  }
+
+  /// does nothing.
+  template <class Vertex>
+  void after_update(std::size_t, Vertex)
+  {
+  }
+};
+
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Whether a hint policy needs no trace and is built into the core. The header of such a policy says
+// so.
+template <template <class Target, class Subgraph> class InsertionHints>
+struct Starts_in_core : std::false_type
+{
+  static constexpr bool uses_starting_places = true;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+
+// The control: every point starts from the point inserted before it, as in CGAL's own range
+// insertion.
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion from a cell of the vertex inserted last, as
+`Delaunay_triangulation_3::insert(first, last)` does. The surface is not used. Traits with this
+policy go through the core, which starts in the same way.
+
+<b>Complexity</b>: \f$O(1)\f$ per point. It needs no trace, no subgraph, and no memory of its own.
+
+\tparam Target a `Triangulation_target_3`
+\tparam Subgraph is not used
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Previous_hint_3 : public Null_update_observer
+{
+public:
+  /// `false`: no subgraph is needed.
+  static constexpr bool uses_subgraph = false;
+
+  /// keeps a reference to `target`.
+  explicit Previous_hint_3(const Target& target, const Subgraph& = Subgraph(),
+                           const Insertion_order& = Insertion_order())
+    : m_target(target)
+  {
+  }
+
+  /// returns a cell of the vertex inserted last.
+  typename Target::Cell start(std::size_t) const { return m_target.cell(m_previous); }
+
+  /// remembers `v`.
+  void after_update(std::size_t, typename Target::Vertex v) { m_previous = v; }
+
+  /// does nothing, and returns 0: no point is located.
+  std::size_t trace() { return 0; }
+
+private:
+  const Target& m_target;
+  typename Target::Vertex m_previous = {};
+};
+
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+template <>
+struct Starts_in_core<Previous_hint_3> : std::true_type
+{
+  static constexpr bool uses_starting_places = false;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+
+// Beyond the paper: no trace at all. When a point's turn comes, its neighbours on the surface are
+// asked which of them are in the triangulation by now; late in the insertion nearly always some
+// are.
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion from a cell of the nearest already inserted neighbour in T, the subgraph of
+the traits. With `Full_graph` these are all neighbours on the surface. If no neighbour of a point is
+inserted yet, the start is a cell of the vertex inserted last. Early rounds are that sparse, so a
+plan should keep them coherent.
+
+<b>Complexity</b>: per point as many distance comparisons as it has neighbours in T. It needs no
+trace and no memory of its own.
+
+\tparam Target a `Triangulation_target_3`
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Neighbor_hints_3 : public Null_update_observer
+{
+  using Vertex = typename Target::Vertex;
+
+public:
+  /// `true`: the neighbours are those in the subgraph.
+  static constexpr bool uses_subgraph = true;
+
+  /// keeps references to target and subgraph. The plan is not used.
+  Neighbor_hints_3(const Target& target, const Subgraph& subgraph,
+                   const Insertion_order& = Insertion_order())
+    : m_target(target)
+    , m_subgraph(subgraph)
+  {
+  }
+
+  /// returns a cell of the nearest inserted neighbour of point `i`, or of the vertex inserted last.
+  typename Target::Cell start(std::size_t i) const
+  {
+    Vertex nearest = {};
+    for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u) {
+      const Vertex v = m_target.vertex(*u);
+      if (v != Vertex() && (nearest == Vertex() || m_target.is_closer(i, v, nearest)))
+        nearest = v;
+    }
+    return m_target.cell(nearest == Vertex() ? m_previous : nearest);
+  }
+
+  /// remembers `v`.
+  void after_update(std::size_t, Vertex v) { m_previous = v; }
+
+  /// does nothing, and returns 0: no point is located.
+  std::size_t trace() { return 0; }
+
+private:
+  const Target& m_target;
+  const Subgraph& m_subgraph;
+  Vertex m_previous = {};
+};
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints

@@ -8,10 +8,9 @@
 // The public face of core/order/surface_net_rounds.h.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Order_request.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Edges_of_graph.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/paper/order_by_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 
 #include <cstddef>

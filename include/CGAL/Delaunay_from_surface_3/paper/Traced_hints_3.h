@@ -14,14 +14,109 @@
 // Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Null_update_observer.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Trace_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+is the trace (\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2a), independent of what is recorded. It
+traverses T depth first from inserted vertices outwards, and locates every point not yet inserted
+from the cell of the neighbour that led to it. Your own hint policy may use it as `Traced_hints_3`
+does.
+
+<b>Complexity</b>: \f$O(n)\f$ time for the traversal, plus the cells that the locations enter. There
+is no recursion: T may be a path of millions of vertices.
+
+<b>Memory</b>: a byte per point, and during a trace at most an index and a cell handle per point.
+
+\tparam Target a `Triangulation_target_3`
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
+*/
+template <class Target, class Subgraph>
+class Trace_subgraph
+{
+  using Vertex = typename Target::Vertex;
+  using Cell = typename Target::Cell;
+
+public:
+  /// keeps references to target and subgraph.
+  Trace_subgraph(const Target& target, const Subgraph& subgraph)
+    : m_target(target)
+    , m_subgraph(subgraph)
+  {
+  }
+
+  /*!
+  locates the points that are not yet inserted.
+
+  \param start `start(i)` returns the cell from which point `i` is located, if it is the first of a
+  component of T without an inserted vertex
+  \param record `record(i, location)` is called for every point `i` that is located
+
+  \return how many points were located
+  */
+  template <class Start, class Record>
+  std::size_t operator()(const Start& start, const Record& record)
+  {
+    m_is_traced.assign(m_target.size(), false);
+    std::size_t located = 0;
+    for (std::size_t i = 0; i < m_target.size(); ++i) // components that touch the triangulation
+      if (m_target.vertex(i) != Vertex())
+        located += trace_component(i, Cell(), record);
+    for (std::size_t i = 0; i < m_target.size(); ++i) // the others
+      if (!m_is_traced[i])
+        located += trace_component(i, start(i), record);
+    return located;
+  }
+
+private:
+  // Depth first, with a stack of our own.
+  template <class Record>
+  std::size_t trace_component(std::size_t root, Cell start, const Record& record)
+  {
+    if (m_is_traced[root])
+      return 0;
+    std::size_t located = 0;
+    m_is_traced[root] = true;
+    m_stack.emplace_back(root, start);
+    while (!m_stack.empty()) {
+      const auto [i, neighbor_cell] = m_stack.back();
+      m_stack.pop_back();
+      const Vertex v = m_target.vertex(i);
+      const Cell cell = v != Vertex() ? m_target.cell(v) : locate(i, neighbor_cell, record);
+      located += v == Vertex();
+      for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u) {
+        if (m_is_traced[*u])
+          continue;
+        m_is_traced[*u] = true;
+        m_stack.emplace_back(*u, cell);
+      }
+    }
+    return located;
+  }
+
+  template <class Record>
+  Cell locate(std::size_t i, Cell start, const Record& record) const
+  {
+    const typename Target::Location location = m_target.locate(i, start);
+    record(i, location);
+    return location.cell;
+  }
+
+  const Target& m_target;
+  const Subgraph& m_subgraph;
+  std::vector<char> m_is_traced;
+  std::vector<std::pair<std::size_t, Cell>> m_stack;
+};
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints

@@ -8,7 +8,12 @@
 // Choi 2002, Fig. 1, line 2c: "Insert s_i and update D(S_i)", through CGAL's own insertion; and the
 // walk that stands for Q in lines 2a and 2b.
 
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Triangulation_hierarchy_3.h>
 #include <CGAL/assertions.h>
@@ -18,12 +23,80 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// A user's plan may be wrong; an insertion by it would lose points or read out of bounds.
+
+[[noreturn]] inline void refuse_plan(const std::string& what)
+{
+  throw std::invalid_argument("insertion plan: " + what);
+}
+
+// Throws unless the rounds end in ascending order and the last at n.
+inline void check_round_ends(const std::vector<std::size_t>& ends, std::size_t n)
+{
+  for (std::size_t h = 0; h < ends.size(); ++h)
+    if (ends[h] <= (h == 0 ? 0 : ends[h - 1]))
+      refuse_plan("round " + std::to_string(h) + " ends at " + std::to_string(ends[h]) +
+                  ", not after the round before it");
+  const std::size_t last = ends.empty() ? 0 : ends.back();
+  if (last != n)
+    refuse_plan("the last round ends at " + std::to_string(last) + ", but there are " +
+                std::to_string(n) + " points");
+}
+
+// Throws unless there are none, or each but the first comes before its point.
+inline void check_starting_places(const std::vector<std::size_t>& places, std::size_t n)
+{
+  if (!places.empty() && places.size() != n)
+    refuse_plan("there are " + std::to_string(places.size()) + " starting places for " +
+                std::to_string(n) + " points");
+  for (std::size_t k = 1; k < places.size(); ++k)
+    if (places[k] >= k)
+      refuse_plan("the starting place of place " + std::to_string(k) + " is " +
+                  std::to_string(places[k]) + ", which is not before it");
+}
+
+// The place of each of n points in the order; throws unless it is a permutation of 0, …, n-1.
+inline std::vector<std::size_t> places_in_order(const std::vector<std::size_t>& order,
+                                                std::size_t n)
+{
+  if (order.size() != n)
+    refuse_plan("the order has " + std::to_string(order.size()) + " places for " +
+                std::to_string(n) + " points");
+  std::vector<std::size_t> places(n, n);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (order[k] >= n)
+      refuse_plan("at place " + std::to_string(k) + " there is point " + std::to_string(order[k]) +
+                  ", but there are " + std::to_string(n) + " points");
+    if (places[order[k]] != n)
+      refuse_plan("point " + std::to_string(order[k]) + " is at the places " +
+                  std::to_string(places[order[k]]) + " and " + std::to_string(k));
+    places[order[k]] = k;
+  }
+  return places;
+}
+
+// Throws a std::invalid_argument that says what is wrong with the plan for n points and where.
+// Returns the place of each point. Linear.
+inline std::vector<std::size_t> check_plan(const Insertion_order& plan, std::size_t n)
+{
+  check_round_ends(plan.round_ends, n);
+  check_starting_places(plan.starting_places, n);
+  return places_in_order(plan.order, n);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
 
 /*!
 \ingroup PkgDelaunayFromSurface3Insertion
@@ -230,6 +303,129 @@ private:
   std::size_t m_number_of_known_points = 0;
 };
 
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Choi 2002, Fig. 1: the loop, on CGAL's own triangulation.
+
+// Points are numbered by their places in the order; the watcher gets the caller's numbers. A vertex
+// that belongs to none of them has no place.
+template <class Watcher, class Point>
+bool may_insert(Watcher& watcher, const Insertion_order& plan, std::size_t i, std::size_t nearest,
+                const Point& point, std::array<std::size_t, 4> corners)
+{
+  const auto name_of = [&](std::size_t place) {
+    return place < plan.order.size() ? plan.order[place] : place;
+  };
+  for (std::size_t& corner : corners)
+    corner = name_of(corner);
+  return watcher.accepts(name_of(i), name_of(nearest), point, corners);
+}
+
+// Round h ends before s_{N_h}, N_h = round_ends[h]. Returns false if the watcher stopped it.
+template <class Target, class Hints, class Watcher>
+bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints& hints,
+                             Watcher& watcher)
+{
+  using Phase = Surface_insertion_phase;
+  watcher.insertion_begins(1);
+  std::size_t i = 0;
+  for (std::size_t h = 0; h < plan.round_ends.size(); ++h) {
+    const std::size_t N_h = plan.round_ends[h];
+    watcher.round_begins(h, N_h - i);
+    for (; i < N_h; ++i) {
+      if (!watcher.go_further())
+        return false;
+      watcher.phase_begins(Phase::LOCATION);
+      const typename Target::Location d_i = target.locate(i, hints.start(i)); // 2b
+      watcher.phase_begins(Phase::UPDATE);
+      if constexpr (Watcher::is_asked)
+        target.insert_if(i, d_i, hints,
+                         [&](std::size_t nearest, const auto& point, const auto& corners) {
+                           return may_insert(watcher, plan, i, nearest, point, corners);
+                         });
+      else
+        target.insert(i, d_i, hints); // 2c
+    }
+    if (N_h < target.size()) {
+      watcher.phase_begins(Phase::TRACE);
+      watcher.trace_ends(hints.trace()); // 2a
+    }
+  }
+  watcher.insertion_ends(target, hints);
+  watcher.phase_begins(Phase::FINISH);
+  return true;
+}
+
+// The vertices of the points, none where the work ended before; by point.
+template <class Vertex_handle>
+struct Inserted_points
+{
+  std::vector<Vertex_handle> vertices;
+  bool is_complete = false;
+};
+
+// Inserts the points in the order of the plan. T, `subgraph`, is a graph on the places in the
+// order. The points are copied in this order: in that of the mesh nearly every point would miss the
+// cache.
+template <template <class, class> class Hints, class Triangulation, class Watcher>
+Inserted_points<typename Triangulation::Vertex_handle>
+insert_through_cgal(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
+                    const Insertion_order& plan, const Index_graph& subgraph, Watcher& watcher)
+{
+  using Target = Triangulation_target_3<Triangulation>;
+  const auto ordered = permuted(points, plan.order);
+  Target target(tr, ordered);
+  Hints<Target, Index_graph> hints(target, subgraph, plan);
+  Inserted_points<typename Triangulation::Vertex_handle> inserted;
+  inserted.is_complete = insert_in_traced_rounds(plan, target, hints, watcher);
+  inserted.vertices = permuted(target.take_vertices(), inverse(plan.order));
+  return inserted;
+}
+
+// The number of points at which the core is as fast as CGAL.
+constexpr std::size_t few_points = 30;
+
+// Inserts a few points, in their own order, into an empty triangulation: to order and export them
+// would take longer than to insert them. Of equal points the first one gives the vertex.
+template <class Triangulation>
+Inserted_points<typename Triangulation::Vertex_handle>
+insert_few_points(Triangulation& tr, const std::vector<typename Triangulation::Point>& points)
+{
+  Inserted_points<typename Triangulation::Vertex_handle> inserted;
+  inserted.vertices.reserve(points.size());
+  typename Triangulation::Vertex_handle v;
+  for (const auto& p : points)
+    inserted.vertices.push_back(v = tr.insert(p, v));
+  inserted.is_complete = true;
+  return inserted;
+}
+
+// The paper's way: order and T from the surface, then Choi 2002, Fig. 1, on CGAL's own triangulation.
+
+template <class Traits, class Triangulation, class Input, class Watcher>
+Inserted_points<typename Triangulation::Vertex_handle>
+insert_with_traces(Triangulation& tr, const Input& input, const Traits& traits, unsigned int seed,
+                   Watcher& watcher)
+{
+  using Phase = Surface_insertion_phase;
+  using Target = Triangulation_target_3<Triangulation>;
+  using Hints = typename Traits::template Insertion_hints_3<Target, Index_graph>;
+  watcher.phase_begins(Phase::PLAN);
+  const Insertion_order plan = traits.insertion_plan_object(seed)(input.points, tr.geom_traits(),
+                                                                  input.graph, input.index_map);
+  const std::vector<std::size_t> places = check_plan(plan, input.points.size());
+  watcher.phase_begins(Phase::SUBGRAPH);
+  Index_graph subgraph;
+  if constexpr (Hints::uses_subgraph)
+    subgraph = spanning_subgraph(traits.surface_subgraph_object(), input.graph, input.index_map,
+                                 places, watcher);
+  return insert_through_cgal<Traits::template Insertion_hints_3>(tr, input.points, plan, subgraph,
+                                                                 watcher);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/samples/Distinct_points.h>
-#include <CGAL/Delaunay_from_surface_3/door/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Bbox_3.h>

@@ -5,9 +5,17 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_EXECUTOR_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_EXECUTOR_H
 
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -57,6 +65,157 @@ public:
       task(t);
   }
 };
+
+// Into how many blocks of `least` or more an executor cuts n things.
+inline std::size_t number_of_blocks(const Executor& executor, std::size_t n, std::size_t least)
+{
+  return (std::max)(std::size_t(1), (std::min)(executor.number_of_workers(), n / least));
+}
+
+// A body as a task, rounding to nearest, that counts its calls.
+template <class Body>
+class Counted_task final : public Task
+{
+public:
+  explicit Counted_task(const Body& body)
+    : m_body(body)
+  {
+  }
+
+  void operator()(std::size_t t) const override
+  {
+    const Rounding_to_nearest rounding;
+    m_body(t);
+    m_calls.fetch_add(1, std::memory_order_relaxed); // the executor joins the threads
+  }
+
+  std::size_t calls() const { return m_calls; }
+
+private:
+  const Body& m_body;
+  mutable std::atomic<std::size_t> m_calls{0};
+};
+
+// Calls body(0), …, body(n-1), which must not throw; throws if a call was left out.
+template <class Body>
+void call_each(const Executor& executor, std::size_t n, const Body& body)
+{
+  const Counted_task<Body> task(body);
+  executor.run(n, task);
+  if (task.calls() != n)
+    throw std::logic_error("of " + std::to_string(n) + " tasks " + std::to_string(task.calls()) +
+                           " were executed");
+}
+
+// How many of n things a block has, but for the last ones.
+inline std::size_t size_of_block(std::size_t n, std::size_t blocks)
+{
+  return (n + blocks - 1) / blocks;
+}
+
+// Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. When all are
+// done, throws what the first of those that threw has thrown.
+template <class Body>
+void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks, const Body& body)
+{
+  std::vector<std::exception_ptr> errors(blocks);
+  call_each(executor, blocks, [&](std::size_t b) {
+    try {
+      const std::size_t size = size_of_block(n, blocks);
+      body((std::min)(n, b * size), (std::min)(n, (b + 1) * size), b);
+    } catch (...) {
+      errors[b] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& error : errors)
+    if (error)
+      std::rethrow_exception(error);
+}
+
+// Counts the steps of a long loop, and asks the executor now and then whether it shall go on.
+class Steps
+{
+public:
+  // Keeps a reference.
+  explicit Steps(const Executor& executor)
+    : m_executor(executor)
+  {
+  }
+
+  void operator()(std::size_t number = 1)
+  {
+    if ((m_number += number) >= 1 << 14) {
+      m_number = 0;
+      m_executor.interruption_point();
+    }
+  }
+
+private:
+  const Executor& m_executor;
+  std::size_t m_number = 0;
+};
+
+// Calls body(first, last) for short parts of 0, …, n-1, and asks the executor between them.
+template <class Body>
+void for_each_part(std::size_t n, const Executor& executor, const Body& body)
+{
+  constexpr std::size_t size = 1 << 16;
+  for (std::size_t first = 0; first < n; first += size) {
+    executor.interruption_point();
+    body(first, (std::min)(n, first + size));
+  }
+}
+
+// Whether is_right(i) holds for i = 0, …, n-1.
+template <class Predicate>
+bool holds_for_all(const Executor& executor, std::size_t n, const Predicate& is_right)
+{
+  const std::size_t blocks = number_of_blocks(executor, n, 4096);
+  std::vector<char> is_wrong(blocks, 0);
+  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
+    Steps step(executor);
+    for (std::size_t i = first; i < last && !is_wrong[b]; ++i, step())
+      is_wrong[b] = char(!is_right(i));
+  });
+  return std::find(is_wrong.begin(), is_wrong.end(), 1) == is_wrong.end();
+}
+
+// result[k] = items[order[k]]
+template <class T>
+std::vector<T> permuted(const std::vector<T>& items, const std::vector<std::size_t>& order,
+                        const Executor& executor = Alone())
+{
+  std::vector<T> result;
+  if constexpr (std::is_default_constructible<T>::value) {
+    const std::size_t blocks = number_of_blocks(executor, order.size(), 4096);
+    if (blocks > 1) {
+      result.resize(order.size());
+      for_each_block(executor, order.size(), blocks,
+                     [&](std::size_t first, std::size_t last, std::size_t) {
+                       for (std::size_t k = first; k < last; ++k)
+                         result[k] = items[order[k]];
+                     });
+      return result;
+    }
+  }
+  result.reserve(order.size());
+  for (const std::size_t i : order)
+    result.push_back(items[i]);
+  return result;
+}
+
+// result[order[k]] = k
+inline std::vector<std::size_t> inverse(const std::size_t* order, std::size_t n)
+{
+  std::vector<std::size_t> result(n);
+  for (std::size_t k = 0; k < n; ++k)
+    result[order[k]] = k;
+  return result;
+}
+inline std::vector<std::size_t> inverse(const std::vector<std::size_t>& order)
+{
+  return inverse(order.data(), order.size());
+}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

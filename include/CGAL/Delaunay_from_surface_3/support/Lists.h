@@ -5,11 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_LISTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_LISTS_H
 
-#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
-#include <CGAL/Delaunay_from_surface_3/support/Lists_view.h>
-#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
+#include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +21,30 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+// Lists of numbers, one after the other, owned elsewhere: that of i is items[first[i]], …,
+// items[first[i+1] - 1].
+template <class Index>
+struct Lists_view
+{
+  const Index* first;
+  const Index* items;
+  std::size_t number_of_lists, number_of_items;
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE std::size_t size() const { return number_of_lists; }
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE const Index* begin(std::size_t i) const
+  {
+    return items + first[i];
+  }
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE const Index* end(std::size_t i) const
+  {
+    return items + first[i + 1];
+  }
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Lists of numbers, one after the other: that of i is items[first[i]], …, items[first[i+1] - 1].
@@ -184,16 +207,11 @@ Lists<Index> in_lists(std::size_t n, const std::vector<Items>& blocks,
     throw std::length_error("lists have more items than an index can number");
   Sort_into_lists<Index> sort(n, blocks.size(), executor);
   sort.count([&](std::size_t b, Index* numbers) {
-    for_each_part(blocks[b].size(), executor, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k)
-        ++numbers[blocks[b].list(k)];
-    });
+    for (std::size_t k = 0; k < blocks[b].size(); ++k)
+      ++numbers[blocks[b].list(k)];
   });
-  return sort.place([&](std::size_t b, Index* places, Index* items) {
-    for_each_part(blocks[b].size(), executor, [&](std::size_t first, std::size_t last) {
-      place_items(Part_of_items<Items>(blocks[b], first, last), places, items);
-    });
-  });
+  return sort.place(
+      [&](std::size_t b, Index* places, Index* items) { place_items(blocks[b], places, items); });
 }
 
 // The same for items in one piece, which is cut into blocks where there are many.

@@ -5,20 +5,148 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PAGE_ARRAY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_PAGE_ARRAY_H
 
-#include <CGAL/Delaunay_from_surface_3/support/Large_page_allocator.h>
-#include <CGAL/Delaunay_from_surface_3/support/Large_pages.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstring>
+#include <ctime>
+#include <limits>
+#include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+constexpr std::size_t large_page = std::size_t(1) << 21;
+
+// Whether an array of so many bytes begins at a large page. Small ones do not take one for
+// themselves.
+constexpr bool begins_at_large_page(std::size_t bytes)
+{
+  return bytes >= 2 * large_page;
+}
+
+// What this thread has taken of a processor: on a busy machine the turns of others are not its own.
+struct Thread_clock
+{
+  static std::chrono::nanoseconds now()
+  {
+#if defined(__linux__)
+    timespec t;
+    if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t) == 0)
+      return std::chrono::seconds(t.tv_sec) + std::chrono::nanoseconds(t.tv_nsec);
+#endif
+    return std::chrono::nanoseconds(0);
+  }
+};
+
+// Large pages for the memory of one array, as long as they are cheap: the first touch of one is one
+// page fault instead of 512.
+//
+// Where a host takes free memory back from a virtual machine, it takes large pages, and leaves small
+// ones. One that it must give again costs as much as eight or ten do in small pages. So each is
+// advised and touched, by the clock, just before it is used, and after the first that is dear there
+// are no more. Each array finds out for itself, since what was dear a moment ago may be cheap now,
+// and no state has to outlive the array: it loses one page at most. Those that are too small to gain
+// as much take none; glibc maps the others aside, so that no advice stays with the heap.
+class Large_pages
+{
+public:
+  static constexpr std::size_t fewest = 16;
+
+  Large_pages() = default;
+  explicit Large_pages(std::size_t bytes)
+    : m_end(bytes >= fewest * large_page ? bytes / large_page * large_page : 0)
+  {
+  }
+
+  // The bytes first, …, last - 1 of the array, which begins at a large page, are written next, for
+  // the first time. Several threads may say so, each of its own.
+  template <class Clock = Thread_clock>
+  void touch(void* array, std::size_t first, std::size_t last)
+  {
+    std::size_t at = (first + large_page - 1) / large_page * large_page;
+    for (; at < last && at < load_relaxed(m_end); at += large_page)
+      if (!is_cheap<Clock>(static_cast<char*>(array) + at))
+        store_relaxed(m_end, std::size_t(0));
+  }
+
+  // So many bytes are in large pages, if the system has them, once they have been touched.
+  std::size_t end() const { return load_relaxed(m_end); }
+
+private:
+  // Advice: it is no error if it is not taken. A page at hand takes a tenth of a millisecond, one
+  // that is not some five.
+  template <class Clock>
+  static bool is_cheap(char* page)
+  {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    const auto before = Clock::now();
+    madvise(page, large_page, MADV_HUGEPAGE);
+    *static_cast<volatile char*>(page) = 0;
+    return Clock::now() - before < std::chrono::milliseconds(1);
+#else
+    (void)page;
+    return false;
+#endif
+  }
+
+  std::size_t m_end = 0;
+};
+
+// Memory for large arrays that live for a short time and are filled at once: in large pages where
+// the system has them at hand.
+template <class T>
+struct Large_page_allocator
+{
+  using value_type = T;
+
+  Large_page_allocator() = default;
+  template <class U>
+  Large_page_allocator(const Large_page_allocator<U>&)
+  {
+  }
+
+  T* allocate(std::size_t n)
+  {
+    T* const data = allocate_untouched(n);
+    Large_pages(n * sizeof(T)).touch(data, 0, n * sizeof(T));
+    return data;
+  }
+
+  // For who touches it little by little.
+  T* allocate_untouched(std::size_t n)
+  {
+    if (n > (std::numeric_limits<std::size_t>::max)() / sizeof(T))
+      throw std::bad_alloc();
+    return static_cast<T*>(::operator new(n * sizeof(T), alignment(n)));
+  }
+
+  void deallocate(T* data, std::size_t n) { ::operator delete(data, alignment(n)); }
+
+  friend bool operator==(const Large_page_allocator&, const Large_page_allocator&) { return true; }
+  friend bool operator!=(const Large_page_allocator&, const Large_page_allocator&) { return false; }
+
+private:
+  static constexpr std::align_val_t alignment(std::size_t n)
+  {
+    return std::align_val_t(begins_at_large_page(n * sizeof(T)) ? large_page : 64);
+  }
+};
+
+template <class T>
+using Large_vector = std::vector<T, Large_page_allocator<T>>;
 
 // A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared
 // first, of which what is never written takes nothing, and parts can be given back while others are

@@ -6,7 +6,6 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_POINT_ARRAY_H
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 #include <cstddef>
 #include <cstdint>

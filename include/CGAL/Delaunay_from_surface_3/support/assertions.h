@@ -9,7 +9,25 @@
 // off with NDEBUG, if CGAL_DEBUG is not defined, and with CGAL_NO_ASSERTIONS; expensive ones, which
 // look at more than what was just written, on with CGAL_CHECK_EXPENSIVE.
 
-#include <CGAL/Delaunay_from_surface_3/support/fail.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <stdexcept>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Reports a broken invariant: throws, also where assertions are off.
+[[noreturn]] inline void fail(const char* invariant)
+{
+  throw std::logic_error(invariant);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
 
 #if defined(CGAL_NO_ASSERTIONS) || defined(CGAL_NDEBUG) || (defined(NDEBUG) && !defined(CGAL_DEBUG))
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(invariant) static_cast<void>(0)

@@ -5,6 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FORM_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FORM_H
 
+// Detects what a user's type offers, by an alias template of the expression or member, as
+// std::experimental::is_detected does (the detection idiom of W. E. Brown).
+
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
 // The form in which the package is used, as the names of two inline namespaces, so that one program
 // may mix forms: header-only (the default) or with the core compiled
 // (CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED, which the target Delaunay_from_surface_3::compiled
@@ -85,5 +92,58 @@
 #else
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 #endif
+
+// Code shared by functions for several instruction sets must be inlined into each.
+#if defined(__GNUC__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE __attribute__((always_inline)) inline
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE inline
+#endif
+
+// Code that is rarely reached must not take registers from code that often is.
+#if defined(__GNUC__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_APART __attribute__((noinline)) inline
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_APART inline
+#endif
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+template <class Default, class Void, template <class...> class Operation, class... Types>
+struct Detected_or
+{
+  static constexpr bool value = false;
+  using type = Default;
+};
+template <class Default, template <class...> class Operation, class... Types>
+struct Detected_or<Default, std::void_t<Operation<Types...>>, Operation, Types...>
+{
+  static constexpr bool value = true;
+  using type = Operation<Types...>;
+};
+
+// Whether Operation<Types...> is a type.
+template <template <class...> class Operation, class... Types>
+constexpr bool is_detected = Detected_or<void, void, Operation, Types...>::value;
+
+// That type, or else Default.
+template <class Default, template <class...> class Operation, class... Types>
+using detected_or_t = typename Detected_or<Default, void, Operation, Types...>::type;
+
+// Whether faces may have such indices: integers, or classes that are converted to them.
+template <class Index>
+constexpr bool is_index = std::is_integral<Index>::value ||
+                          (std::is_class<Index>::value &&
+                           std::is_convertible<Index, std::size_t>::value &&
+                           std::numeric_limits<Index>::is_specialized ==
+                               std::numeric_limits<Index>::is_integer);
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_FORM_H

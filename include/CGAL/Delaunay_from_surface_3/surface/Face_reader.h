@@ -16,8 +16,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/support/is_detected.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <array>
@@ -44,8 +42,9 @@ public:
     : m_faces(faces)
     , m_number_of_vertices(number_of_vertices)
   {
-    static_assert(is_index<std::decay_t<decltype(*std::begin(*std::begin(faces)))>>,
-                  "faces have indices of vertices, which are integers: convert other numbers first");
+    static_assert(
+        is_index<std::decay_t<decltype(*std::begin(*std::begin(faces)))>>,
+        "faces have indices of vertices, which are integers: convert other numbers first");
   }
 
   std::size_t number_of_darts() const // or more

@@ -5,6 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_NO_SUBGRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_NO_SUBGRAPH_H
 
+// T = F. Choi 2002, §3.1: "Some surface meshes already have bounded degree", such as isosurfaces.
+
+#include <boost/graph/graph_traits.hpp>
+
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 
@@ -23,6 +27,36 @@ public:
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
   EdgeOutputIterator operator()(const Graph&, VertexIndexMap, EdgeOutputIterator out) const
   {
+    return out;
+  }
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes all edges: the surface is its own spanning subgraph. The degree is that of the surface.
+
+<b>Complexity</b>: \f$O(m)\f$ for m edges.
+
+\cgalModels{SurfaceSubgraph}
+*/
+class Full_graph
+{
+public:
+  /*!
+  writes all edges of `graph`.
+
+  \tparam Graph a model of `boost::EdgeListGraph`
+  \tparam VertexIndexMap is not used
+  \tparam EdgeOutputIterator accepts edge descriptors of `Graph`
+
+  \return the output iterator past the last edge written
+  */
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
+  EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap, EdgeOutputIterator out) const
+  {
+    for (auto [e, end] = edges(graph); e != end; ++e)
+      *out++ = *e;
     return out;
   }
 };

@@ -17,16 +17,189 @@
 // Cost: O(length of the lists of vertices on the cut), plus one pass over the vertices.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Buckets.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Opened_surface.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Groups values by a key below n in linear time: linked lists in flat arrays. It turns what each v
+// says of u into what u hears from all v: so the two darts of an edge meet where the cut needs it;
+// elsewhere they need not. Cost: the array of heads is the caller's; two words per value.
+
+template <class Index>
+class Buckets
+{
+public:
+  static constexpr Index empty = (std::numeric_limits<Index>::max)();
+
+  void reserve(std::size_t number_of_values)
+  {
+    m_values.reserve(number_of_values);
+    m_next.reserve(number_of_values);
+  }
+
+  // The head of a bucket is wherever the caller keeps it; it starts as `empty`.
+  void add(Index& head, Index value)
+  {
+    m_values.push_back(value);
+    m_next.push_back(head);
+    head = static_cast<Index>(m_values.size() - 1);
+  }
+
+  template <class Function>
+  void for_each(Index head, const Function& function) const
+  {
+    for (; head != empty; head = m_next[head])
+      function(m_values[head]);
+  }
+
+private:
+  std::vector<Index> m_values;
+  std::vector<Index> m_next;
+};
+
+// Step 2 of the cut: prune G to the cut graph.
+//
+// Vertices of degree 1 are removed until none is left; then an edge is in the cut graph if and only
+// if both its ends still have a degree. The one neighbour of a vertex of degree 1 is the exclusive
+// or of its neighbours, so no list is looked at. The last step puts the mark of a cut edge on both
+// its darts.
+// Invariant: removing a leaf and its edge leaves the complement of G an open disc.
+// Bound: with χ = 2 - h - b the sum of (degree - 2) over the cut graph is 2(1 - χ) and no degree is
+// below 2. This is what bounds the degree of the subgraph; G itself has no bound. A sphere prunes
+// to a point.
+// Cost: O(n), one bit per vertex and two words per cut edge.
+
+template <class Index>
+class Prune_cut
+{
+public:
+  Prune_cut(const Rotation_system<Index>& surface, Cut_candidate<Index>& candidate)
+    : m_surface(surface)
+    , m_candidate(candidate)
+  {
+  }
+
+  void operator()()
+  {
+    remove_leaves();
+    mark_both_darts();
+  }
+
+private:
+  bool is_on_cut(Index v) const { return m_candidate.degree[v] != 0; }
+
+  void remove_leaves()
+  {
+    std::vector<Index>& degree = m_candidate.degree;
+    std::vector<Index>& neighbors = m_candidate.xor_of_neighbors;
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+      for (Index leaf = v; degree[leaf] == 1;) {
+        const Index next = neighbors[leaf];
+        degree[leaf] = 0;
+        --degree[next];
+        neighbors[next] ^= leaf;
+        leaf = next;
+      }
+  }
+
+  void mark_both_darts()
+  {
+    Buckets<Index> marked_at;
+    std::vector<Index>& heads = m_candidate.xor_of_neighbors; // no longer needed as such
+    heads.assign(heads.size(), Buckets<Index>::empty);
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+      if (is_on_cut(v))
+        keep_cut_edges(v, heads, marked_at);
+    std::vector<bool> is_other_end(m_surface.number_of_vertices(), false);
+    for (Index v = 0; v < m_surface.number_of_vertices(); ++v) {
+      if (heads[v] == Buckets<Index>::empty)
+        continue;
+      marked_at.for_each(heads[v], [&](Index u) { is_other_end[u] = true; });
+      for (Index dart = m_surface.first[v]; dart < m_surface.first[v + 1]; ++dart)
+        if (is_other_end[m_surface.neighbor[dart]])
+          m_candidate.marks[dart] = true;
+      marked_at.for_each(heads[v], [&](Index u) { is_other_end[u] = false; });
+    }
+  }
+
+  void keep_cut_edges(Index v, std::vector<Index>& heads, Buckets<Index>& marked_at)
+  {
+    for (Index dart = m_surface.first[v]; dart < m_surface.first[v + 1]; ++dart) {
+      if (!m_candidate.marks[dart])
+        continue;
+      const Index u = m_surface.neighbor[dart];
+      if (is_on_cut(u))
+        marked_at.add(heads[u], v);
+      else
+        m_candidate.marks[dart] = false;
+    }
+  }
+
+  const Rotation_system<Index>& m_surface;
+  Cut_candidate<Index>& m_candidate;
+};
+
+// The surface cut open into discs: the rotation system, plus copies of the vertices on the cut.
+//
+// Invariant: vertices 0 .. n-1 are the surface's own; n, n+1, … are the copies. A vertex that has
+// copies is dead itself: no list names it any more. Around a vertex on the rim of a disc (a copy, a
+// vertex with one sector on the boundary, a corner of an opened face) the live part of its list
+// lies between its two rim neighbours.
+// Cost: no memory where nothing is cut; 4 bytes per dart of a copy and 16 per copy.
+
+template <class Index>
+struct Opened_surface
+{
+  Rotation_system<Index>& surface;
+  std::vector<Index> copy_first = {0}; // as Rotation_system::first, for the copies
+  std::vector<Index> copy_neighbor;    // as Rotation_system::neighbor
+  std::vector<Index> copy_origin;      // the surface vertex a copy was made of
+  std::vector<Index> copy_start;       // where in its origin's list the copy's list starts
+  std::vector<Index> rim;              // every vertex on the rim of a disc, each once
+
+  explicit Opened_surface(Rotation_system<Index>& s)
+    : surface(s)
+  {
+  }
+
+  Index number_of_surface_vertices() const { return surface.number_of_vertices(); }
+  Index number_of_copies() const { return static_cast<Index>(copy_origin.size()); }
+  Index number_of_vertices() const { return number_of_surface_vertices() + number_of_copies(); }
+  bool is_copy(Index v) const { return v >= number_of_surface_vertices(); }
+
+  Index origin(Index v) const
+  {
+    return is_copy(v) ? copy_origin[v - number_of_surface_vertices()] : v;
+  }
+
+  Star<Index> star(Index v) const
+  {
+    if (!is_copy(v))
+      return surface.star(v);
+    const Index c = v - number_of_surface_vertices();
+    return {copy_neighbor.data() + copy_first[c], copy_neighbor.data() + copy_first[c + 1]};
+  }
+
+  // The surface's dart that stands at a position of v's list.
+  std::size_t dart(Index v, Index position) const
+  {
+    if (!is_copy(v))
+      return std::size_t(surface.first[v]) + position;
+    const Index c = v - number_of_surface_vertices();
+    const Index o = copy_origin[c];
+    const Index p = copy_start[c] + position;
+    const Index degree = surface.degree(o);
+    return std::size_t(surface.first[o]) + (p < degree ? p : p - degree);
+  }
+};
 
 template <class Index>
 class Open_along_cut

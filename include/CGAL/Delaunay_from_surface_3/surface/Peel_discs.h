@@ -37,8 +37,8 @@
 // and the stack, at most as long as C.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Opened_surface.h>
+#include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Open_along_cut.h>
 
 #include <limits>
 #include <vector>

@@ -8,12 +8,10 @@
 // Certifies a spanning subgraph by means that share nothing with its construction: union-find and
 // counting.
 
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Find_topology.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Refuse_input.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Spanning_subgraph_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Surface_component_topology.h>
 
 #include <algorithm>

@@ -8,16 +8,20 @@
 // Kruskal's algorithm on edges between points: Choi 2002, §3.1, "a minimum spanning tree
 // algorithm".
 
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -102,6 +106,59 @@ void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges,
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
+
+// A spanning subgraph T for surfaces without usable faces. Choi 2002, §3 asks for bounded degree;
+// this one has no bound, so the trace is right but its cost is not proved.
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+writes the edges of a spanning forest, one tree per connected component: every edge that joins two
+components of the edges before it. It works for every graph; the degree is not bounded.
+
+<b>Complexity</b>: \f$O(n + m \alpha(n))\f$ time for n vertices and m edges, and two integers of
+memory per vertex.
+
+\cgalModels{SurfaceSubgraph}
+*/
+class Spanning_forest
+{
+public:
+  /*!
+  writes edges of `graph` that span it without a cycle.
+
+  \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`
+  \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
+  \tparam EdgeOutputIterator accepts edge descriptors of `Graph`
+
+  \param graph the surface
+  \param index_map maps the vertices of `graph` to their indices
+  \param out receives the edges
+
+  \return the output iterator past the last edge written
+  */
+  template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
+  EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
+                                EdgeOutputIterator out) const
+  {
+    internal::Disjoint_sets<std::size_t> trees(number_of_vertices(graph));
+    for (auto [e, end] = edges(graph); e != end; ++e)
+      if (trees.unite(std::size_t(get(index_map, source(*e, graph))),
+                      std::size_t(get(index_map, target(*e, graph)))))
+        *out++ = *e;
+    return out;
+  }
+
+private:
+  // Not num_vertices(): on a mesh with removed elements that is only an upper bound of n.
+  template <class Graph>
+  static std::size_t number_of_vertices(const Graph& graph)
+  {
+    const auto range = vertices(graph);
+    return std::size_t(std::distance(range.first, range.second));
+  }
+};
+
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -19,22 +19,27 @@
 //
 // Cost: that of the insertions; each telling looks at the cells made since the one before.
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_news.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_too_large.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/fit_when_merged.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -43,6 +48,346 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Equal points are one vertex, so they count once where the points of a tile do.
+
+// Whether there are at most so many points. If there are more, of equal ones only that with the
+// smallest id stays; the ids of the others are noted beside it. Those that are vertices already stay,
+// too: they are noted when they meet these.
+inline bool fit_when_merged(std::vector<Tile_point>& points, std::size_t limit,
+                            const std::array<Tile_point, 4>& vertices,
+                            std::vector<std::array<std::uint64_t, 2>>& equal)
+{
+  if (points.size() <= limit)
+    return true;
+  const auto is_before = [](const Tile_point& p, const Tile_point& q) {
+    return std::lexicographical_compare(p.coordinates, p.coordinates + 3, q.coordinates,
+                                        q.coordinates + 3);
+  };
+  const auto is_vertex = [&](const Tile_point& p) {
+    return std::any_of(vertices.begin(), vertices.end(),
+                       [&](const Tile_point& v) { return v.id == p.id; });
+  };
+  std::sort(points.begin(), points.end(), [&](const Tile_point& p, const Tile_point& q) {
+    return is_before(p, q) || (!is_before(q, p) && p.id < q.id);
+  });
+  std::size_t end = 0;
+  std::uint64_t smallest = 0; // id, of those that are equal
+  for (const Tile_point& p : points) {
+    const bool is_first = end == 0 || is_before(points[end - 1], p);
+    smallest = is_first ? p.id : smallest;
+    if (is_first || is_vertex(p))
+      points[end++] = p;
+    else
+      equal.push_back({p.id, smallest});
+  }
+  points.resize(end);
+  return end <= limit;
+}
+
+// What is new in what a tile was told.
+
+struct Tile_news
+{
+  std::vector<Tile_point> offers;      // by id, each once
+  std::vector<Tile_message> questions; // about points of the tile's own
+
+  bool empty() const { return offers.empty() && questions.empty(); }
+};
+
+// Of tile t, which knows ids that ascend. The sample is from the tile itself, and asks nothing.
+inline Tile_news news_of(std::vector<Tile_message> messages, const Tiling& tiling, std::uint32_t t,
+                         const std::vector<std::uint64_t>& known)
+{
+  Tile_news news;
+  std::size_t number = 0;
+  for (const Tile_message& message : messages)
+    number += message.points.size();
+  news.offers.reserve(number);
+  for (Tile_message& message : messages) {
+    Tile_message question{message.from, t, {}};
+    for (const Tile_point& p : message.points)
+      if (tiling.tree.owner(p.coordinates) == t)
+        question.points.push_back(p);
+      else
+        news.offers.push_back(p);
+    if (message.from != t && !question.points.empty())
+      news.questions.push_back(std::move(question));
+    std::vector<Tile_point>().swap(message.points);
+  }
+  std::sort(news.offers.begin(), news.offers.end(),
+            [](const Tile_point& p, const Tile_point& q) { return p.id < q.id; });
+  auto k = known.begin();
+  std::uint64_t last = std::uint64_t(-1);
+  const auto is_old = [&](const Tile_point& p) {
+    while (k != known.end() && *k < p.id)
+      ++k;
+    const bool is_known = (k != known.end() && *k == p.id) || p.id == last;
+    last = p.id;
+    return is_known;
+  };
+  news.offers.erase(std::remove_if(news.offers.begin(), news.offers.end(), is_old),
+                    news.offers.end());
+  return news;
+}
+
+// Fewer points of a tile are one thread's affair.
+constexpr std::size_t least_points_for_threads = 10000;
+
+// Inserts all vertices behind the first ones, which are in cells, in rounds that end there; each worker
+// starts from the one it inserted before. Returns by place, that is vertex less 1, the vertices, of equal
+// points that of any of them. check() is called now and then, and may throw.
+template <class Id, class Check>
+std::vector<Id> insert_by_threads(Compact_complex<Id>& complex, std::size_t first,
+                                  const std::vector<std::size_t>& round_ends,
+                                  const Executor& executor, const Check& check)
+{
+  std::vector<Id> vertex_of(complex.vertices_end() - 1, 0);
+  std::iota(vertex_of.begin(), vertex_of.begin() + std::ptrdiff_t(first), Id(1));
+  Parallel_triangulation<Id> workers(complex, executor);
+  std::size_t place = first;
+  for (const std::size_t end : round_ends)
+    while (place < first + end) {
+      const std::size_t next = (std::min)(first + end, place + workers.size_of_piece(place));
+      workers.insert_round(place, next, vertex_of,
+                           Starting_cells<Id>(complex, vertex_of, nullptr, 1),
+                           [](std::size_t) { return true; });
+      place = next;
+      check();
+    }
+  workers.finish();
+  return vertex_of;
+}
+
+// The triangulation that a tile has: its own points, and those of others that it keeps. Beside the
+// complex there are 12 bytes for a vertex, since coordinates are those of the complex.
+
+class Tile_triangulation
+{
+public:
+  using Id = std::uint32_t;
+  using Complex = Compact_complex<Id>;
+  using Cell = Compact_cell<Id>;
+
+  static constexpr std::uint64_t infinite_id = std::uint64_t(-1);
+  static constexpr std::uint32_t nobody = std::uint32_t(-1); // who owns the infinite vertex
+
+  // Of the four points that all tiles keep, with room for others. Keeps a reference.
+  Tile_triangulation(const Tiling& tiling, std::size_t number_of_points)
+    : m_tiling(tiling)
+    , m_scaled(tiling.largest, tiling.least)
+    , m_complex(4, [&](std::size_t i) { return m_scaled(tiling.start[i].coordinates); })
+    , m_inserter(m_complex)
+  {
+    m_ids.reserve(number_of_points + 5);
+    m_owners.reserve(number_of_points + 5);
+    m_ids.push_back(infinite_id);
+    m_owners.push_back(nobody);
+    for (const Tile_point& p : tiling.start)
+      note_vertex(p);
+    m_complex.start({1, 2, 3, 4});
+    m_complex.make_room_for_vertices(number_of_points + 5);
+    m_complex.make_room(8 * number_of_points + 64);
+  }
+  Tile_triangulation(const Tile_triangulation&) = delete;
+
+  // Inserts points that are wanted whatever they touch, before any others: by all workers, or as
+  // insert() does. The vertices are the same then, and the cells, but in another order. check() is called
+  // now and then, and may throw.
+  template <class Check, class Equal>
+  void insert_first(std::vector<Tile_point> points, unsigned int seed, const Executor& executor,
+                    const Check& check, const Equal& equal)
+  {
+    if (executor.number_of_workers() == 1 || points.size() < least_points_for_threads)
+      return insert(
+          std::move(points), seed, [&] { return check(), true; }, equal);
+    Insertion_order order = order_of(points, seed);
+    add_vertices(points, order.order);
+    const std::size_t before = std::exchange(m_vertices_end, m_ids.size()) - 1;
+    std::vector<Tile_point>().swap(points);
+    std::vector<std::size_t>().swap(order.order);
+    merge_equal_points(insert_by_threads(m_complex, before, order.round_ends, executor, check),
+                       equal);
+  }
+
+  // Inserts those that wants() when the zone of conflict is dug, in random rounds, each sorted by
+  // halves, and each point from the one before. If p has the place of vertex v, equal(v, id of p,
+  // id of v) says whether the smaller id is that of v then.
+  template <class Wants, class Equal>
+  void insert(std::vector<Tile_point> points, unsigned int seed, const Wants& wants,
+              const Equal& equal)
+  {
+    add_vertices(points, order_of(points, seed).order);
+    std::vector<Tile_point>().swap(points);
+    const std::size_t end = m_ids.size();
+    for (std::size_t v = m_vertices_end; v < end; ++v) {
+      const auto p = Id(m_vertices_end); // those before are in cells
+      renumber_vertex(Id(v), p);
+      m_vertices_end += insert(p, wants, equal);
+    }
+    drop_vertices(m_vertices_end);
+  }
+
+  // While wants() is asked: the corners of the zone, each more than once, until visit(v) is true.
+  template <class Visit>
+  bool find_neighbor(const Visit& visit) const
+  {
+    const auto& zone = m_inserter.zone;
+    for (std::size_t f = 0; f < zone.number_of_facets; ++f)
+      for (const Id v : zone.facets[f].corners)
+        if (visit(v))
+          return true;
+    return false;
+  }
+
+  // That are taken by what there is.
+  std::uint64_t bytes() const
+  {
+    return m_complex.cells_end() * sizeof(Cell) +
+           m_ids.size() * (sizeof(Complex::Vertex) + sizeof(std::uint64_t) + sizeof(std::uint32_t));
+  }
+
+  // The number of vertices, the infinite one, which is 0, included.
+  std::size_t vertices_end() const { return m_vertices_end; }
+  std::uint64_t id(Id v) const { return m_ids[v]; }
+  std::uint32_t owner(Id v) const { return m_owners[v]; }
+  Tile_point point(Id v) const
+  {
+    const auto c = m_complex.is_rounded() ? m_complex.own_coordinates(v)
+                                          : m_scaled.before(m_complex.vertex(v).coordinates);
+    return {m_ids[v], {c[0], c[1], c[2]}};
+  }
+
+  std::array<std::uint64_t, 4> ids_of(const Cell& cell) const
+  {
+    return {m_ids[cell.v[0]], m_ids[cell.v[1]], m_ids[cell.v[2]], m_ids[cell.v[3]]};
+  }
+
+  // Whose vertex has the smallest id. Branches would be foreseen badly.
+  std::uint32_t owner_of(const Cell& cell) const
+  {
+    Id first = cell.v[0];
+    for (unsigned k = 1; k < 4; ++k)
+      first = m_ids[cell.v[k]] < m_ids[first] ? cell.v[k] : first;
+    return m_owners[first];
+  }
+
+  template <class Visit>
+  void for_each_cell(const Visit& visit) const
+  {
+    for (std::size_t c = 0; c < m_complex.cells_end(); ++c)
+      if (!Complex::is_dead(m_complex.cell(c)))
+        visit(m_complex.cell(c));
+  }
+
+private:
+  static Insertion_order order_of(const std::vector<Tile_point>& points, unsigned int seed)
+  {
+    std::vector<double> coordinates;
+    coordinates.reserve(3 * points.size());
+    for (const Tile_point& p : points)
+      coordinates.insert(coordinates.end(), p.coordinates, p.coordinates + 3);
+    return geometric_rounds(Point_array(coordinates.data(), points.size()), seed, 0.125, 64);
+  }
+
+  // In this order; they are in no cell yet.
+  void add_vertices(const std::vector<Tile_point>& points, const std::vector<std::size_t>& order)
+  {
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      prefetch(&points[order[(std::min)(k + 8, order.size() - 1)]]);
+      const double* const c = points[order[k]].coordinates;
+      m_complex.add_vertex(m_scaled(c));
+      note_vertex(points[order[k]]);
+    }
+  }
+
+  // Of a point that the complex has; beside its place there.
+  void note_vertex(const Tile_point& p)
+  {
+    if (!m_scaled.is_exact())
+      m_complex.add_own_coordinates({p.coordinates[0], p.coordinates[1], p.coordinates[2]});
+    m_ids.push_back(p.id);
+    m_owners.push_back(m_tiling.tree.owner(p.coordinates));
+  }
+
+  void renumber_vertex(Id v, Id number)
+  {
+    m_complex.renumber_vertex(v, number);
+    m_ids[number] = m_ids[v];
+    m_owners[number] = m_owners[v];
+  }
+
+  // Whether p is in cells now.
+  template <class Wants, class Equal>
+  bool insert(Id p, const Wants& wants, const Equal& equal)
+  {
+    const auto location = m_inserter.walk(p, m_complex.vertex(m_previous).cell, Read_alone());
+    if (location.vertex != 0) {
+      m_previous = location.vertex;
+      note_equal(location.vertex, p, equal);
+      return false;
+    }
+    m_inserter.dig(p, location.cell);
+    if (!wants()) {
+      m_inserter.zone.revive(m_complex);
+      m_previous = Complex::first_vertex(m_complex.cell(location.cell)); // the infinite one is last
+      return false;
+    }
+    m_inserter.fill(p);
+    m_previous = p;
+    return true;
+  }
+
+  // Of equal points the smallest number stands for all: p has the place of v.
+  template <class Equal>
+  void note_equal(Id v, Id p, const Equal& equal)
+  {
+    if (equal(v, m_ids[p], m_ids[v]))
+      m_ids[v] = (std::min)(m_ids[v], m_ids[p]);
+  }
+
+  // Equal points have one vertex, of any of them, and the numbers of the others are in no cell. So
+  // vertices are numbered anew, by the first place of each: as if one thread had inserted them.
+  template <class Equal>
+  void merge_equal_points(const std::vector<Id>& vertex_of, const Equal& equal)
+  {
+    bool are_any = false;
+    for (std::size_t k = 0; k < vertex_of.size(); ++k)
+      if (const Id p = Complex::vertex_of_point(k); vertex_of[k] != p) {
+        note_equal(vertex_of[k], p, equal);
+        are_any = true;
+      }
+    if (!are_any)
+      return;
+    std::vector<Id> numbers(m_vertices_end, 0);
+    std::size_t end = 1;
+    for (const Id v : vertex_of)
+      if (numbers[v] == 0)
+        renumber_vertex(v, numbers[v] = Id(end++));
+    for (std::size_t c = 0; c < m_complex.cells_end(); ++c)
+      if (!Complex::is_dead(m_complex.cell(c)))
+        for (Id& v : m_complex.cell(c).v)
+          v = numbers[v];
+    drop_vertices(end);
+  }
+
+  void drop_vertices(std::size_t end)
+  {
+    m_vertices_end = end;
+    m_complex.drop_vertices(end);
+    m_ids.resize(end);
+    m_owners.resize(end);
+  }
+
+  const Tiling& m_tiling;
+  const Power_of_scale m_scaled;
+  Complex m_complex;
+  Inserter<Alone_with_complex<Id>> m_inserter;
+  Id m_previous = 1;
+  std::size_t m_vertices_end = 5;   // those from here on are in no cell yet
+  std::vector<std::uint64_t> m_ids; // by vertex; the smallest of those of equal points
+  std::vector<std::uint32_t> m_owners;
+};
 
 class Delaunay_tile
 {
@@ -320,6 +665,151 @@ private:
   Tile_triangulation m_triangulation;
   std::size_t m_first_untold = 0; // vertex
 };
+
+// What a tile has when all is done, as a Delaunay_3_tile, but its cells one after the other: an array
+// of them would take half as much memory as the triangulation. Keeps a reference. Sorts the vertices;
+// else linear.
+class Piece_of_tile
+{
+public:
+  using Id = Tile_triangulation::Id;
+
+  explicit Piece_of_tile(const Delaunay_tile& tile)
+    : m_tile(tile)
+  {
+    find_kinds();
+    sort_vertices();
+    note_equal_points();
+  }
+
+  std::uint32_t number() const { return m_tile.number(); }
+  std::size_t number_of_own_vertices() const { return m_number_of_own_vertices; }
+  std::size_t number_of_cells() const
+  {
+    return number_of_owned_cells() + m_number_of_cells[OF_OTHERS];
+  }
+  std::size_t number_of_owned_cells() const
+  {
+    return number_of_owned_finite_cells() + m_number_of_cells[OWNED_INFINITE];
+  }
+  std::size_t number_of_owned_finite_cells() const { return m_number_of_cells[OWNED_FINITE]; }
+
+  // Of points that have the place of others: to each id the smallest that stands for it.
+  const std::vector<std::array<std::uint64_t, 2>>& equal_points() const { return m_equal_points; }
+
+  // The vertices of own stars, own ones first, each by id.
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+  template <class Visit>
+  void for_each_vertex(const Visit& visit) const
+  {
+    for (const Id v : m_vertices)
+      visit(m_tile.triangulation().point(v));
+  }
+
+  template <class Visit>
+  void for_each_cell(const Visit& visit) const
+  {
+    std::vector<std::int32_t> places(m_tile.triangulation().vertices_end(), -1);
+    for (std::size_t k = 0; k < m_vertices.size(); ++k)
+      places[m_vertices[k]] = std::int32_t(k);
+    for (const Kind wanted : {OWNED_FINITE, OWNED_INFINITE, OF_OTHERS})
+      for_each_cell_and_kind([&](const Cell& cell, Kind kind) {
+        if (kind == wanted)
+          visit(Delaunay_3_tile::Cell{places[cell.v[0]], places[cell.v[1]], places[cell.v[2]],
+                                      places[cell.v[3]]});
+      });
+  }
+
+private:
+  using Cell = Tile_triangulation::Cell;
+
+  // What a cell is to a tile; FAR are those without a vertex of its own.
+  enum Kind : unsigned char { OWNED_FINITE, OWNED_INFINITE, OF_OTHERS, FAR };
+
+  template <class Visit>
+  void for_each_cell_and_kind(const Visit& visit) const
+  {
+    auto kind = m_kinds.begin();
+    m_tile.triangulation().for_each_cell([&](const Cell& cell) { visit(cell, *kind++); });
+  }
+
+  void find_kinds()
+  {
+    const Tile_triangulation& tr = m_tile.triangulation();
+    tr.for_each_cell([&](const Cell& cell) {
+      const auto own = std::count_if(cell.v, cell.v + 4, [&](Id v) { return m_tile.is_own(v); });
+      const bool is_owned = own == 4 || (own > 0 && tr.owner_of(cell) == number());
+      m_kinds.push_back(own == 0                                         ? FAR
+                        : !is_owned                                      ? OF_OTHERS
+                        : Tile_triangulation::Complex::is_infinite(cell) ? OWNED_INFINITE
+                                                                         : OWNED_FINITE);
+      ++m_number_of_cells[m_kinds.back()];
+    });
+  }
+
+  void sort_vertices()
+  {
+    const Tile_triangulation& tr = m_tile.triangulation();
+    std::vector<char> is_used(tr.vertices_end());
+    for_each_cell_and_kind([&](const Cell& cell, Kind kind) {
+      if (kind != FAR)
+        for (const Id v : cell.v)
+          is_used[v] = 1;
+    });
+    m_vertices.reserve(std::size_t(std::count(is_used.begin() + 1, is_used.end(), 1)));
+    for (const bool of_others : {false, true}) {
+      const auto first = std::ptrdiff_t(m_vertices.size());
+      for (std::size_t v = 1; v < is_used.size(); ++v)
+        if (is_used[v] && m_tile.is_own(Id(v)) != of_others)
+          m_vertices.push_back(Id(v));
+      std::sort(m_vertices.begin() + first, m_vertices.end(),
+                [&](Id v, Id w) { return tr.id(v) < tr.id(w); });
+      if (!of_others)
+        m_number_of_own_vertices = m_vertices.size();
+    }
+  }
+
+  void note_equal_points()
+  {
+    std::map<std::uint64_t, std::uint64_t> smaller;
+    for (const auto& [p, q] : m_tile.equal_points())
+      smaller.emplace(p, q);
+    for (const auto& pair : smaller) {
+      auto root = smaller.find(pair.second);
+      std::uint64_t id = pair.second;
+      for (; root != smaller.end(); root = smaller.find(id))
+        id = root->second;
+      m_equal_points.push_back({pair.first, id});
+    }
+  }
+
+  const Delaunay_tile& m_tile;
+  std::vector<Kind> m_kinds; // by cell, in their order
+  std::array<std::size_t, 4> m_number_of_cells{};
+  std::vector<Id> m_vertices;
+  std::size_t m_number_of_own_vertices = 0;
+  std::vector<std::array<std::uint64_t, 2>> m_equal_points;
+};
+
+inline Delaunay_3_tile piece_of(const Delaunay_tile& tile)
+{
+  const Piece_of_tile from(tile);
+  Delaunay_3_tile piece;
+  piece.number = from.number();
+  piece.ids.reserve(from.number_of_vertices());
+  piece.points.reserve(from.number_of_vertices());
+  from.for_each_vertex([&](const Tile_point& p) {
+    piece.ids.push_back(p.id);
+    piece.points.push_back({p.coordinates[0], p.coordinates[1], p.coordinates[2]});
+  });
+  piece.number_of_own_vertices = from.number_of_own_vertices();
+  piece.cells.reserve(from.number_of_cells());
+  from.for_each_cell([&](const Delaunay_3_tile::Cell& cell) { piece.cells.push_back(cell); });
+  piece.number_of_owned_cells = from.number_of_owned_cells();
+  piece.number_of_owned_finite_cells = from.number_of_owned_finite_cells();
+  piece.equal_points = from.equal_points();
+  return piece;
+}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

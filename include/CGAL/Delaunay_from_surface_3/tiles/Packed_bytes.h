@@ -9,9 +9,8 @@
 // after the other, as the machine has them.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
 #include <cstddef>
 #include <cstdint>

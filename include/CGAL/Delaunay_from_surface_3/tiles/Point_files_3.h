@@ -5,24 +5,714 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_POINT_FILES_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_POINT_FILES_3_H
 
+// Files of records, which appear only when they are complete: they are written beside their place
+// and renamed, so what a killed process or a crash of the machine leaves is never taken for a whole.
+//
+// Each begins with a word that says what it is and of which version, and the number of the run.
+// Numbers are those of the machine.
+
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Point_file_layout.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <ios>
 #include <iterator>
+#include <memory>
+#include <random>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#if !defined(_WIN32) && __has_include(<unistd.h>)
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The end of the name of what is not complete.
+constexpr const char* unfinished = ".unfinished";
+
+// What a file that is not complete will be called: its name without a number and `unfinished` at the
+// end; empty if it is none.
+inline std::string name_when_finished(const std::string& name)
+{
+  const std::string end = unfinished;
+  if (name.size() <= end.size() || name.compare(name.size() - end.size(), end.size(), end) != 0)
+    return "";
+  const std::size_t dash = name.find_last_not_of("0123456789", name.size() - end.size() - 1);
+  if (dash == std::string::npos || name[dash] != '-' || dash + 1 == name.size() - end.size())
+    return "";
+  return name.substr(0, dash);
+}
+
+[[noreturn]] inline void fail_to_write(const std::filesystem::path& place, int error)
+{
+  throw Tile_files_error(place.string() + ": cannot be written: " +
+                         (error != 0 ? std::generic_category().message(error) : "disk full?"));
+}
+
+class Bytes_writer
+{
+public:
+  explicit Bytes_writer(std::filesystem::path place)
+    : m_place(std::move(place))
+  {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(m_place, ignored)) // or renaming fails, when all is written
+      fail_to_write(m_place, EISDIR);
+    const auto there = std::filesystem::status(m_place, ignored);
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+      throw Tile_files_error(m_place.string() + ": cannot be written: it is no regular file");
+    std::random_device random;
+    m_unfinished = m_place.string() + "-" + std::to_string(random()) + unfinished;
+    errno = 0;
+    m_file.reset(std::fopen(m_unfinished.string().c_str(), "wb"));
+    if (!m_file)
+      fail_to_write(m_place, errno);
+  }
+  Bytes_writer(const Bytes_writer&) = delete;
+  Bytes_writer& operator=(const Bytes_writer&) = delete;
+  ~Bytes_writer()
+  {
+    m_file.reset();
+    if (!m_is_finished) {
+      std::error_code ignored;
+      std::filesystem::remove(m_unfinished, ignored);
+    }
+  }
+
+  void write(const void* bytes, std::size_t n)
+  {
+    errno = 0;
+    if (n > 0 && std::fwrite(bytes, 1, n, m_file.get()) != n)
+      fail_to_write(m_place, errno);
+  }
+
+  void finish()
+  {
+    errno = 0;
+    if (std::fflush(m_file.get()) != 0 || !is_on_disk() || std::fclose(m_file.release()) != 0)
+      fail_to_write(m_place, errno);
+    std::error_code error;
+    std::filesystem::rename(m_unfinished, m_place, error);
+    if (error)
+      fail_to_write(m_place, error.value());
+    m_is_finished = true;
+    keep_name();
+  }
+
+private:
+  // Before it is renamed: else the name may outlive a crash of the machine, and not what it names.
+  bool is_on_disk() const
+  {
+#if !defined(_WIN32) && __has_include(<unistd.h>)
+    return ::fsync(::fileno(m_file.get())) == 0 || errno == EINVAL; // of what is no disk
+#else
+    return true;
+#endif
+  }
+
+  // Nor is the name on the disk before its folder is.
+  void keep_name() const
+  {
+#if !defined(_WIN32) && __has_include(<unistd.h>)
+    const std::filesystem::path folder = std::filesystem::absolute(m_place).parent_path();
+    const int file = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+      return; // it may be written to, and not read
+    const bool is_kept = ::fsync(file) == 0 || errno == EINVAL || errno == EROFS;
+    const int error = errno;
+    ::close(file);
+    if (!is_kept)
+      fail_to_write(m_place, error);
+#endif
+  }
+
+  struct Close
+  {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  const std::filesystem::path m_place;
+  std::filesystem::path m_unfinished;
+  std::unique_ptr<std::FILE, Close> m_file;
+  bool m_is_finished = false;
+};
+
+class Bytes_reader
+{
+public:
+  explicit Bytes_reader(std::filesystem::path place)
+    : m_place(std::move(place))
+  {
+    errno = 0;
+    m_stream.open(m_place, std::ios::binary);
+    if (!m_stream)
+      throw Tile_files_error(m_place.string() + ": cannot be read: " +
+                             std::generic_category().message(errno != 0 ? errno : ENOENT));
+  }
+
+  // Of the file; 0 if that cannot be found out.
+  std::uint64_t size() const
+  {
+    std::error_code ignored;
+    const std::uintmax_t size = std::filesystem::file_size(m_place, ignored);
+    return size == std::uintmax_t(-1) ? 0 : size;
+  }
+
+  void seek(std::uint64_t offset) { m_stream.seekg(std::streamoff(offset)); }
+  void read(void* bytes, std::size_t n)
+  {
+    m_stream.read(static_cast<char*>(bytes), std::streamsize(n));
+    if (std::size_t(m_stream.gcount()) != n)
+      throw Tile_files_error(m_place.string() + ": ends early");
+  }
+
+  const std::filesystem::path& place() const { return m_place; }
+
+private:
+  const std::filesystem::path m_place;
+  std::ifstream m_stream;
+};
+
+// What stands at the beginning of each file of a run.
+struct Record_head
+{
+  char what[32] = {}; // "dfs3 tiles 3 tiling"
+  std::uint64_t run;
+
+  Record_head(const char* kind, std::uint64_t run_number)
+    : run(run_number)
+  {
+    std::snprintf(what, sizeof(what), "dfs3 tiles 3 %s", kind);
+  }
+};
+
+// A hash of bytes. Each word goes into it by a function that can be inverted, so no change of one word
+// is missed.
+class Checksum
+{
+public:
+  void add(const void* bytes, std::size_t n)
+  {
+    const char* from = static_cast<const char*>(bytes);
+    m_size += n;
+    while (n > 0) {
+      const std::size_t some = (std::min)(n, sizeof(m_word) - m_filled);
+      std::memcpy(reinterpret_cast<char*>(&m_word) + m_filled, from, some);
+      m_filled += some;
+      from += some;
+      n -= some;
+      if (m_filled == sizeof(m_word))
+        take();
+    }
+  }
+
+  // Of all bytes; the next is of those that come then.
+  std::uint64_t finish()
+  {
+    if (m_filled > 0)
+      take();
+    m_word = m_size;
+    take();
+    m_size = 0;
+    return std::exchange(m_hash, 0);
+  }
+
+private:
+  void take()
+  {
+    m_hash = (m_hash ^ m_word) * 0x9e3779b97f4a7c15;
+    m_hash ^= m_hash >> 32;
+    m_word = 0;
+    m_filled = 0;
+  }
+
+  std::uint64_t m_hash = 0, m_word = 0, m_size = 0;
+  std::size_t m_filled = 0;
+};
+
+// Behind each record, which is an item or a vector of items, stands its checksum: it can be read alone.
+class Record_writer
+{
+public:
+  Record_writer(const std::filesystem::path& place, const char* kind, std::uint64_t run)
+    : m_bytes(place)
+  {
+    put(Record_head(kind, run));
+  }
+
+  template <class T>
+  void put(const T& record)
+  {
+    add(record);
+    end();
+  }
+
+  // The number of the items, and then these.
+  template <class T>
+  void put(const std::vector<T>& items)
+  {
+    put(items.data(), items.size());
+  }
+  template <class T>
+  void put(const T* items, std::size_t n)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "records are written as bytes");
+    add(std::uint64_t(n));
+    add(items, n * sizeof(T));
+    end();
+  }
+
+  // So many items, which give(put) gives to put() one after the other.
+  template <class Give>
+  void put_each(std::uint64_t n, const Give& give)
+  {
+    add(n);
+    give([&](const auto& item) { add(item); });
+    end();
+  }
+
+  // Items that are sorted by part: those of part t end before ends[t + 1]. Each part can be read alone.
+  template <class T>
+  void put_parts(const std::vector<std::uint64_t>& ends, const std::vector<T>& items)
+  {
+    std::uint64_t place = size_of_head + (ends.size() - 1) * size_of_record<std::uint64_t>;
+    for (std::size_t t = 0; t + 1 < ends.size(); ++t) {
+      put(place);
+      place += size_of_record<std::uint64_t> + (ends[t + 1] - ends[t]) * sizeof(T);
+    }
+    for (std::size_t t = 0; t + 1 < ends.size(); ++t)
+      put(items.data() + ends[t], std::size_t(ends[t + 1] - ends[t]));
+  }
+
+  void finish() { m_bytes.finish(); }
+
+  // In the file.
+  template <class T>
+  static constexpr std::uint64_t size_of_record = sizeof(T) + sizeof(std::uint64_t);
+  static constexpr std::uint64_t size_of_head = size_of_record<Record_head>;
+
+private:
+  void add(const void* bytes, std::size_t n)
+  {
+    m_checksum.add(bytes, n);
+    m_bytes.write(bytes, n);
+  }
+  template <class T>
+  void add(const T& record)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "records are written as bytes");
+    add(&record, sizeof(T));
+  }
+  void end()
+  {
+    const std::uint64_t sum = m_checksum.finish();
+    m_bytes.write(&sum, sizeof(sum));
+  }
+
+  Bytes_writer m_bytes;
+  Checksum m_checksum;
+};
+
+class Record_reader
+{
+public:
+  // The run: 0 if any will do.
+  Record_reader(const std::filesystem::path& place, const char* kind, std::uint64_t run)
+    : m_bytes(place)
+    , m_left(m_bytes.size())
+  {
+    Record_head head("", 0);
+    const Record_head expected(kind, run);
+    take(&head, sizeof(head));
+    if (std::memcmp(head.what, expected.what, sizeof(head.what)) != 0)
+      throw Tile_files_error(place.string() + ": not a file of this version of the program");
+    check();
+    if (run != 0 && head.run != run)
+      throw Tile_files_error(place.string() + ": belongs to another run");
+    m_run = head.run;
+  }
+
+  std::uint64_t run() const { return m_run; }
+
+  template <class T>
+  void get(T& record)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "records are read as bytes");
+    take(&record, sizeof(T));
+    check();
+  }
+  template <class T>
+  T get()
+  {
+    T record{};
+    get(record);
+    return record;
+  }
+  template <class T>
+  void get(std::vector<T>& items)
+  {
+    items.clear();
+    append(items);
+  }
+
+  // The vector that is at a place of the file, behind what is in `items`.
+  template <class T>
+  void append_at(std::uint64_t offset, std::vector<T>& items)
+  {
+    seek(offset);
+    append(items);
+  }
+
+  // The items of a part, behind what is in `items`.
+  template <class T>
+  void append_part(std::uint64_t part, std::vector<T>& items)
+  {
+    seek(Record_writer::size_of_head + part * Record_writer::size_of_record<std::uint64_t>);
+    append_at(get<std::uint64_t>(), items);
+  }
+
+private:
+  void seek(std::uint64_t offset)
+  {
+    const std::uint64_t size = m_bytes.size();
+    m_left = size - (std::min)(offset, size);
+    m_bytes.seek(offset);
+  }
+
+  // What cannot be there is not made room for.
+  template <class T>
+  void append(std::vector<T>& items)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "records are read as bytes");
+    std::uint64_t n = 0;
+    take(&n, sizeof(n));
+    if (n > m_left / sizeof(T))
+      fail();
+    const std::size_t before = items.size();
+    items.resize(before + std::size_t(n));
+    take(items.data() + before, std::size_t(n) * sizeof(T));
+    check();
+  }
+
+  void take(void* bytes, std::size_t n)
+  {
+    if (n > m_left)
+      throw Tile_files_error(m_bytes.place().string() + ": ends early");
+    m_bytes.read(bytes, n);
+    m_left -= n;
+    m_checksum.add(bytes, n);
+  }
+
+  void check()
+  {
+    const std::uint64_t expected = m_checksum.finish();
+    std::uint64_t sum = 0;
+    take(&sum, sizeof(sum));
+    m_checksum.finish();
+    if (sum != expected)
+      fail();
+  }
+
+  [[noreturn]] void fail() const
+  {
+    throw Tile_files_error(m_bytes.place().string() +
+                           ": is damaged, as its checksum tells: remove the folder of the tiles, "
+                           "and begin again");
+  }
+
+  Bytes_reader m_bytes;
+  std::uint64_t m_run = 0, m_left;
+  Checksum m_checksum;
+};
+
+// Where the coordinates of points are in a file that is read by ranges.
+
+enum class Number_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+
+constexpr std::size_t size_of(Number_type type)
+{
+  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return sizes[std::size_t(type)];
+}
+
+inline bool machine_is_little_endian()
+{
+  const std::uint16_t one = 1;
+  char first;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
+template <class T>
+double number_at(const char* bytes, bool is_swapped)
+{
+  char copy[sizeof(T)];
+  std::memcpy(copy, bytes, sizeof(T));
+  if (is_swapped)
+    std::reverse(copy, copy + sizeof(T));
+  T number;
+  std::memcpy(&number, copy, sizeof(T));
+  return double(number);
+}
+
+struct Point_file_layout
+{
+  std::uint64_t number_of_points = 0, first = 0; // the second: of the first point, in bytes
+  std::size_t stride = 24;                       // from a point to the next
+  std::array<std::size_t, 3> offsets = {0, 8, 16};
+  std::array<Number_type, 3> types = {Number_type::FLOAT64, Number_type::FLOAT64,
+                                      Number_type::FLOAT64};
+  bool is_swapped = !machine_is_little_endian();
+
+  // Coordinate k of a point.
+  double number(const char* point, std::size_t k) const
+  {
+    const char* const bytes = point + offsets[k];
+    switch (types[k]) {
+    case Number_type::INT8:
+      return number_at<std::int8_t>(bytes, is_swapped);
+    case Number_type::UINT8:
+      return number_at<std::uint8_t>(bytes, is_swapped);
+    case Number_type::INT16:
+      return number_at<std::int16_t>(bytes, is_swapped);
+    case Number_type::UINT16:
+      return number_at<std::uint16_t>(bytes, is_swapped);
+    case Number_type::INT32:
+      return number_at<std::int32_t>(bytes, is_swapped);
+    case Number_type::UINT32:
+      return number_at<std::uint32_t>(bytes, is_swapped);
+    case Number_type::FLOAT32:
+      return number_at<float>(bytes, is_swapped);
+    default:
+      return number_at<double>(bytes, is_swapped);
+    }
+  }
+};
+
+[[noreturn]] inline void refuse_file(const std::filesystem::path& file, const std::string& why)
+{
+  throw Tile_files_error(file.string() + ": " + why);
+}
+
+inline std::uint64_t size_of_file(const std::filesystem::path& file)
+{
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error)
+    refuse_file(file, "cannot be read: " + error.message());
+  return size;
+}
+
+// The value of a key in the head of a .npy, which is a dictionary of Python's.
+inline std::string value_of_key(const std::string& head, const std::string& key,
+                                const std::string& end)
+{
+  const std::size_t at = head.find("'" + key + "'");
+  const std::size_t colon = at == std::string::npos ? at : head.find(':', at);
+  if (colon == std::string::npos)
+    return "";
+  const std::size_t last = head.find_first_of(end, head.find_first_not_of(" ('", colon + 1));
+  std::string value = head.substr(colon + 1, last - colon - 1);
+  value.erase(std::remove_if(value.begin(), value.end(),
+                             [](char c) { return c == ' ' || c == '\'' || c == '('; }),
+              value.end());
+  return value;
+}
+
+inline Point_file_layout layout_of_npy(const std::filesystem::path& file)
+{
+  Bytes_reader from(file);
+  unsigned char start[12] = {};
+  from.read(start, 10);
+  if (std::memcmp(start, "\x93NUMPY", 6) != 0 || start[6] < 1 || start[6] > 3)
+    refuse_file(file, "no file of NumPy's");
+  std::size_t length = start[8] + 256u * start[9], first = 10;
+  if (start[6] > 1) {
+    from.read(start + 10, 2);
+    length += (std::size_t(start[10]) << 16) + (std::size_t(start[11]) << 24);
+    first = 12;
+  }
+  if (length > (1u << 20))
+    refuse_file(file, "its head has no end");
+  std::string head(length, ' ');
+  from.read(head.data(), length);
+  Point_file_layout layout;
+  const std::string type = value_of_key(head, "descr", ",}");
+  const bool is_float = type == "<f4" || type == ">f4";
+  if (!is_float && type != "<f8" && type != ">f8")
+    refuse_file(file, "numbers of type '" + type + "': float64 and float32 are read");
+  if (value_of_key(head, "fortran_order", ",}") != "False")
+    refuse_file(file, "its array is stored column by column: store it row by row (order='C')");
+  const std::string shape = value_of_key(head, "shape", ")");
+  char* comma = nullptr; // no stream: those of a library in a wheel may know no numbers
+  layout.number_of_points = std::strtoull(shape.c_str(), &comma, 10);
+  if (comma == shape.c_str() || std::string(comma) != ",3")
+    refuse_file(file, "an array of shape (" + shape + "): n × 3 numbers are needed");
+  layout.first = first + length;
+  layout.stride = is_float ? 12 : 24;
+  layout.offsets = {0, layout.stride / 3, layout.stride / 3 * 2};
+  layout.types.fill(is_float ? Number_type::FLOAT32 : Number_type::FLOAT64);
+  layout.is_swapped = (type[0] == '<') != machine_is_little_endian();
+  return layout;
+}
+
+// The head of a .ply, line by line.
+class Ply_head
+{
+public:
+  explicit Ply_head(const std::filesystem::path& file)
+    : m_file(file)
+    , m_stream(file, std::ios::binary)
+  {
+    if (next_line() != "ply")
+      refuse_file(file, "no .ply: the first line is another");
+    while (next_line() != "end_header")
+      read_line();
+    if (!m_is_binary)
+      refuse_file(file, "a .ply in text: binary ones are read");
+    if (!m_has_vertices)
+      refuse_file(file, "it has no vertices");
+    if (!m_has[0] || !m_has[1] || !m_has[2])
+      refuse_file(file, "its vertices have no x, y, z");
+    m_layout.first = std::uint64_t(m_stream.tellg()) + m_before;
+  }
+
+  const Point_file_layout& layout() const { return m_layout; }
+
+private:
+  const std::string& next_line()
+  {
+    if (!std::getline(m_stream, m_line) || m_line.size() > 4096)
+      refuse_file(m_file, "its head has no end");
+    if (!m_line.empty() && m_line.back() == '\r')
+      m_line.pop_back();
+    return m_line;
+  }
+
+  void read_line()
+  {
+    std::size_t at = 0;
+    const auto take_word = [&] {
+      const std::size_t first = (std::min)(m_line.find_first_not_of(" \t", at), m_line.size());
+      at = (std::min)(m_line.find_first_of(" \t", first), m_line.size());
+      return m_line.substr(first, at - first);
+    };
+    const std::string keyword = take_word(), word = take_word(), name = take_word();
+    if (keyword == "format") {
+      m_is_binary = word != "ascii";
+      m_layout.is_swapped = (word == "binary_little_endian") != machine_is_little_endian();
+    } else if (keyword == "element") {
+      end_element();
+      ++m_elements;
+      m_is_vertex = word == "vertex";
+      m_count = std::strtoull(name.c_str(), nullptr, 10);
+      m_stride = 0;
+    } else if (keyword == "property" && !m_is_over) {
+      read_property(word, name);
+    }
+  }
+
+  // What comes before the vertices is skipped, and what comes after them is not looked at.
+  void end_element()
+  {
+    m_is_over = m_is_over || m_is_vertex;
+    if (m_elements > 0 && !m_is_over)
+      m_before += (std::min)(m_count, std::uint64_t(1) << 48) * m_stride; // no file is longer
+  }
+
+  void read_property(const std::string& type, const std::string& name)
+  {
+    if (type == "list")
+      refuse_file(m_file, "lists in its vertices, or before them, are not read");
+    const Number_type t = type_of(type);
+    const std::size_t k = name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : 3;
+    if (m_is_vertex && k < 3) {
+      m_has[k] = true;
+      m_layout.offsets[k] = m_stride;
+      m_layout.types[k] = t;
+    }
+    m_stride += size_of(t);
+    if (m_is_vertex) {
+      m_has_vertices = true;
+      m_layout.stride = m_stride;
+      m_layout.number_of_points = m_count;
+    }
+  }
+
+  Number_type type_of(const std::string& name) const
+  {
+    static const char* const names[][2] = {
+        {"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"},   {"ushort", "uint16"},
+        {"int", "int32"}, {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"}};
+    for (std::size_t i = 0; i < 8; ++i)
+      if (name == names[i][0] || name == names[i][1])
+        return Number_type(i);
+    refuse_file(m_file, "'" + name + "' is no type of a .ply");
+  }
+
+  const std::filesystem::path m_file;
+  std::ifstream m_stream;
+  std::string m_line;
+  Point_file_layout m_layout;
+  bool m_is_binary = false, m_is_vertex = false, m_is_over = false, m_has_vertices = false;
+  std::array<bool, 3> m_has = {};
+  std::size_t m_elements = 0, m_stride = 0;
+  std::uint64_t m_count = 0, m_before = 0;
+};
+
+inline Point_file_layout layout_of_points(const std::filesystem::path& file)
+{
+  const std::uint64_t size = size_of_file(file);
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  Point_file_layout layout;
+  if (extension == ".npy") {
+    layout = layout_of_npy(file);
+  } else if (extension == ".ply") {
+    layout = Ply_head(file).layout();
+  } else if (extension == ".raw" || extension == ".bin" || extension == ".f64") {
+    if (size % 24 != 0)
+      refuse_file(file, "its size is no multiple of 24 bytes, three numbers of 64 bits");
+    layout.number_of_points = size / 24;
+  } else {
+    refuse_file(file, "unknown extension; .npy, .ply, .raw, .bin and .f64 are read");
+  }
+  const std::uint64_t most = size < layout.first ? 0 : (size - layout.first) / layout.stride;
+  if (layout.number_of_points > most)
+    refuse_file(file, "ends early: it should have " + std::to_string(layout.number_of_points) +
+                          " points, and has room for " + std::to_string(most));
+  const std::uint64_t end = layout.first + layout.number_of_points * layout.stride;
+  if (extension == ".npy" && size != end)
+    refuse_file(file, "has " + std::to_string(size) + " bytes, where its head says " +
+                          std::to_string(end));
+  return layout;
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+
 /// \cond SKIP_IN_MANUAL
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 /// \endcond

@@ -35,8 +35,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
 #include <algorithm>
 #include <array>

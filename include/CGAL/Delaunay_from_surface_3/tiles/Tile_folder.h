@@ -18,27 +18,79 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Packed_bytes.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Records.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_tree.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/piece_of_tile.h>
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <random>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
+
+#if !defined(_WIN32) && __has_include(<sys/file.h>)
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#endif
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// A run has its folder alone; who does tasks one by one shares it with others that do, or takes
+// turns with them, and waits for its own. What a process has locked nobody has when it is killed.
+// Where the system has no such locks, or the folder is on another machine, nobody is refused.
+class Folder_lock
+{
+public:
+  enum Way { ALONE, SHARED, IN_TURN };
+
+  Folder_lock(const std::filesystem::path& folder, Way way)
+  {
+#if !defined(_WIN32) && __has_include(<sys/file.h>)
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+    m_file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int how = way == IN_TURN ? LOCK_EX : (way == ALONE ? LOCK_EX : LOCK_SH) | LOCK_NB;
+    int failed = -1;
+    while (m_file >= 0 && (failed = ::flock(m_file, how)) != 0 && errno == EINTR) {
+    }
+    if (m_file >= 0 && failed != 0 && errno == EWOULDBLOCK) {
+      ::close(m_file);
+      throw Tile_files_error(folder.string() + ": another run is at work there");
+    }
+#else
+    (void)folder;
+    (void)way;
+#endif
+  }
+  Folder_lock(const Folder_lock&) = delete;
+  Folder_lock& operator=(const Folder_lock&) = delete;
+  ~Folder_lock()
+  {
+#if !defined(_WIN32) && __has_include(<sys/file.h>)
+    if (m_file >= 0) {
+      ::flock(m_file, LOCK_UN); // a child of this process may have the file, too
+      ::close(m_file);
+    }
+#endif
+  }
+
+private:
+  int m_file = -1;
+};
 
 // What a run is of.
 struct Tiles_input
@@ -266,6 +318,136 @@ private:
   const std::filesystem::path m_place;
   std::uint64_t m_run = 0;
 };
+
+// The files that a run writes into its folder (Tiles_to_files.h), known by their names; others are not
+// touched. What is written is never what is read.
+
+// Whether a file of this name is one of a tile, or of all for ParaView.
+inline bool is_file_of_tiles(const std::string& name)
+{
+  if (name == "tiles.pvtu")
+    return true;
+  const std::size_t dash = name.find('-');
+  const std::size_t dot = name.find_first_not_of("0123456789", dash + 1);
+  if (dash == std::string::npos || dot == std::string::npos || dot < dash + 6)
+    return false;
+  const std::string kind = name.substr(0, dash), extension = name.substr(dot);
+  if (extension == ".vtu")
+    return kind == "tile";
+  return extension == ".npy" &&
+         (kind == "cells" || kind == "ids" || kind == "points" || kind == "neighbors");
+}
+
+// Whether a file of this name is one of a tile, of all, or the report.
+inline bool is_file_of_run(const std::string& name)
+{
+  return is_file_of_tiles(name) || name == "tiles.json";
+}
+
+// The names of what is in a folder and not below; none if there is no folder.
+inline std::vector<std::string> names_in(const std::filesystem::path& folder)
+{
+  std::vector<std::string> names;
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error))
+    names.push_back(entry->path().filename().string());
+  if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+    throw Tile_files_error(folder.string() + ": cannot be read: " + error.message());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// The files of tiles that are in a folder.
+inline std::vector<std::filesystem::path> files_of_tiles(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : names_in(folder))
+    if (is_file_of_tiles(name))
+      files.push_back(folder / name);
+  return files;
+}
+
+// What processes have left in the folder of a run that were killed while they wrote a file of it.
+inline std::vector<std::filesystem::path> left_files(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : names_in(folder))
+    if (is_file_of_run(name_when_finished(name)))
+      files.push_back(folder / name);
+  return files;
+}
+
+// The place that a name means, by way of links; it need not be there, and may be one that the
+// system cannot follow.
+inline std::filesystem::path place_of(const std::filesystem::path& name)
+{
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(name);
+  const std::filesystem::path place = std::filesystem::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : place;
+}
+
+// Whether a run in this folder writes a file of this name, or removes it with its state.
+inline bool is_of_run(const std::filesystem::path& file, const std::filesystem::path& folder)
+{
+  const std::filesystem::path parent = place_of(file.parent_path()),
+                              state = place_of(folder / "state");
+  return (is_file_of_run(file.filename().string()) && parent == place_of(folder)) ||
+         std::mismatch(state.begin(), state.end(), parent.begin(), parent.end()).first ==
+             state.end();
+}
+
+// A file that points are read from must not be one that a run in this folder writes.
+inline void refuse_to_overwrite(const Tile_source_3& source, const std::filesystem::path& folder)
+{
+  std::error_code error; // what is not there is not overwritten
+  for (const std::filesystem::path& file : source.files())
+    for (const auto& place : {std::filesystem::absolute(file, error), place_of(file)})
+      if (is_of_run(place, folder))
+        throw Tile_files_error(file.string() +
+                               ": would be overwritten: name another folder for the tiles");
+}
+
+// A file that is written beside those of a run in this folder must be none of these, and none that
+// points are read from.
+inline void refuse_output(const Tile_source_3& source, const std::filesystem::path& folder,
+                          const std::filesystem::path& output)
+{
+  std::error_code error;
+  for (const std::filesystem::path& file : source.files())
+    if (std::filesystem::equivalent(file, output, error))
+      throw Tile_files_error(output.string() + ": would overwrite the points of " + file.string() +
+                             ": name another file");
+  for (const auto& place : {std::filesystem::absolute(output, error), place_of(output)})
+    if (is_of_run(place, folder))
+      throw Tile_files_error(output.string() +
+                             ": would overwrite a file of the run: name another file");
+}
+
+// A folder that goes at once: who is killed while its files are removed leaves none under its name.
+
+// It is renamed first, to what ends like all that is not complete.
+inline void forget_folder(const std::filesystem::path& place)
+{
+  std::random_device random;
+  std::filesystem::path aside = place;
+  aside += "-" + std::to_string(random()) + unfinished;
+  std::error_code error;
+  std::filesystem::rename(place, aside, error);
+  if (error && std::filesystem::exists(place))
+    fail_to_write(place, error.value());
+  std::filesystem::remove_all(aside, error);
+}
+
+// What processes left that were killed while they forgot it.
+inline void remove_forgotten(const std::filesystem::path& place)
+{
+  std::error_code ignored; // it may be another's, or gone
+  for (const std::string& name : names_in(place.parent_path()))
+    if (name_when_finished(name) == place.filename().string())
+      std::filesystem::remove_all(place.parent_path() / name, ignored);
+}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

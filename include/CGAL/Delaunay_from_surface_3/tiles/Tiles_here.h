@@ -12,15 +12,11 @@
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Range_summary.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Stage_progress.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/number_of_tiles.h>
 
 #include <cstddef>
 #include <cstdint>

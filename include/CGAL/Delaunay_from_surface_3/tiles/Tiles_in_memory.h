@@ -7,21 +7,29 @@
 
 // Consecutive tiles that are in the memory of this process, all or some, and what they were told.
 
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_news.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_point.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/piece_of_tile.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/run_tasks.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,6 +37,180 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// How many of these threads work on task k of n, where several can insert points together: in the
+// end there are fewer tasks than threads, which share them.
+inline std::size_t threads_of_task(std::size_t k, std::size_t n, std::size_t threads)
+{
+  const std::size_t last = n % threads, first = n - last; // of the last ones
+  const std::size_t share = k < first ? 1 : (threads + last - 1 - (k - first)) / last;
+  return (std::min)(share, std::size_t(Lanes::most_workers));
+}
+
+// Calls task(0), …, task(n - 1), which may throw: then the first exception is thrown again when
+// those that have begun have ended. They are taken one after the other by the executor's workers.
+template <class Function>
+void run_tasks(const Executor& executor, std::size_t n, const Function& task)
+{
+  struct Worker final : Task
+  {
+    const Function& task;
+    const std::size_t n;
+    mutable std::atomic<std::size_t> next{0};
+    mutable std::mutex mutex;
+    mutable std::exception_ptr error;
+
+    Worker(const Function& f, std::size_t number)
+      : task(f)
+      , n(number)
+    {
+    }
+    void operator()(std::size_t) const override
+    {
+      try {
+        for (std::size_t k = next++; k < n; k = next++)
+          task(k);
+      } catch (...) {
+        next = n;
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!error)
+          error = std::current_exception();
+      }
+    }
+  };
+  const Worker worker(task, n);
+  executor.run((std::min)(n, executor.number_of_workers()), worker);
+  if (worker.error)
+    std::rethrow_exception(worker.error);
+}
+
+// The driver: tiles tell each other until nobody has anything to tell, and then compare what they
+// have. If that is not the same, those that differ show each other why, and go on.
+//
+// An engine has four verbs: exchange() has every tile hear what it was told, and tell, and returns
+// how many points were told; gather(seed) returns the certificates of all tiles; show(pairs) has
+// each tile of a pair tell the other what is around the cells that both see
+// (Delaunay_tile::witnesses()); give(sink) hands out the tiles. Where several processes run the
+// driver, each of these is done by all of them, and returns the same, or throws.
+
+// The certificates' part of the report, and whether they hold.
+inline void report_certificates(const std::vector<Tile_certificate>& certificates,
+                                Tiles_report& report)
+{
+  report.kept = report.most_kept = report.cells = report.hash = 0;
+  for (const Tile_certificate& c : certificates) {
+    report.kept += c.points_kept;
+    report.most_kept = (std::max)(report.most_kept, c.points_kept);
+    report.cells += c.owned_cells;
+    report.hash += c.hash;
+  }
+  report.is_certified = is_certified(certificates, report.tiles, report.points);
+}
+
+// With many processes one of them draws it for all, by another overload.
+template <class Engine, class Draw>
+std::uint64_t draw_seed(const Engine&, const Draw& draw)
+{
+  return draw();
+}
+
+constexpr int most_repairs = 64; // none was needed where tiles had a thousand points and more
+
+// `draw` draws a seed, when no cell changes any more.
+template <class Engine, class Draw>
+Tiles_report run_tiles(Engine& engine, const Draw& draw)
+{
+  Tiles_report report;
+  report.points = engine.number_of_points();
+  report.tiles = engine.number_of_tiles();
+  for (int repairs = 0;; ++repairs) {
+    while (engine.exchange() > 0)
+      ;
+    const auto certificates = engine.gather(draw_seed(engine, draw));
+    report.rounds = engine.rounds();
+    report.told = engine.told();
+    Tile_pairs differing;
+    engine.together([&] { // it may throw on one of many processes
+      report_certificates(certificates, report);
+      differing = tiles_that_differ(certificates);
+    });
+    if (report.is_certified || differing.empty() || repairs == most_repairs)
+      return report;
+    engine.show(differing);
+  }
+}
+
+constexpr const char* tiles_do_not_fit =
+    "the tiles do not fit together: the certificate does not hold";
+
+// Of a refused input nothing is left: the next one is another.
+template <class Engine>
+void begin_or_forget(Engine& engine, const Tile_source_3& source, const Tiles_options& options)
+{
+  try {
+    engine.begin(source, options);
+  } catch (const Surface_input_error&) {
+    engine.forget();
+    throw;
+  }
+}
+
+// Begins, and again with more tiles if one becomes too large, until the certificate holds; returns
+// finish(report).
+template <class Engine, class Draw, class Finish>
+Tiles_report run_until_certified(Engine& engine, const Tile_source_3& source, Tiles_options options,
+                                 const Draw& draw, const Finish& finish)
+{
+  for (;;) {
+    try {
+      begin_or_forget(engine, source, options);
+      const Tiles_report report = run_tiles(engine, draw);
+      if (!report.is_certified)
+        throw std::runtime_error(tiles_do_not_fit);
+      return finish(report);
+    } catch (const Tile_too_large& error) {
+      if (!ask_for_more_tiles(options, error, engine.number_of_points(), engine.number_of_tiles()))
+        throw;
+      engine.forget();
+    }
+  }
+}
+
+// Says how much of a stage is done, to Tiles_options::progress, by one thread at a time; throws
+// Tiles_stopped if that wants no more. Keeps a reference.
+class Stage_progress
+{
+public:
+  using Function = std::function<bool(const char*, std::size_t, std::size_t)>;
+
+  Stage_progress(const Function& progress, std::string what, std::size_t all)
+    : m_progress(progress)
+    , m_what(std::move(what))
+    , m_all(all)
+  {
+    tell();
+  }
+
+  void tell_next() const
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    ++m_done;
+    tell();
+  }
+
+private:
+  void tell() const
+  {
+    if (m_progress && !m_progress(m_what.c_str(), m_done, m_all))
+      throw Tiles_stopped();
+  }
+
+  const Function& m_progress;
+  const std::string m_what;
+  const std::size_t m_all;
+  mutable std::size_t m_done = 0;
+  mutable std::mutex m_mutex;
+};
 
 class Tiles_in_memory
 {

@@ -6,30 +6,34 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_TO_FILES_H
 
 // All of it: from files of points to files of tiles, in one call or task by task. In the folder:
-// state/, and what write_tiles.h writes.
+// state/, and what is written beside it.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Folder_lock.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_files_error.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_folder.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_stages.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/files_of_tiles.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/run_tasks.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/run_tiles.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/write_tiles.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <mutex>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,6 +41,438 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The tiles as files that other programs read: for each NumPy's arrays and, if asked for, a piece
+// for ParaView. Each appears when it is complete.
+
+inline std::filesystem::path file_of_tile(const std::filesystem::path& folder, const char* kind,
+                                          std::uint32_t tile, const char* extension)
+{
+  char number[16];
+  std::snprintf(number, sizeof(number), "-%05u.", unsigned(tile));
+  return folder / (std::string(kind) + number + extension);
+}
+
+// The head of an array with so many rows, of so many columns if there is more than one.
+inline std::string head_of_npy(const std::string& type, std::uint64_t rows, std::size_t columns)
+{
+  std::string head = "{'descr': '" + std::string(machine_is_little_endian() ? "<" : ">") + type +
+                     "', 'fortran_order': False, 'shape': (" + std::to_string(rows) + "," +
+                     (columns > 1 ? " " + std::to_string(columns) : "") + "), }";
+  head.append(63 - (head.size() + 10) % 64, ' ');
+  head += '\n';
+  const char start[] = {
+      '\x93', 'N', 'U', 'M', 'P', 'Y', 1, 0, char(head.size() & 255), char(head.size() >> 8)};
+  return std::string(start, sizeof(start)) + head;
+}
+
+template <class T>
+void write_npy(const std::filesystem::path& file, const std::string& type, std::size_t columns,
+               const std::vector<T>& rows)
+{
+  static_assert(std::is_trivially_copyable<T>::value, "rows are written as bytes");
+  Bytes_writer to(file);
+  const std::string head = head_of_npy(type, rows.size(), columns);
+  to.write(head.data(), head.size());
+  to.write(rows.data(), rows.size() * sizeof(T));
+  to.finish();
+}
+
+using Global_cell = std::array<std::int64_t, 4>;
+
+// The finite cells that the tile owns, by ids; a few at a time.
+inline void write_cells(const std::filesystem::path& file, const Delaunay_3_tile& tile)
+{
+  const std::size_t n = tile.number_of_owned_finite_cells;
+  Bytes_writer to(file);
+  const std::string head = head_of_npy("i8", n, 4);
+  to.write(head.data(), head.size());
+  std::vector<Global_cell> cells((std::min)(n, std::size_t(4096)));
+  for (std::size_t first = 0; first < n; first += cells.size()) {
+    cells.resize((std::min)(cells.size(), n - first));
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      for (std::size_t k = 0; k < 4; ++k)
+        cells[c][k] = std::int64_t(tile.ids[std::size_t(tile.cells[first + c][k])]);
+    to.write(cells.data(), cells.size() * sizeof(Global_cell));
+  }
+  to.finish();
+}
+
+// cells-T.npy: the finite cells that the tile owns, by ids; ids-T.npy and points-T.npy: of the
+// vertices of these cells, and of its own; cells last.
+inline void write_tile_as_arrays(const std::filesystem::path& folder, const Delaunay_3_tile& tile)
+{
+  write_npy(file_of_tile(folder, "ids", tile.number, "npy"), "i8", 1, tile.ids);
+  write_npy(file_of_tile(folder, "points", tile.number, "npy"), "f8", 3, tile.points);
+  write_cells(file_of_tile(folder, "cells", tile.number, "npy"), tile);
+}
+
+// tile-T.vtu: the same cells, for VTK and ParaView.
+inline void write_tile_as_vtu(const std::filesystem::path& folder, const Delaunay_3_tile& tile)
+{
+  const std::size_t n = tile.ids.size(), m = tile.number_of_owned_finite_cells;
+  std::vector<std::int64_t> offsets(m);
+  for (std::size_t c = 0; c < m; ++c)
+    offsets[c] = std::int64_t(4 * (c + 1));
+  const std::vector<std::uint8_t> types(m, 10); // VTK_TETRA
+  const std::uint64_t sizes[] = {24 * n, 8 * n, 16 * m, 8 * m, m};
+  std::uint64_t begins[6] = {};
+  for (int k = 0; k < 5; ++k)
+    begins[k + 1] = begins[k] + 8 + sizes[k];
+  const auto array = [&](const char* type, const char* attributes, int k) {
+    return R"(<DataArray type=")" + std::string(type) + R"(" )" + attributes +
+           R"( format="appended" offset=")" + std::to_string(begins[k]) + "\"/>\n";
+  };
+  const std::string text =
+      std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+                  "byte_order=\"") +
+      (machine_is_little_endian() ? "LittleEndian" : "BigEndian") +
+      "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+      std::to_string(n) + "\" NumberOfCells=\"" + std::to_string(m) +
+      "\">\n<PointData GlobalIds=\"id\">\n" + array("Int64", "Name=\"id\"", 1) +
+      "</PointData>\n<Points>\n" + array("Float64", "NumberOfComponents=\"3\"", 0) +
+      "</Points>\n<Cells>\n" + array("Int32", "Name=\"connectivity\"", 2) +
+      array("Int64", "Name=\"offsets\"", 3) + array("UInt8", "Name=\"types\"", 4) +
+      "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+  Bytes_writer to(file_of_tile(folder, "tile", tile.number, "vtu"));
+  to.write(text.data(), text.size());
+  const void* const data[] = {tile.points.data(), tile.ids.data(), tile.cells.data(),
+                              offsets.data(), types.data()};
+  for (int k = 0; k < 5; ++k) {
+    to.write(&sizes[k], 8);
+    to.write(data[k], std::size_t(sizes[k]));
+  }
+  const std::string end = "\n</AppendedData>\n</VTKFile>\n";
+  to.write(end.data(), end.size());
+  to.finish();
+}
+
+inline void write_text(const std::filesystem::path& file, const std::string& text)
+{
+  Bytes_writer to(file);
+  to.write(text.data(), text.size());
+  to.finish();
+}
+
+// tiles.pvtu: all of these.
+inline void write_pvtu(const std::filesystem::path& folder, std::uint32_t number_of_tiles)
+{
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\">\n"
+      "<PUnstructuredGrid GhostLevel=\"0\">\n<PPointData GlobalIds=\"id\">\n"
+      "<PDataArray type=\"Int64\" Name=\"id\"/>\n</PPointData>\n<PPoints>\n"
+      "<PDataArray type=\"Float64\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
+  for (std::uint32_t t = 0; t < number_of_tiles; ++t)
+    text += "<Piece Source=\"" + file_of_tile("", "tile", t, "vtu").string() + "\"/>\n";
+  write_text(folder / "tiles.pvtu", text + "</PUnstructuredGrid>\n</VTKFile>\n");
+}
+
+// tiles.json: what was done. That it is there says that all is done.
+inline void write_report(const std::filesystem::path& folder, const Tiles_report& report)
+{
+  char hash[20];
+  std::snprintf(hash, sizeof(hash), "%016llx", static_cast<unsigned long long>(report.hash));
+  const auto line = [](const char* key, const std::string& value) {
+    return "  \"" + std::string(key) + "\": " + value + ",\n";
+  };
+  write_text(folder / "tiles.json",
+             "{\n" + line("points", std::to_string(report.points)) +
+                 line("tiles", std::to_string(report.tiles)) +
+                 line("rounds", std::to_string(report.rounds)) +
+                 line("told", std::to_string(report.told)) +
+                 line("kept", std::to_string(report.kept)) +
+                 line("most_kept", std::to_string(report.most_kept)) +
+                 line("cells", std::to_string(report.cells)) +
+                 line("hash", "\"" + std::string(hash) + "\"") +
+                 "  \"certified\": " + (report.is_certified ? "true" : "false") + "\n}\n");
+}
+
+// One array from those of all tiles.
+
+// How many rows the array of a tile has; they begin at byte 128 of the file, or where its head
+// says.
+struct Rows_of_npy
+{
+  std::uint64_t number = 0, first = 0;
+
+  explicit Rows_of_npy(const std::filesystem::path& file,
+                       std::size_t bytes_of_row = sizeof(Global_cell))
+  {
+    Bytes_reader from(file);
+    unsigned char start[10] = {};
+    from.read(start, 10);
+    std::string head(start[8] + 256u * start[9], ' ');
+    from.read(head.data(), head.size());
+    first = 10 + head.size();
+    number = std::strtoull(value_of_key(head, "shape", ",").c_str(), nullptr, 10);
+    if (size_of_file(file) != first + number * bytes_of_row)
+      refuse_file(file, "has another size than its head says");
+  }
+};
+
+// A number of the report of a run that has ended.
+inline std::uint64_t value_in_report(const std::filesystem::path& folder, const std::string& name)
+{
+  const auto place = folder / "tiles.json";
+  if (!std::filesystem::exists(place))
+    throw Tile_files_error(folder.string() + ": has no tiles.json: no run has ended there");
+  std::string text(std::size_t(size_of_file(place)), ' ');
+  Bytes_reader(place).read(text.data(), text.size());
+  const std::string key = "\"" + name + "\": ";
+  const std::size_t at = text.find(key);
+  if (at == std::string::npos)
+    refuse_file(place, "does not say how many " + name + " there are");
+  return std::strtoull(text.c_str() + at + key.size(), nullptr, 10);
+}
+
+inline std::uint32_t number_of_tiles_in(const std::filesystem::path& folder)
+{
+  return std::uint32_t(value_in_report(folder, "tiles"));
+}
+
+// Writes the cells of so many tiles, or their neighbors, in the order of the tiles, as one .npy.
+// Returns how many cells there are.
+inline std::uint64_t join_tiles(const std::filesystem::path& folder, std::uint32_t tiles,
+                                Bytes_writer& to, const char* kind = "cells")
+{
+  std::uint64_t rows = 0;
+  for (std::uint32_t t = 0; t < tiles; ++t)
+    rows += Rows_of_npy(file_of_tile(folder, kind, t, "npy")).number;
+  const std::string head = head_of_npy("i8", rows, 4);
+  to.write(head.data(), head.size());
+  std::vector<Global_cell> some(65536);
+  for (std::uint32_t t = 0; t < tiles; ++t) {
+    const auto file = file_of_tile(folder, kind, t, "npy");
+    const Rows_of_npy of_tile(file);
+    Bytes_reader from(file);
+    from.seek(of_tile.first);
+    for (std::uint64_t left = of_tile.number; left > 0;) {
+      const std::size_t n = std::size_t((std::min)(left, std::uint64_t(some.size())));
+      from.read(some.data(), n * sizeof(Global_cell));
+      to.write(some.data(), n * sizeof(Global_cell));
+      left -= n;
+    }
+  }
+  to.finish();
+  return rows;
+}
+
+// Of a run that has ended.
+inline std::uint64_t join_tiles(const std::filesystem::path& folder,
+                                const std::filesystem::path& output, const char* kind = "cells")
+{
+  const std::uint32_t tiles = number_of_tiles_in(folder);
+  Bytes_writer to(output);
+  return join_tiles(folder, tiles, to, kind);
+}
+
+// The neighbours of the cells of all tiles, by global numbers: those that the cells have one after
+// the other, in the order of the tiles. The neighbour of a cell may be another tile's, which
+// neither need know; so facets that have one cell in a tile meet by the hash of their vertices, in
+// parts, as many as there are tiles. Linear but for sorting.
+//
+// Tasks are done in three stages, those of a stage in any order, again and again if need be.
+
+class Tile_neighbors
+{
+public:
+  // Of the tiles in a folder; `state` is another one, in which there is a folder for what lies
+  // between.
+  Tile_neighbors(std::filesystem::path folder, const std::filesystem::path& state,
+                 std::uint32_t number_of_tiles)
+    : m_folder(std::move(folder))
+    , m_state(state / "neighbors")
+    , m_tiles(number_of_tiles)
+  {
+    m_first.push_back(0);
+    for (std::uint32_t t = 0; t < m_tiles; ++t)
+      m_first.push_back(m_first.back() +
+                        Rows_of_npy(file_of_tile(m_folder, "cells", t, "npy")).number);
+  }
+
+  // neighbors-T.npy of all tiles: the numbers of the cells opposite to the vertices; -1: none.
+  void run(const Executor& executor) const
+  {
+    std::uint32_t done = 0;
+    while (done < m_tiles && is_done(done))
+      ++done;
+    if (done == m_tiles) {
+      std::filesystem::remove_all(m_state);
+      return;
+    }
+    std::filesystem::create_directories(m_state);
+    const auto run_stage = [&](void (Tile_neighbors::*task)(std::uint32_t) const) {
+      run_tasks(executor, m_tiles, [&](std::size_t t) { (this->*task)(std::uint32_t(t)); });
+    };
+    run_stage(&Tile_neighbors::match_inside);
+    run_stage(&Tile_neighbors::match_between);
+    run_stage(&Tile_neighbors::write);
+    std::filesystem::remove_all(m_state);
+  }
+
+private:
+  static constexpr std::int64_t none = -1;
+
+  // Of cell / 4, opposite to vertex cell % 4; vertices in ascending order.
+  struct Facet
+  {
+    std::array<std::int64_t, 3> vertices;
+    std::uint64_t slot;
+
+    friend bool operator<(const Facet& f, const Facet& g) { return f.vertices < g.vertices; }
+  };
+  struct Neighbor
+  {
+    std::uint64_t slot;
+    std::int64_t cell;
+  };
+
+  bool is_done(std::uint32_t t) const
+  {
+    return std::filesystem::exists(file_of_tile(m_folder, "neighbors", t, "npy"));
+  }
+  std::filesystem::path file(const char* kind, std::uint32_t t) const
+  {
+    return m_state / (kind + ("-" + std::to_string(t)));
+  }
+
+  std::vector<Facet> sorted_facets(std::uint32_t t) const
+  {
+    const auto file = file_of_tile(m_folder, "cells", t, "npy");
+    const Rows_of_npy rows(file);
+    std::vector<Global_cell> cells(std::size_t(rows.number));
+    Bytes_reader from(file);
+    from.seek(rows.first);
+    from.read(cells.data(), cells.size() * sizeof(Global_cell));
+    std::vector<Facet> facets;
+    facets.reserve(4 * cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      for (unsigned k = 0; k < 4; ++k) {
+        facets.push_back({{cells[c][k ^ 1], cells[c][k ^ 2], cells[c][k ^ 3]}, 4 * c + k});
+        std::sort(facets.back().vertices.begin(), facets.back().vertices.end());
+      }
+    std::sort(facets.begin(), facets.end());
+    return facets;
+  }
+
+  // Calls two(f, g) for each two of sorted facets that are the same, and one(f) for the others.
+  template <class Two, class One>
+  static void match(const std::vector<Facet>& facets, const Two& two, const One& one)
+  {
+    for (std::size_t i = 0; i < facets.size(); ++i)
+      if (i + 1 < facets.size() && facets[i].vertices == facets[i + 1].vertices) {
+        two(facets[i], facets[i + 1]);
+        ++i;
+      } else {
+        one(facets[i]);
+      }
+  }
+
+  // Those of items in the order of the parts that they belong to; returns where each part ends.
+  template <class Item, class Part>
+  std::vector<std::uint64_t> sort_by_part(std::vector<Item>& items, const Part& part) const
+  {
+    std::sort(items.begin(), items.end(),
+              [&](const Item& a, const Item& b) { return part(a) < part(b); });
+    std::vector<std::uint64_t> ends(m_tiles + 1);
+    for (const Item& item : items)
+      ++ends[part(item) + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    return ends;
+  }
+
+  template <class Item>
+  void append_part(const char* kind, std::uint32_t from_tile, std::uint32_t part,
+                   std::vector<Item>& items) const
+  {
+    Record_reader(file(kind, from_tile), kind, 0).append_part(part, items);
+  }
+
+  template <class Item>
+  void write_parts(const char* kind, std::uint32_t t, const std::vector<std::uint64_t>& ends,
+                   const std::vector<Item>& items) const
+  {
+    Record_writer to(file(kind, t), kind, 1);
+    to.put_parts(ends, items);
+    to.finish();
+  }
+
+  std::uint32_t part_of(const Facet& facet) const
+  {
+    std::uint64_t h = 0;
+    for (const std::int64_t v : facet.vertices)
+      h = Split_mix(h ^ std::uint64_t(v))();
+    return std::uint32_t(h % m_tiles);
+  }
+  std::uint32_t tile_of(std::uint64_t slot) const
+  {
+    return std::uint32_t(std::upper_bound(m_first.begin(), m_first.end(), slot / 4) -
+                         m_first.begin() - 1);
+  }
+
+  void match_inside(std::uint32_t t) const
+  {
+    if (std::filesystem::exists(file("inside", t)))
+      return;
+    std::vector<Facet> open;
+    std::vector<std::int64_t> neighbors(4 * (m_first[t + 1] - m_first[t]), none);
+    match(
+        sorted_facets(t),
+        [&](const Facet& f, const Facet& g) {
+          neighbors[f.slot] = std::int64_t(m_first[t] + g.slot / 4);
+          neighbors[g.slot] = std::int64_t(m_first[t] + f.slot / 4);
+        },
+        [&](const Facet& f) {
+          open.push_back({f.vertices, f.slot + 4 * m_first[t]});
+        });
+    const auto ends = sort_by_part(open, [&](const Facet& f) { return part_of(f); });
+    write_parts("open", t, ends, open);
+    Record_writer to(file("inside", t), "inside", 1);
+    to.put(neighbors);
+    to.finish();
+  }
+
+  void match_between(std::uint32_t part) const
+  {
+    if (std::filesystem::exists(file("between", part)))
+      return;
+    std::vector<Facet> facets;
+    for (std::uint32_t t = 0; t < m_tiles; ++t)
+      append_part("open", t, part, facets);
+    std::sort(facets.begin(), facets.end());
+    std::vector<Neighbor> pairs;
+    match(
+        facets,
+        [&](const Facet& f, const Facet& g) {
+          pairs.push_back({f.slot, std::int64_t(g.slot / 4)});
+          pairs.push_back({g.slot, std::int64_t(f.slot / 4)});
+        },
+        [](const Facet&) {}); // of the convex hull
+    const auto ends = sort_by_part(pairs, [&](const Neighbor& n) { return tile_of(n.slot); });
+    write_parts("between", part, ends, pairs);
+  }
+
+  void write(std::uint32_t t) const
+  {
+    if (is_done(t))
+      return;
+    std::vector<std::int64_t> neighbors;
+    Record_reader(file("inside", t), "inside", 0).get(neighbors);
+    std::vector<Neighbor> pairs;
+    for (std::uint32_t part = 0; part < m_tiles; ++part)
+      append_part("between", part, t, pairs);
+    for (const Neighbor& n : pairs)
+      neighbors[n.slot - 4 * m_first[t]] = n.cell;
+    std::vector<Global_cell> rows(neighbors.size() / 4);
+    for (std::size_t i = 0; i < neighbors.size(); ++i)
+      rows[i / 4][i % 4] = neighbors[i];
+    write_npy(file_of_tile(m_folder, "neighbors", t, "npy"), "i8", 4, rows);
+  }
+
+  const std::filesystem::path m_folder, m_state;
+  const std::uint32_t m_tiles;
+  std::vector<std::uint64_t> m_first; // by tile: the number of its first cell
+};
 
 class Tiles_to_files
 {

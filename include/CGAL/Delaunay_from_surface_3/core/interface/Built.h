@@ -5,18 +5,113 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_BUILT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_BUILT_H
 
-#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Order_view.h>
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
+// A cell and a vertex as numbers. A cell is 32 bytes (with ids of 32 bits), half a cache line.
+//
+// One vertex, one number: that of the i-th point in the order of insertion is i + 1; 0 is the
+// infinite vertex.
+//
+// Invariants: vertices of a cell are in positive orientation (with the infinite vertex in the place
+// of a point beyond the hull); the infinite vertex is only ever the last of a cell. A link names a
+// neighbour and, in its two lowest bits, which of the neighbour's facets is shared: 4 · cell +
+// facet, as in TetGen's and HXT's meshes (Si 2015; Marot, Pellerin, Remacle 2019). A cell that is
+// destroyed is `dead`, and so is one that is not in use; that mark is the highest bit of its first
+// vertex.
 
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+template <class Id>
+struct Compact_cell
+{
+  Id v[4];
+  Id links[4];
+};
+
+// `label` belongs to the insertion under way (Fill_star.h). It lies here, in bytes that alignment
+// would leave empty, beside the coordinates that were just read. In an array of its own, as many
+// threads need it (Explore_announced.h), it takes longer.
+template <class Id>
+struct alignas(32) Compact_vertex
+{
+  double coordinates[3];
+  Id cell; // any cell of the vertex
+  Id label;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The corners of facet i, such that (p, corners) is positive for p on the inner side, and the
+// infinite vertex stays the last.
+inline constexpr unsigned char facet_corners[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
+
+// Ids of 64 bits number more than an address space of 32 bits holds.
+constexpr std::size_t at_most_all(std::uint64_t n)
+{
+  return n < (std::numeric_limits<std::size_t>::max)() ? std::size_t(n)
+                                                       : (std::numeric_limits<std::size_t>::max)();
+}
+
+// What the numbers say.
+template <class Id>
+struct Compact_numbers
+{
+  static_assert(std::numeric_limits<Id>::is_integer && !std::numeric_limits<Id>::is_signed,
+                "ids are unsigned");
+
+  static constexpr Id infinite = 0;
+  static constexpr Id dead = Id(Id(1) << (std::numeric_limits<Id>::digits - 1)); // of v[0]
+  static constexpr std::size_t max_vertices = at_most_all(dead);
+  static constexpr std::size_t max_cells = at_most_all(((std::numeric_limits<Id>::max)() >> 2) + 1);
+
+  static Id vertex_of_point(std::size_t i) { return Id(i + 1); }
+  static std::size_t point_of_vertex(std::size_t v) { return v - 1; }
+
+  static bool is_dead(const Compact_cell<Id>& c) { return (c.v[0] & dead) != 0; }
+  static Id first_vertex(const Compact_cell<Id>& c) { return Id(c.v[0] & Id(~dead)); }
+  static bool is_infinite(const Compact_cell<Id>& c) { return c.v[3] == infinite; }
+  static Id link(Id cell, unsigned facet) { return Id(Id(cell << 2) | facet); }
+
+  // cells[link >> 2]; of a cell of 32 bytes the number times 4 is the address divided by 8, which
+  // saves an operation.
+  template <class Cell>
+  static Cell& cell_of_link(Cell* cells, Id link)
+  {
+    using Byte = std::conditional_t<std::is_const<Cell>::value, const char, char>;
+    return *reinterpret_cast<Cell*>(reinterpret_cast<Byte*>(cells) +
+                                    std::size_t(link & Id(~Id(3))) * (sizeof(Cell) / 4));
+  }
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+// An order of insertion owned elsewhere: see Insertion_order.
+struct Order_view
+{
+  const std::size_t* order;
+  std::size_t size;
+  const std::size_t* round_ends;
+  std::size_t number_of_rounds;
+  const std::size_t* starting_places; // null if there are none
+};
 
 enum class Insertion_outcome {
   COMPLETE,
@@ -60,7 +155,121 @@ public:
   std::size_t vertices_end = 0; // 0 and unused ones too
 };
 
+// Where the edges of a surface come from.
+class Edge_source
+{
+public:
+  virtual ~Edge_source() = default;
+
+  // Of each point those of its neighbours that have smaller numbers, every edge once; or no list at
+  // all, if there are no edges or too many for numbers of 32 bits.
+  virtual Lists_view<std::uint32_t> edges() = 0;
+
+  // The edges are no longer needed, unless for another order, which can then do without them.
+  virtual void give_up() {}
+};
+
+// What Surface_net_rounds says of its constants holds for these.
+constexpr double net_stall = 0.9;
+constexpr std::size_t coarsest_net = 64;
+constexpr std::size_t cells_per_point_of_nets = 64;
+constexpr std::size_t large_cluster = 32;
+
+// The order in which points are to be inserted.
+struct Order_request
+{
+  // The default: nets.
+  // Not "= default", which may be a function of its own.
+  // NOLINTNEXTLINE(modernize-use-equals-default)
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Order_request() {}
+
+  // By nets of their graph, as Surface_net_rounds; without a graph, as Spaced_rounds; or by random
+  // rounds, as Geometric_rounds, which take the place of the others when a budget is exceeded.
+  enum Kind { NETS, SPACED, GEOMETRIC } kind = NETS;
+
+  unsigned int seed = 0;
+
+  // Of random rounds: 0 < ratio < 1, first_round > 0.
+  double ratio = 0.125;
+  std::size_t first_round = 64;
+
+  // Of nets: so many successive vertices of very many are a block. See Random_blocks.
+  std::size_t block = 1024;
+};
+
+// Where the order of insertion comes from: from a surface, from the points alone, from a caller's
+// own plan. It is asked when it is needed, and need not do anything before.
+class Order_source
+{
+public:
+  virtual ~Order_source() = default;
+
+  // Of the points, by as many threads as it can use. What is returned is valid until the next call
+  // of make() or go_on().
+  virtual Order_view make(const Point_array& points, const Executor& executor) = 0;
+
+  // What that order may cost: the number of destroyed cells per point (Insertion_budget), or any
+  // number.
+  static constexpr std::size_t any_number = std::size_t(-1);
+  virtual std::size_t cells_per_point() const = 0;
+
+  // Whether the first points are spread over all at any time, so that of the cells which are then many
+  // most must stay. Of an order by edges, which may begin with hubs, nobody knows.
+  virtual bool is_spread() const { return false; }
+
+  // Goes on to the order that takes its place if that was exceeded; false if there is none, as there
+  // may be where there is no budget.
+  virtual bool go_on() = 0;
+};
+
+// Is told what the core does, and can stop it. All functions are called by the thread that called
+// the core.
+class Watcher
+{
+public:
+  virtual ~Watcher() = default;
+
+  virtual void phase_begins(Surface_insertion_phase) {}
+  virtual void order_is_replaced(const char* /* reason */) {}
+  virtual void insertion_begins(std::size_t /* number_of_threads */) {}
+  virtual void round_begins(std::size_t /* round */, std::size_t /* number_of_points */) {}
+  virtual void insertion_ends(const Insertion_counts&) {}
+
+  // Is asked every 256 points, with the number inserted so far; `false` stops the work.
+  virtual bool go_further(std::size_t /* inserted */) { return true; }
+
+  // Whether it is told of the phases LOCATION and UPDATE, point by point. Not with many threads.
+  virtual bool follows_points() const { return false; }
+
+  // Whether it is asked which points are inserted, and looks at the corners then.
+  virtual bool leaves_points_out() const { return false; }
+  virtual bool looks_at_corners() const { return false; }
+
+  // Whether point i may be inserted. The vertex nearest to it is that of point `nearest`, and
+  // `corners` are those of a cell that contains it (none if it lies beyond the facet of the others,
+  // or if there is no cell yet). All are the caller's numbers. Not asked of a point that has a
+  // vertex at its place.
+  using Corners = std::array<std::size_t, 4>;
+  static constexpr std::size_t none = std::size_t(-1);
+  virtual bool accepts(std::size_t /* i */, std::size_t /* nearest */, const Corners&)
+  {
+    return true;
+  }
+};
+
+// Who inserts.
+struct One_thread;
+struct Many_threads;
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The header of each crew names the class.
+template <class Crew>
+struct Inserter_of;
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

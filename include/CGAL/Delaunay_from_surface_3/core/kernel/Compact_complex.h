@@ -6,20 +6,19 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_COMPLEX_H
 
 // Cells and vertices as numbers, and nothing else: what an insertion scribbles on is in
-// Conflict_zone.h. A cell is 32 bytes (with ids of 32 bits), half a cache line.
+// Dig_conflict_zone.h. A cell is 32 bytes (with ids of 32 bits), half a cache line.
 //
 // The coordinates of vertices are there from the beginning. Numbers of duplicates stay unused.
 //
 // Coordinates are those of the points times a power of 2. If some are so small that this rounds
 // them, the complex keeps the points' own, too; those are what exact predicates see.
 //
-// Its invariants are those of Compact_cell.h.
+// Its invariants are those of Built.h.
 
 #include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Compact_cell.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
-#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>

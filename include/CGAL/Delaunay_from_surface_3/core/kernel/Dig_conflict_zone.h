@@ -12,14 +12,382 @@
 // Invariant: the cells found are dead, no others have died.
 // Cost: O(cells in conflict).
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Explore_neighbors.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
-#include <CGAL/Delaunay_from_surface_3/support/prefetch.h>
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
+#include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The working memory of one insertion, kept for the next: all that a thread that inserts has for
+// itself. The complex is shared, this is not.
+
+// A facet of the zone's boundary: the link of the cell outside, and the corners, such that
+// (p, corners) is positive for p in the zone.
+template <class Id>
+struct Zone_facet
+{
+  Id outside;
+  Id corners[3];
+};
+
+template <class Id>
+struct Conflict_zone
+{
+  // The first number_of_cells and number_of_facets are filled; the rest is room. The cells are
+  // those in conflict, in the order in which they were found; after the fill, those of the star.
+  std::vector<Id> cells;
+  std::vector<Zone_facet<Id>> facets;
+  std::size_t number_of_cells = 0;
+  std::size_t number_of_facets = 0;
+
+  std::vector<Id> free_cells; // dead, and in no zone
+  Insertion_counts counts;
+
+  Conflict_zone() { make_room(64); }
+
+  // For a zone of n cells, which has at most 2 n + 2 facets; four of either can be written beyond.
+  // Both arrays grow together: has_room() is asked at every cell, and looks at one number.
+  void make_room(std::size_t n)
+  {
+    cells.resize(n + 4);
+    facets.resize(2 * n + 8);
+    m_room = n;
+  }
+  bool has_room(std::size_t n) const { return n <= m_room; }
+  std::size_t room() const { return m_room; }
+
+  // Takes as many cells as there are facets, for the star: first the dead ones, then free ones,
+  // then new ones. The complex may move its cells.
+  void take_cells_of_star(Compact_complex<Id>& complex)
+  {
+    if (!has_room(number_of_facets))
+      make_room(2 * number_of_facets);
+    while (number_of_cells < number_of_facets)
+      cells[number_of_cells++] = take_cell(complex);
+    for (std::size_t k = number_of_facets; k < number_of_cells; ++k)
+      free_cells.push_back(cells[k]);
+    number_of_cells = number_of_facets;
+  }
+
+  // The cells were dug out by Explore_alone, and live again.
+  void revive(Compact_complex<Id>& complex)
+  {
+    for (std::size_t k = 0; k < number_of_cells; ++k)
+      complex.cell(cells[k]).v[0] = Compact_complex<Id>::first_vertex(complex.cell(cells[k]));
+    counts.cells_destroyed -= number_of_cells;
+    counts.cells_created -= number_of_facets;
+  }
+
+  // After the dig: whether its cells are dead, and those around it not. These surround it as a
+  // sphere, whose edges belong to two facets each.
+  bool is_dug(const Compact_complex<Id>& complex) const
+  {
+    using Complex = Compact_complex<Id>;
+    for (std::size_t k = 0; k < number_of_cells; ++k)
+      if (!Complex::is_dead(complex.cell(cells[k])))
+        return false;
+    for (std::size_t f = 0; f < number_of_facets; ++f)
+      if (Complex::is_dead(complex.cell(facets[f].outside >> 2)))
+        return false;
+    return number_of_cells > 0 && number_of_facets >= 4 && number_of_facets % 2 == 0;
+  }
+
+  // After the fill: whether all its cells live, have vertex p, and lead to neighbours that lead
+  // back.
+  bool is_star(const Compact_complex<Id>& complex, Id p) const
+  {
+    using Complex = Compact_complex<Id>;
+    for (std::size_t k = 0; k < number_of_cells; ++k) {
+      const Compact_cell<Id>& cell = complex.cell(cells[k]);
+      if (Complex::is_dead(cell) || std::find(cell.v, cell.v + 4, p) == cell.v + 4)
+        return false;
+      for (unsigned i = 0; i < 4; ++i)
+        if (complex.cell(cell.links[i] >> 2).links[cell.links[i] & 3] != Complex::link(cells[k], i))
+          return false;
+    }
+    return true;
+  }
+
+private:
+  Id take_cell(Compact_complex<Id>& complex)
+  {
+    if (free_cells.empty())
+      return complex.new_cell();
+    const Id c = free_cells.back();
+    free_cells.pop_back();
+    return c;
+  }
+
+  std::size_t m_room = 0;
+};
+
+// One step of the search for the conflict zone (Choi 2002, Fig. 1, line 2c): the neighbours of a
+// cell in conflict that are in conflict too join the zone, the facets towards the others join its
+// boundary.
+//
+// Which it is cannot be predicted, so there are no branches: what is found is written behind the
+// end, and the end moves on or not.
+
+// Where the next cell in conflict and the next facet of the boundary are written. There is room for
+// four more of either.
+template <class Id>
+struct Zone_ends
+{
+  Id* cell;
+  Zone_facet<Id>* facet;
+};
+
+// A bit for each neighbour of a cell in conflict.
+struct Neighborhood
+{
+  unsigned open;      // not known to be in conflict before
+  unsigned inside;    // of these: in conflict
+  unsigned undecided; // of these: the filter cannot tell
+
+  unsigned bounding() const { return open & ~inside; } // when all is decided
+};
+
+// By the signs of the filter, which was asked about those `filtered`.
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Neighborhood neighborhood(unsigned open,
+                                                                     unsigned filtered,
+                                                                     const Sphere_signs& signs)
+{
+  const unsigned decided = filtered & (signs.inside | signs.outside);
+  return {open, signs.inside & filtered, open & ~decided};
+}
+
+// Scalar code for any machine and any Id, where no other thread writes: cells are read where they
+// are, and marked as dead when they join the zone.
+struct Explore_alone
+{
+  template <class Id>
+  static void mark(Compact_cell<Id>* cells, Id c)
+  {
+    cells[c].v[0] |= Compact_complex<Id>::dead;
+  }
+  template <class Id>
+  static const Compact_cell<Id>& read(const Compact_cell<Id>* cells, Id c, std::size_t)
+  {
+    return cells[c];
+  }
+  template <class Id>
+  static const Compact_cell<Id>& neighbor(const Compact_cell<Id>* cells,
+                                          const Compact_cell<Id>& cell, unsigned k)
+  {
+    return cells[cell.links[k] >> 2];
+  }
+  template <class Id>
+  static constexpr bool is_still_true(const Compact_cell<Id>*, std::size_t)
+  {
+    return true;
+  }
+  static constexpr bool is_torn() { return false; }
+};
+
+struct Explore_neighbors : Explore_alone
+{
+  // What is known of the cell's neighbours. Infinite cells are left undecided.
+  template <class Id>
+  static Neighborhood around(const Compact_cell<Id>* cells, const Compact_vertex<Id>* vertices,
+                             const Compact_cell<Id>& cell, const double* p)
+  {
+    using Complex = Compact_complex<Id>;
+    unsigned open = 0, infinite = Complex::is_infinite(cell) ? 15 : 0;
+    const double *v[4], *opposite[4];
+    for (unsigned k = 0; k < 4; ++k) {
+      const Compact_cell<Id>& neighbor = cells[cell.links[k] >> 2];
+      const Id e = neighbor.v[cell.links[k] & 3] & Id(~Complex::dead);
+      open |= unsigned(!Complex::is_dead(neighbor)) << k;
+      infinite |= unsigned(e == Complex::infinite) << k;
+      opposite[k] = vertices[e].coordinates;
+      v[k] = vertices[cell.v[k] & Id(~Complex::dead)].coordinates;
+    }
+    const unsigned filtered = open & ~infinite;
+    if (filtered == 0)
+      return {open, 0, open};
+    const Sphere_signs signs = Sphere_filter::neighbors(v, opposite, p, filtered);
+    return neighborhood(open, filtered, signs);
+  }
+
+  // Writes down the neighbours inside, and the facets that bound.
+  template <class Id>
+  static Zone_ends<Id> note(Compact_cell<Id>* cells, const Compact_cell<Id>& cell,
+                            const Neighborhood& around, Zone_ends<Id> ends)
+  {
+    const Id v[4] = {Compact_complex<Id>::first_vertex(cell), cell.v[1], cell.v[2], cell.v[3]};
+    for (unsigned k = 0; k < 4; ++k) {
+      const Id link = cell.links[k], joins = Id(around.inside >> k & 1);
+      cells[link >> 2].v[0] |= Id(joins << (std::numeric_limits<Id>::digits - 1));
+      *ends.cell = link >> 2;
+      ends.cell += joins;
+      *ends.facet = {link,
+                     {v[facet_corners[k][0]], v[facet_corners[k][1]], v[facet_corners[k][2]]}};
+      ends.facet += around.bounding() >> k & 1;
+    }
+    return ends;
+  }
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+// Explore_neighbors in vectors, for ids of 32 bits.
+
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+
+#include <cstdint>
+#include <type_traits>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// With the cells themselves, and their first vertices.
+struct Wide_neighborhood : Neighborhood
+{
+  Compact_cell<std::uint32_t>* cells[4];
+  __m128i first;
+};
+
+struct Wide_explore_neighbors : Explore_alone
+{
+  using Id = std::uint32_t;
+  using Complex = Compact_complex<Id>;
+  using Cell = Compact_cell<Id>;
+
+  // Infinite cells are left undecided: their vertex is far.
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Wide_neighborhood
+  around(Cell* cells, const Compact_vertex<Id>* vertices, const Cell& cell, const double* p)
+  {
+    const Id l0 = cell.links[0], l1 = cell.links[1], l2 = cell.links[2], l3 = cell.links[3];
+    Cell &n0 = Complex::cell_of_link(cells, l0), &n1 = Complex::cell_of_link(cells, l1),
+         &n2 = Complex::cell_of_link(cells, l2), &n3 = Complex::cell_of_link(cells, l3);
+    const Id unmarked = Id(~Complex::dead);
+    const Id e0 = n0.v[l0 & 3] & unmarked, e1 = n1.v[l1 & 3] & unmarked,
+             e2 = n2.v[l2 & 3] & unmarked, e3 = n3.v[l3 & 3] & unmarked;
+    const __m128i first = _mm_setr_epi32(int(n0.v[0]), int(n1.v[0]), int(n2.v[0]), int(n3.v[0]));
+    const unsigned open = 15 & ~signs_of(first);
+    const double* const v[4] = {vertices[cell.v[0] & unmarked].coordinates,
+                                vertices[cell.v[1]].coordinates, vertices[cell.v[2]].coordinates,
+                                vertices[cell.v[3]].coordinates};
+    const double* const opposite[4] = {vertices[e0].coordinates, vertices[e1].coordinates,
+                                       vertices[e2].coordinates, vertices[e3].coordinates};
+    const Sphere_signs signs = Wide_sphere_filter::signs(v, opposite, p);
+    return {neighborhood(open, open, signs), {&n0, &n1, &n2, &n3}, first};
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Zone_ends<Id>
+  note(Cell*, const Cell& cell, const Wide_neighborhood& around, Zone_ends<Id> ends)
+  {
+    const auto first = reinterpret_cast<Four_words>(
+        _mm_or_si128(around.first, load(of_masks[around.inside].dead)));
+    for (unsigned k = 0; k < 4; ++k)
+      around.cells[k]->v[0] = first[k];
+    store(ends.cell, pack(_mm_srli_epi32(load(cell.links), 2), around.inside));
+    ends.cell += __builtin_popcount(around.inside);
+    ends.facet = write_facets(ends.facet, around.bounding(),
+                              load_eight(cell.v) &
+                                  Eight_words{~Complex::dead, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u});
+    return ends;
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static unsigned signs_of(__m128i v)
+  {
+    return unsigned(_mm_movemask_ps(_mm_castsi128_ps(v)));
+  }
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static __m128i load(const void* four_ids)
+  {
+    return _mm_loadu_si128(static_cast<const __m128i*>(four_ids));
+  }
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static void store(void* four_ids, __m128i v)
+  {
+    _mm_storeu_si128(static_cast<__m128i*>(four_ids), v);
+  }
+
+  // Those of four ids that `wanted` names, to the front.
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static __m128i pack(__m128i ids, unsigned wanted)
+  {
+    return _mm_shuffle_epi8(ids, load(of_masks[wanted].packed));
+  }
+
+  // Vertices and links of a cell.
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Eight_words load_eight(const Id* words)
+  {
+    Eight_words v;
+    __builtin_memcpy(&v, words, sizeof v);
+    return v;
+  }
+
+  // The facets `bounding` of a cell. Returns where the next one goes.
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Zone_facet<Id>*
+  write_facets(Zone_facet<Id>* to, unsigned bounding, Eight_words cell)
+  {
+    for (unsigned half = 0; half < 2; ++half) {
+      const Eight_words two = words_of(cell, load_eight(of_masks[bounding].facets[half]));
+      __builtin_memcpy(static_cast<void*>(to + 2 * half), &two, sizeof two);
+    }
+    return to + __builtin_popcount(bounding);
+  }
+
+private:
+  // What to do with the neighbours of the bits of a mask.
+  struct Of_mask
+  {
+    Id packed[4];    // moves their ids to the front, and 0 behind them
+    Id dead[4];      // marks their first vertices
+    Id facets[2][8]; // which words of the cell the facets towards them are, one after the other
+  };
+
+  static constexpr Of_mask of_mask(unsigned mask)
+  {
+    constexpr Id none = 0x80808080;
+    Of_mask of = {{none, none, none, none}, {}, {}};
+    for (unsigned k = 0, n = 0; k < 4; ++k)
+      if (mask >> k & 1) {
+        of.packed[n] = 0x03020100 + 0x04040404 * k;
+        of.dead[k] = Complex::dead;
+        Id* const facet = of.facets[n / 2] + n % 2 * 4;
+        facet[0] = 4 + k;
+        for (unsigned i = 0; i < 3; ++i)
+          facet[1 + i] = facet_corners[k][i];
+        ++n;
+      }
+    return of;
+  }
+  static const Of_mask of_masks[16];
+};
+
+inline constexpr Wide_explore_neighbors::Of_mask Wide_explore_neighbors::of_masks[16] = {
+    of_mask(0),  of_mask(1),  of_mask(2),  of_mask(3), of_mask(4),  of_mask(5),
+    of_mask(6),  of_mask(7),  of_mask(8),  of_mask(9), of_mask(10), of_mask(11),
+    of_mask(12), of_mask(13), of_mask(14), of_mask(15)};
+
+// The widest search for these ids, where the machine has vectors.
+template <class Id>
+using Widest_explore_neighbors =
+    std::conditional_t<std::is_same<Id, Wide_explore_neighbors::Id>::value, Wide_explore_neighbors,
+                       Explore_neighbors>;
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {

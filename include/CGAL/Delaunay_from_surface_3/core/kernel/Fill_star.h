@@ -16,7 +16,7 @@
 //
 // Cost: O(B).
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ struct Write_alone
   static void close(Cell&, Id) {} // the cell is complete
 };
 
-// Write: how what is shared is written, alone or beside others who read (Write_announced.h).
+// Write: how what is shared is written, alone or beside others who read (Explore_announced.h).
 template <class Id, class Write = Write_alone<Id>>
 class Fill_star
 {

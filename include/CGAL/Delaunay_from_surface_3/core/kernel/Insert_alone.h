@@ -7,10 +7,14 @@
 
 // One piece of a round of Choi 2002, Fig. 1, lines 2b and 2c, by the thread that calls it.
 
-#include <CGAL/Delaunay_from_surface_3/core/interface/Watcher.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/crews.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/nearest_vertex.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -23,6 +27,101 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Whether a cell contains p, its boundary included, or, if it is infinite, p lies beyond its facet.
+template <class Id>
+bool is_around(const Compact_complex<Id>& complex, const std::array<Id, 4>& v, Id p)
+{
+  const bool is_infinite = v[3] == complex.infinite;
+  for (std::size_t k = is_infinite ? 3 : 0; k < 4; ++k) {
+    const double* q[4]; // p in the place of a corner
+    for (std::size_t i = 0; i < 4; ++i)
+      q[i] = complex.exact_coordinates(i == k ? p : v[i]);
+    if (orientation(q[0], q[1], q[2], q[3]) < int(is_infinite))
+      return false;
+  }
+  return true;
+}
+
+// The corners of a cell around p, whose zone of conflict is dug. Every cell that contains p is in the
+// zone, and if none does, so is one beyond whose facet p lies. Exact; O(cells of the zone).
+template <class Id>
+std::array<Id, 4> corners_around(const Compact_complex<Id>& complex, const Conflict_zone<Id>& zone,
+                                 Id p)
+{
+  using Complex = Compact_complex<Id>;
+  for (const bool is_infinite : {false, true})
+    for (std::size_t k = 0; k < zone.number_of_cells; ++k) {
+      const Compact_cell<Id>& cell = complex.cell(zone.cells[k]);
+      const std::array<Id, 4> v = {Complex::first_vertex(cell), cell.v[1], cell.v[2], cell.v[3]};
+      if (Complex::is_infinite(cell) == is_infinite && is_around(complex, v, p))
+        return v;
+    }
+  fail("a point lies in a cell, or beyond a facet of the hull");
+}
+
+// Insertion by one thread, of points that may be left out.
+
+// Id: an unsigned type for the numbers.
+template <class Id>
+class Compact_triangulation
+{
+  using Complex = Compact_complex<Id>;
+
+public:
+  using Location = Compact_location<Id>;
+
+  // Of the vertices of `complex`, which has started. Keeps a reference.
+  explicit Compact_triangulation(Complex& complex)
+    : m_complex(complex)
+    , m_inserter(complex)
+  {
+  }
+
+  // Where vertex p, in no cell yet, goes, from cell `start`.
+  Location locate(Id p, Id start) { return m_inserter.walk(p, start, Read_alone()); }
+
+  // Puts p where a cell is in conflict with it. Returns p.
+  Id insert(Id p, Id cell)
+  {
+    m_inserter.dig(p, cell);
+    fill(p);
+    return p;
+  }
+
+  // The same if accepts(v) for the vertex v nearest to p; else nothing changes, and v is returned.
+  template <class Accepts>
+  Id insert_if(Id p, Id cell, const Accepts& accepts)
+  {
+    m_inserter.dig(p, cell);
+    const Id nearest = nearest_vertex_of_zone(m_complex, m_inserter.zone, p);
+    if (!accepts(nearest)) {
+      m_inserter.zone.revive(m_complex);
+      return nearest;
+    }
+    fill(p);
+    return p;
+  }
+
+  // While insert_if() asks: the corners of a cell that contains p.
+  std::array<Id, 4> cell_of_zone(Id p) const
+  {
+    return corners_around(m_complex, m_inserter.zone, p);
+  }
+
+  const Insertion_counts& counts() const { return m_inserter.zone.counts; }
+
+private:
+  void fill(Id p)
+  {
+    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(m_inserter.zone.is_dug(m_complex));
+    m_inserter.fill(p);
+    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(m_inserter.zone.is_star(m_complex, p));
+  }
+
+  Complex& m_complex;
+  Inserter<Alone_with_complex<Id>> m_inserter;
+};
 
 template <class Id>
 class Insert_alone

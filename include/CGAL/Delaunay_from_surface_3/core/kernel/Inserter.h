@@ -12,13 +12,10 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Explore_neighbors.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fill_star.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_explore_neighbors.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 

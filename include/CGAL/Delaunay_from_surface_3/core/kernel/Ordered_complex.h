@@ -9,21 +9,22 @@
 //
 // One vertex, one number: the point at place k of the order is vertex k + 1.
 
-#include <CGAL/Delaunay_from_surface_3/core/interface/Order_view.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Power_of_scale.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Starting_cells.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/first_accepted_points.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/starting_simplex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/nearest_vertex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,242 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Points none of which lies in the span of those before it: the first d + 1 of `points`, where d is
+// the dimension of all; four are positively oriented.
+struct Starting_simplex
+{
+  std::array<std::size_t, 4> points;
+  int dimension; // -1: there are no points
+};
+
+// Whether four points lie in a plane across an axis, as most do that lie in one plane.
+inline bool share_a_coordinate(const double* a, const double* b, const double* c, const double* d)
+{
+  for (int i = 0; i < 3; ++i)
+    if (a[i] == b[i] && a[i] == c[i] && a[i] == d[i])
+      return true;
+  return false;
+}
+
+// The first such points among n; `point(i)` gives the coordinates of the i-th. Exact; O(n) at
+// worst, a few tests as a rule.
+template <class PointOf>
+Starting_simplex starting_simplex(std::size_t n, const PointOf& point)
+{
+  std::size_t b = 1;
+  while (b < n && std::equal(point(0), point(0) + 3, point(b)))
+    ++b;
+  std::size_t c = b + 1;
+  while (c < n && are_collinear(point(0), point(b), point(c)))
+    ++c;
+  for (std::size_t d = c + 1; d < n; ++d) {
+    if (share_a_coordinate(point(0), point(b), point(c), point(d)))
+      continue;
+    const int o = orientation(point(0), point(b), point(c), point(d));
+    if (o != 0)
+      return {o > 0 ? std::array<std::size_t, 4>{0, b, c, d}
+                    : std::array<std::size_t, 4>{b, 0, c, d},
+              3};
+  }
+  return {{0, b, c, 0}, n == 0 ? -1 : int(b < n) + int(c < n)};
+}
+
+// Starts a complex with such points, and notes them in vertex_of, by point. Returns one of these
+// vertices; 0 if the points lie in one plane.
+template <class Id>
+Id start_complex(const Starting_simplex& simplex, Compact_complex<Id>& complex,
+                 std::vector<Id>& vertex_of)
+{
+  if (simplex.dimension < 3)
+    return 0;
+  std::array<Id, 4> v;
+  for (std::size_t k = 0; k < 4; ++k)
+    v[k] = vertex_of[simplex.points[k]] = Compact_complex<Id>::vertex_of_point(simplex.points[k]);
+  CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(
+      orientation(complex.exact_coordinates(v[0]), complex.exact_coordinates(v[1]),
+                  complex.exact_coordinates(v[2]), complex.exact_coordinates(v[3])) > 0);
+  complex.start(v);
+  return v[0];
+}
+
+// A point off the plane of a, b and c, which are not collinear: a, moved by about the size of the
+// triangle, along the axis to which the plane seems most nearly orthogonal.
+inline std::array<double, 3> apex_of_plane(const double* a, const double* b, const double* c)
+{
+  std::array<double, 3> areas; // across the axes, rounded: any that is not 0 exactly will do
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t s = (k + 1) % 3, t = (k + 2) % 3;
+    const double p[3] = {a[s], a[t], 0}, q[3] = {b[s], b[t], 0}, r[3] = {c[s], c[t], 0};
+    const Row<double> u = row(q, p), v = row(r, p);
+    const double area = std::abs(u.x * v.y - u.y * v.x);
+    areas[k] = are_collinear(p, q, r) ? -1 : area >= 0 ? area : 0; // NaN if it overflows
+    size = (std::max)({size, std::abs(b[k] / 2 - a[k] / 2), std::abs(c[k] / 2 - a[k] / 2)});
+  }
+  std::array<double, 3> apex = {a[0], a[1], a[2]};
+  double& x = apex[std::size_t(std::max_element(areas.begin(), areas.end()) - areas.begin())];
+  const double moved = x < 0 ? x + size : x - size; // towards 0: it stays finite
+  x = moved != x ? moved : x != 0 ? x / 2 : 1;
+  return apex;
+}
+
+// Choi 2002, Fig. 1, line 2b: where the walk to a point starts. The order names a point for it, which
+// is near; or it is the point inserted before.
+
+// Each of many threads has a copy, and follows the points that it inserted itself.
+template <class Id>
+class Starting_cells
+{
+public:
+  // `places`: as Order_view::starting_places. vertex_of: by place, 0 if there is none yet. Keeps
+  // references to all. `vertex` is any that is there.
+  Starting_cells(const Compact_complex<Id>& complex, const std::vector<Id>& vertex_of,
+                 const std::size_t* places, Id vertex)
+    : m_complex(complex)
+    , m_vertex_of(vertex_of)
+    , m_places(places)
+    , m_previous(vertex)
+  {
+  }
+
+  // A cell of the vertex of the point that the order names for that at place i.
+  Id start(std::size_t i) const
+  {
+    if (i == 0 || m_places == nullptr)
+      return cell(m_previous);
+    std::size_t place = m_places[i];
+    Id v = load_relaxed(m_vertex_of[place]);
+    while (v == 0 && place != 0) // left out; or, with many threads, not inserted yet
+      v = load_relaxed(m_vertex_of[place = m_places[place]]);
+    return cell(v == 0 ? m_previous : v);
+  }
+
+  void after_update(std::size_t /* i */, Id v) { m_previous = v; }
+
+private:
+  Id cell(Id v) const { return load_relaxed(m_complex.vertex(v).cell); }
+
+  const Compact_complex<Id>& m_complex;
+  const std::vector<Id>& m_vertex_of;
+  const std::size_t* const m_places;
+  Id m_previous;
+};
+
+// The power of 2 that makes the largest coordinate in absolute value at least 2^57 and less than
+// 2^58, as near as the range of numbers allows: as large as it can be for differences to be less
+// than 2^59 (Fixed_integer.h, balanced_signs.h), so that few cells are so small that products
+// of their coordinates underflow. Linear.
+class Power_of_scale
+{
+public:
+  // Of the points, and one more if there is one.
+  Power_of_scale(const Point_array& points, const double* one_more)
+  {
+    if (obstacle_of_compiler() != nullptr)
+      return;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      look_at(points[i]);
+    if (one_more != nullptr)
+      look_at(one_more);
+    choose();
+  }
+
+  // Of points whose coordinates are at most `largest` in absolute value, and 0 or at least `least`.
+  Power_of_scale(double largest, double least)
+    : m_largest(largest)
+    , m_least(least)
+  {
+    if (obstacle_of_compiler() == nullptr)
+      choose();
+  }
+
+  // No coordinate becomes so small that it is rounded; one that is made larger never does.
+  bool is_exact() const { return m_is_exact; }
+
+  std::array<double, 3> operator()(const double* p) const
+  {
+    return {p[0] * m_factor, p[1] * m_factor, p[2] * m_factor};
+  }
+
+  // What was scaled, if that is exact: the inverse of the power is one, too.
+  std::array<double, 3> before(const double* p) const
+  {
+    return {p[0] / m_factor, p[1] / m_factor, p[2] / m_factor};
+  }
+
+private:
+  void look_at(const double* p)
+  {
+    for (int k = 0; k < 3; ++k) {
+      const double size = std::abs(p[k]);
+      m_largest = (std::max)(m_largest, size);
+      m_least = size == 0 ? m_least : (std::min)(m_least, size);
+    }
+  }
+
+  void choose()
+  {
+    int exponent = 0;
+    std::frexp(m_largest, &exponent);
+    m_factor = std::ldexp(1., (std::min)(58 - exponent, 1000));
+    m_is_exact = m_factor >= 1 || m_least * m_factor > (std::numeric_limits<double>::min)();
+  }
+
+  double m_largest = 0, m_least = (std::numeric_limits<double>::max)();
+  double m_factor = 0; // if doubles cannot be trusted: then no filter decides anything
+  bool m_is_exact = false;
+};
+
+// A complex begins with four points at once, and cannot ask about them in their turn. So the first
+// points are asked about before there is one, until those accepted do not lie in one plane.
+
+// Takes point `next` into a simplex if it does not lie in the span of those that are there.
+template <class PointOf>
+void extend_simplex(Starting_simplex& simplex, const PointOf& point, std::size_t next)
+{
+  auto& p = simplex.points;
+  const int d = simplex.dimension;
+  const double* const q = point(next);
+  if (d == -1 || (d == 0 && !std::equal(q, q + 3, point(p[0]))) ||
+      (d == 1 && !are_collinear(point(p[0]), point(p[1]), q)))
+    p[std::size_t(++simplex.dimension)] = next;
+  else if (d == 2)
+    if (const int o = orientation(point(p[0]), point(p[1]), point(p[2]), q); o != 0) {
+      p[3] = next;
+      simplex.dimension = 3;
+      if (o < 0)
+        std::swap(p[0], p[1]);
+    }
+}
+
+// point(k) is the point at place k, and order[k] the caller's number of it. Says of each point that
+// was asked about, in is_accepted, whether it is to be inserted. It gives up if a thousand of them
+// lie in one plane, since the points accepted are compared with each other.
+template <class PointOf>
+Starting_simplex first_accepted_points(const Order_view& order, const PointOf& point,
+                                       Watcher& watcher, std::vector<char>& is_accepted)
+{
+  constexpr std::size_t most = 1000;
+  const Watcher::Corners no_corners = {Watcher::none, Watcher::none, Watcher::none, Watcher::none};
+  Starting_simplex simplex = {{}, -1};
+  std::vector<std::size_t> places; // of the vertices
+  for (std::size_t k = 0; k < (std::min)(order.size, most) && simplex.dimension < 3; ++k) {
+    const double* const p = point(k);
+    const auto nearest =
+        std::min_element(places.begin(), places.end(), [&](std::size_t i, std::size_t j) {
+          return is_nearer_exactly(p, point(i), point(j));
+        });
+    const bool is_vertex = nearest != places.end() && std::equal(p, p + 3, point(*nearest));
+    is_accepted.push_back(is_vertex || nearest == places.end() ||
+                          watcher.accepts(order.order[k], order.order[*nearest], no_corners));
+    if (is_accepted.back() && !is_vertex) {
+      places.push_back(k);
+      extend_simplex(simplex, point, k);
+    }
+  }
+  return simplex;
+}
 
 template <class Id>
 struct Ordered_complex

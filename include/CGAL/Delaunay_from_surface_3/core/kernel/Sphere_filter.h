@@ -20,17 +20,209 @@
 // three coordinates as factors: it changes a result by less than `tiny` where m is at most 1, and
 // by less than 2^-900 u m^(5/2), or u m^(3/2), where it is not.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// 2^(biased_exponent - 1023), between 1 and 2046.
+inline double power_of_2(std::uint64_t biased_exponent)
+{
+  const std::uint64_t bits = biased_exponent << 52;
+  double power;
+  std::memcpy(&power, &bits, sizeof(power));
+  return power;
+}
+
+// The biased exponent e of a number that is not negative: the number is less than 2^(e - 1022) and,
+// if e is not 0, at least half of that.
+inline std::uint64_t biased_exponent(double number)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &number, sizeof(number));
+  return bits >> 52;
+}
+
+// The determinants of the predicates, over any type of numbers; all stages evaluate these.
+//
+// Rows are vertices relative to the new point p, lifted to the paraboloid: (x, y, z) = v - p and
+// w = x² + y² + z². Signs mean the same in all stages:
+//   sphere   positive: p is inside the sphere of a positively oriented cell;
+//   facet    positive: p is on the inner side of a cell's facet;
+//   beyond   positive: p is beyond the finite facet of an infinite cell, or in its plane and inside
+//            its circle;
+//   0        not decided, or on it where the stage is exact.
+// A cell (v0, v1, v2, v3) is positively oriented if (v1 - v0, v2 - v0, v3 - v0) is right-handed; in
+// an infinite cell the infinite vertex v3 stands for a point beyond the facet.
+
+// Before loops over the few numbers of a test, which the compiler is to unroll.
+#if defined(__clang__)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("unroll")
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("GCC unroll 16")
+#endif
+
+// Makes an ordinary number of a finished sum. Most are; those of Fixed_integer.h are not.
+template <class Number>
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Number carried(const Number& sum)
+{
+  return sum;
+}
+
+template <class Number>
+using Product_of = decltype(carried(Number() * Number()));
+
+template <class Number>
+struct Row
+{
+  Number x, y, z;
+  Product_of<Number> w;
+
+  Row() = default;
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Row(const Number& dx, const Number& dy,
+                                                 const Number& dz)
+    : x(dx)
+    , y(dy)
+    , z(dz)
+    , w(carried(dx * dx + dy * dy + dz * dz))
+  {
+  }
+};
+
+// |a b| in the columns x and y.
+template <class Number>
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Product_of<Number> minor_of(const Row<Number>& a,
+                                                                       const Row<Number>& b)
+{
+  return carried(a.x * b.y - a.y * b.x);
+}
+
+// |a b c| in the columns x, y, z: positive if the cell (p, a, b, c) is. Not carried.
+template <class Number>
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE auto
+determinant_of(const Row<Number>& a, const Row<Number>& b, const Row<Number>& c)
+{
+  return a.z * minor_of(b, c) + b.z * minor_of(c, a) + c.z * minor_of(a, b);
+}
+
+// The determinant of four rows, positive if p is inside the sphere of the cell, as the sum of each
+// w times these. That of a vertex is the orientation of the cell with p in the vertex's place:
+// positive if p is on the inner side of the facet opposite to it.
+template <class Number>
+struct Sphere_cofactors
+{
+  using Minor = decltype(carried(Number() * Product_of<Number>()));
+  Minor of[4];
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE
+  Sphere_cofactors(const Row<Number>& a, const Row<Number>& b, const Row<Number>& c,
+                   const Row<Number>& d)
+  {
+    const auto ab = minor_of(a, b), ac = minor_of(a, c), ad = minor_of(a, d), bc = minor_of(b, c),
+               bd = minor_of(b, d), cd = minor_of(c, d);
+    of[0] = carried(b.z * cd - c.z * bd + d.z * bc);
+    of[1] = carried(c.z * ad - a.z * cd - d.z * ac);
+    of[2] = carried(a.z * bd - b.z * ad + d.z * ab);
+    of[3] = carried(b.z * ac - a.z * bc - c.z * ab);
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE auto lifted(const Row<Number>& a, const Row<Number>& b,
+                                                         const Row<Number>& c,
+                                                         const Row<Number>& d) const
+  {
+    return (a.w * of[0] + b.w * of[1]) + (c.w * of[2] + d.w * of[3]);
+  }
+};
+
+// The same for three rows in one plane with p. There w is an affine function of any two coordinates
+// in which the triangle has an area; the sum of each w times these has the sign of that area if p
+// is inside the circle. They add up to the area.
+template <class Number> // clang-tidy sees the counters of copied arrays: NOLINTNEXTLINE
+struct Circle_cofactors
+{
+  Product_of<Number> of[3];
+  Product_of<Number> area;
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE
+  Circle_cofactors(const Row<Number>* r, Number Row<Number>::*s, Number Row<Number>::*t)
+  {
+    const auto bc = r[1].*s * r[2].*t - r[1].*t * r[2].*s;
+    const auto ca = r[2].*s * r[0].*t - r[2].*t * r[0].*s;
+    const auto ab = r[0].*s * r[1].*t - r[0].*t * r[1].*s;
+    of[0] = carried(bc);
+    of[1] = carried(ca);
+    of[2] = carried(ab);
+    area = carried(bc + ca + ab);
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE auto lifted(const Row<Number>* r) const
+  {
+    return r[0].w * of[0] + r[1].w * of[1] + r[2].w * of[2];
+  }
+};
+
+// Another bound on the error of the determinants: by columns. It is the
+// smaller one where a coordinate differs much less than another: sheets that are nearly flat and
+// parallel to two axes, wires along one.
+//
+// A determinant of 4 rows is a sum of 24 products x y z w of at most 17 roundings each (see
+// above). Let X, Y, Z, W be the largest of the columns in absolute value, as computed:
+// with 3 + 5 roundings. Then the error is at most 24 ((1 + u)^17 - 1) (1 - u)^-8 X Y Z W < 409 u X
+// Y Z W; the bound has 4 roundings of its own: 450 u X Y Z W is on the safe side. Of 3 rows it is 6
+// products of at most 8 roundings: less than 55 u X Y Z.
+//
+// Coordinates are at most 2^58 in absolute value, so differences are at most 2^59 and w at most 3
+// 2^118. What underflows, 2^-1075 each time and less than 2^7 times, meets factors of less than
+// 2^181: less than `tiny` altogether. Where coordinates themselves were rounded, by at most 2^-1075
+// (Compact_complex.h), that is nothing beside columns of at least `least`.
+
+constexpr double unit_of_double = 1. / 9007199254740992.; // 2^-53
+
+struct Column_sizes
+{
+  static constexpr double tiny = 1e-264; // more than 2^-880
+  static constexpr double least = 0x1p-1000;
+  static constexpr double four = 450, three = 55;
+
+  double x = least, y = least, z = least;
+
+  template <class... Rows>
+  explicit Column_sizes(const Rows&... rows)
+  {
+    (add(rows), ...);
+  }
+
+  // Whether the box with these edges is so flat that these bounds decide much that the others do
+  // not.
+  bool are_flat() const
+  {
+    const double m = (std::max)((std::max)(x, y), z);
+    return x * y * z < 0x1p-20 * (m * m * m);
+  }
+
+  void add(const Row<double>& r) { add(std::abs(r.x), std::abs(r.y), std::abs(r.z)); }
+  void add(double dx, double dy, double dz) // none negative
+  {
+    x = (std::max)(x, dx);
+    y = (std::max)(y, dy);
+    z = (std::max)(z, dz);
+  }
+
+  // w: at least the largest in that column.
+  double bound_of_four(double w) const
+  {
+    return four * unit_of_double * ((x * y) * (z * w)) + tiny;
+  }
+  double bound_of_three() const { return three * unit_of_double * (x * y * z) + tiny; }
+};
 
 struct Filter_bounds
 {
@@ -71,7 +263,7 @@ inline int sphere_sign(const Row<double>& a, const Row<double>& b, const Row<dou
                         Filter_bounds::four_rows((std::max)(largest_square(a, b, c), d.w)));
 }
 
-// The same by the bound by columns (Column_sizes.h).
+// The same by the bound by columns (Column_sizes).
 CGAL_DELAUNAY_FROM_SURFACE_3_APART int sphere_sign_by_columns(const double* const* vertices,
                                                               const double* p)
 {
@@ -122,7 +314,7 @@ struct Cell_view
   double pushes[4]; // the facets, times the fourth powers of the distances from the vertices to p
 };
 
-// Scalar code for any machine. Wide_sphere_filter.h has the same for vectors, by the first bound
+// Scalar code for any machine. Wide_sphere_filter has the same for vectors, by the first bound
 // alone: there the other one costs too much for what it decides.
 struct Sphere_filter
 {
@@ -167,5 +359,130 @@ struct Sphere_filter
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
+
+// The same in vectors of four doubles: one lane per facet of the cell. The other three
+// vertices of lane i are i^1, i^2 and i^3: an even permutation, and three cheap shuffles.
+//
+// Only code marked with its target uses the wide instructions, so that the user need not compile
+// for them; the caller asks the machine first.
+
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// A coordinate of the four rows, and the three permutations of it.
+struct Wide_column
+{
+  Four_doubles v, a, b, c;
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS explicit Wide_column(Four_doubles value)
+    : v(value)
+    , a(lanes_of<1, 0, 3, 2>(value))
+    , b(lanes_of<2, 3, 0, 1>(value))
+    , c(lanes_of<1, 0, 3, 2>(b))
+  {
+  }
+};
+
+// The largest absolute value of a lane.
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS double largest_of(Four_doubles v)
+{
+  const Four_doubles size = max_of(v, -v), two = max_of(size, lanes_of<2, 3, 0, 1>(size));
+  return (std::max)(two[0], two[1]);
+}
+
+// (x, y, z) - p of four points, by coordinate, and the squared lengths.
+struct Wide_rows
+{
+  Four_doubles x, y, z, w;
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Wide_rows(const double* const* points,
+                                                           const double* p)
+  {
+    const Four_doubles r0 = load_four(points[0]), r1 = load_four(points[1]);
+    const Four_doubles r2 = load_four(points[2]), r3 = load_four(points[3]);
+    const Four_doubles xz01 = lanes_of<0, 4, 2, 6>(r0, r1), xz23 = lanes_of<0, 4, 2, 6>(r2, r3);
+    const Four_doubles y01 = lanes_of<1, 5, 3, 7>(r0, r1), y23 = lanes_of<1, 5, 3, 7>(r2, r3);
+    x = lanes_of<0, 1, 4, 5>(xz01, xz23) - p[0];
+    y = lanes_of<0, 1, 4, 5>(y01, y23) - p[1];
+    z = lanes_of<2, 3, 6, 7>(xz01, xz23) - p[2];
+    w = x * x + y * y + z * z;
+  }
+};
+
+// The minors of two columns, and what a third makes of them.
+struct Wide_minors
+{
+  Four_doubles bc, ca, ab;
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Wide_minors(const Wide_column& r,
+                                                             const Wide_column& s)
+    : bc(r.b * s.c - s.b * r.c)
+    , ca(r.c * s.a - s.c * r.a)
+    , ab(r.a * s.b - s.a * r.b)
+  {
+  }
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles times(const Wide_column& t) const
+  {
+    return t.a * bc + t.b * ca + t.c * ab;
+  }
+};
+
+struct Wide_sphere_filter
+{
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Sphere_signs
+  signs(const double* const* vertices, const double* const* opposite, const double* p)
+  {
+    const Wide_rows rows(vertices, p), e(opposite, p);
+    const Wide_column x(rows.x), y(rows.y), z(rows.z), w(rows.w);
+    const Wide_minors xy(x, y), zw(z, w);
+    const Four_doubles value =
+        (e.x * zw.times(y) - e.y * zw.times(x)) + (e.z * xy.times(w) - e.w * xy.times(z));
+    const Four_doubles m = max_of(max_of(e.w, w.a), max_of(w.b, w.c));
+    const Four_doubles bound =
+        m * m * sqrt_of(m) * (80 * Filter_bounds::unit) + Filter_bounds::tiny;
+    return {bits_of(value > bound), bits_of(value < -bound)};
+  }
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Cell_view view(const double* const* vertices,
+                                                                const double* p)
+  {
+    const Wide_rows rows(vertices, p);
+    const Wide_column x(rows.x), y(rows.y), z(rows.z);
+    const Four_doubles facets = Wide_minors(x, y).times(z);
+    Cell_view view;
+    double value[4], w[4];
+    store_four(view.facets, facets);
+    const Four_doubles lifted = facets * rows.w;
+    store_four(value, lifted);
+    store_four(view.pushes, lifted * rows.w);
+    store_four(w, rows.w);
+    const double m = (std::max)((std::max)(w[0], w[1]), (std::max)(w[2], w[3]));
+    view.sphere =
+        certified_sign((value[0] + value[1]) + (value[2] + value[3]), Filter_bounds::four_rows(m));
+    view.facet_bound = Filter_bounds::three_rows(m);
+    return view;
+  }
+};
+
+// sphere_sign_by_columns() in vectors.
+CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS inline int
+wide_sphere_sign_by_columns(const double* const* vertices, const double* p)
+{
+  const Wide_rows rows(vertices, p);
+  const Wide_column x(rows.x), y(rows.y), z(rows.z);
+  const Four_doubles value = Wide_minors(x, y).times(z) * rows.w;
+  Column_sizes sizes;
+  sizes.add(largest_of(rows.x), largest_of(rows.y), largest_of(rows.z));
+  return certified_sign((value[0] + value[1]) + (value[2] + value[3]),
+                        sizes.bound_of_four(largest_of(rows.w)));
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_SPHERE_FILTER_H

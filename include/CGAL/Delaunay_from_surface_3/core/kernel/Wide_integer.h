@@ -13,8 +13,8 @@
 //
 // Cost: O(s t) for a product of s digits that are not 0 and t in a row; zeros at the end are no digits.
 
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 #include <algorithm>
 #include <cmath>
@@ -225,6 +225,38 @@ private:
   int m_begin, m_size;
   bool m_is_negative;
   Digit m_digits[most_digits];
+};
+
+// The differences of N vertices and p, row by row, divided by the greatest power of 2, 2^unit, that
+// leaves them integers. Any finite doubles will do.
+template <int N>
+struct Wide_differences
+{
+  Row<Wide_integer> rows[N];
+  int unit;
+
+  Wide_differences(const double* const* vertices, const double* p)
+    : unit(unit_of(p))
+  {
+    for (int k = 0; k < N; ++k)
+      unit = (std::min)(unit, unit_of(vertices[k]));
+    const Wide_integer x(p[0], unit), y(p[1], unit), z(p[2], unit);
+    for (int k = 0; k < N; ++k) {
+      const double* const v = vertices[k];
+      rows[k] = {Wide_integer(v[0], unit) - x, Wide_integer(v[1], unit) - y,
+                 Wide_integer(v[2], unit) - z};
+    }
+  }
+
+private:
+  static int unit_of(const double* p)
+  {
+    int unit = std::numeric_limits<double>::max_exponent; // of 0
+    for (int k = 0; k < 3; ++k)
+      if (p[k] != 0)
+        unit = (std::min)(unit, Bits_of_double(p[k]).exponent);
+    return unit;
+  }
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

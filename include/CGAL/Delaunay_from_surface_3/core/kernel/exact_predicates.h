@@ -12,7 +12,7 @@
 // is free to change operations, doubles decide nothing.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

@@ -8,17 +8,15 @@
 // The exact stages: signs of the determinants in integers, and CGAL's perturbation where they are 0.
 //
 // The differences v - p are integers times a power of 2. Where these have few bits (30, 60 or 120,
-// see Integer_differences.h) the signs follow from products of integers of fixed width; what has
+// see Fixed_integer.h) the signs follow from products of integers of fixed width; what has
 // more, and all on machines without integers of 128 bits, from integers of any width.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Column_sizes.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fixed_integer.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Integer_differences.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_differences.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/determinants.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>

@@ -5,21 +5,91 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_IS_VALID_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_IS_VALID_H
 
+// Euler's formula, vertex by vertex.
+
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/are_links_spheres.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/is_delaunay.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Whether the link of each vertex is a sphere, for tetrahedra whose facets are shared by two each.
+// It is a closed surface of as many triangles as the vertex has cells, f, and as many vertices as
+// it has neighbours, v; it has 3 f / 2 edges, so v - f / 2 is its Euler characteristic if it is
+// connected, which is 2 for spheres alone. One of several components has a larger sum; where that
+// is made up for by handles, nothing is seen.
+//
+// Cells are given by vertex_of(c, k), vertices are 0, …, n - 1. Linear; 24 bytes for each cell, and 20
+// for each vertex, if an Id has 32 bits.
+template <class Id, class VertexOf>
+bool are_links_spheres(std::size_t number_of_cells, std::size_t n, const VertexOf& vertex_of,
+                       const Executor& executor)
+{
+  if (std::uint64_t(number_of_cells) > (std::numeric_limits<Id>::max)() / 6)
+    return are_links_spheres<std::uint64_t>(number_of_cells, n, vertex_of, executor);
+  Steps step(executor);
+  const auto for_each_edge = [&](const auto& f) {
+    for (std::size_t c = 0; c < number_of_cells; ++c, step()) {
+      const Id v[4] = {vertex_of(c, 0), vertex_of(c, 1), vertex_of(c, 2), vertex_of(c, 3)};
+      for (unsigned i = 0; i < 4; ++i)
+        for (unsigned j = 0; j < i; ++j)
+          f((std::min)(v[i], v[j]), (std::max)(v[i], v[j]));
+    }
+  };
+  Sort_into_lists<Id> sort(n, 1, executor);
+  sort.count([&](std::size_t, Id* numbers) { for_each_edge([&](Id v, Id) { ++numbers[v]; }); });
+  const Lists<Id> larger_ends = sort.place([&](std::size_t, Id* places, Id* items) {
+    for_each_edge([&](Id v, Id w) { items[places[v]++] = w; });
+  });
+  std::vector<Id> number_of_neighbors(n, 0), number_of_cells_at(n, 0), met_by(n, Id(n));
+  for (std::size_t c = 0; c < number_of_cells; ++c)
+    for (unsigned k = 0; k < 4; ++k)
+      ++number_of_cells_at[vertex_of(c, k)];
+  for (std::size_t v = 0; v < n; ++v)
+    for (const Id* w = larger_ends.begin(v); w != larger_ends.end(v); ++w, step())
+      if (std::exchange(met_by[*w], Id(v)) != Id(v)) {
+        ++number_of_neighbors[v];
+        ++number_of_neighbors[*w];
+      }
+  for (std::size_t v = 0; v < n; ++v)
+    if (number_of_cells_at[v] > 0 &&
+        2 * std::uint64_t(number_of_neighbors[v]) != std::uint64_t(number_of_cells_at[v]) + 4)
+      return false;
+  return true;
+}
+
+// Whether no cell is in conflict with the vertex across a facet; links and vertices are right.
+// Linear.
+template <class Id>
+bool is_delaunay(const Compact_complex<Id>& complex)
+{
+  using Complex = Compact_complex<Id>;
+  Insertion_counts uncounted;
+  Compact_predicates<Id> predicates(complex, uncounted);
+  for (std::size_t c = 0; c < complex.cells_end(); ++c) {
+    const Compact_cell<Id>& cell = complex.cell(c);
+    for (unsigned k = 0; !Complex::is_dead(cell) && k < 4; ++k) {
+      const Id across = complex.cell(cell.links[k] >> 2).v[cell.links[k] & 3];
+      if (across != Complex::infinite && predicates.is_in_conflict(cell, across))
+        return false;
+    }
+  }
+  return true;
+}
 
 template <class Id>
 bool are_links_spheres(const Compact_complex<Id>& complex)

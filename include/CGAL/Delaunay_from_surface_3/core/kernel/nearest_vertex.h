@@ -6,7 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_NEAREST_VERTEX_H
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Conflict_zone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

@@ -19,9 +19,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
-#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/support/inlining.h>
 
 #include <algorithm>
 #include <array>

@@ -17,9 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Explore_announced.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Shared_complex.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Wide_explore_announced.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Write_announced.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>

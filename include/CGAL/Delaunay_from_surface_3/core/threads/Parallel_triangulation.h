@@ -12,24 +12,106 @@
 //
 // Workers are right when they run one after the other, too: then the first one takes all points.
 
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Segments.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
-#include <CGAL/Delaunay_from_surface_3/support/blocks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The numbers first, …, last - 1, cut into as many segments as there are workers. What follows in
+// an order by the surface is a patch of it: so workers meet at the seams only. A worker takes
+// chunks from the front of its segment; then it takes half of what is left of the largest, from its
+// end.
+class Segments
+{
+public:
+  using Range = std::pair<std::size_t, std::size_t>;
+
+  Segments(std::size_t first, std::size_t last, std::size_t number)
+    : m_first(first)
+    , m_segments(number)
+  {
+    const std::size_t n = last - first;
+    for (std::size_t t = 0; t < number; ++t)
+      m_segments[t].ends = packed({n / number * t + (std::min)(t, n % number),
+                                   n / number * (t + 1) + (std::min)(t + 1, n % number)});
+  }
+
+  // The next numbers of worker t, `chunk` or fewer; none if none are left at all.
+  Range take(std::size_t t, std::size_t chunk)
+  {
+    for (;;) {
+      std::uint64_t ends = m_segments[t].ends.load();
+      Range range = unpacked(ends);
+      while (range.first < range.second) {
+        const std::size_t next = (std::min)(range.first + chunk, range.second);
+        if (m_segments[t].ends.compare_exchange_weak(ends, packed({next, range.second})))
+          return {m_first + range.first, m_first + next};
+        range = unpacked(ends);
+      }
+      if (!steal_half_of_largest(t))
+        return {m_first, m_first};
+    }
+  }
+
+private:
+  // One segment for one cache line.
+  struct alignas(64) Segment
+  {
+    std::atomic<std::uint64_t> ends{0};
+  };
+
+  static std::uint64_t packed(const Range& range)
+  {
+    return std::uint64_t(range.first) << 32 | std::uint64_t(range.second);
+  }
+  static Range unpacked(std::uint64_t ends)
+  {
+    return {std::size_t(ends >> 32), std::size_t(ends & 0xffffffff)};
+  }
+
+  // Returns false if nothing is left. Segment t is empty; only its owner fills it.
+  bool steal_half_of_largest(std::size_t t)
+  {
+    for (;;) {
+      std::size_t largest = t, most = 0;
+      std::uint64_t ends = 0;
+      for (std::size_t s = 0; s < m_segments.size(); ++s) {
+        const std::uint64_t those = m_segments[s].ends.load();
+        const Range range = unpacked(those);
+        if (range.first < range.second && range.second - range.first > most)
+          largest = s, most = range.second - range.first, ends = those;
+      }
+      if (most == 0)
+        return false;
+      const Range range = unpacked(ends);
+      const std::size_t middle = range.first + (range.second - range.first) / 2;
+      if (m_segments[largest].ends.compare_exchange_strong(ends, packed({range.first, middle}))) {
+        m_segments[t].ends.store(packed({middle, range.second}));
+        return true;
+      }
+    }
+  }
+
+  std::size_t m_first;
+  std::vector<Segment> m_segments;
+};
 
 // How many workers a round is worth, and how many points they take at a time.
 struct Parallel_rules
@@ -248,6 +330,55 @@ private:
   const Parallel_rules m_rules;
   std::vector<std::unique_ptr<Worker>> m_workers;
   Insertion_counts m_counts; // those that are not a worker's
+};
+
+// One piece of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads
+// (Parallel_triangulation.h). No point can be left out: what is nearest to it depends on what others
+// insert.
+
+template <class Id>
+class Insert_by_workers
+{
+public:
+  // Keeps references.
+  Insert_by_workers(Ordered_complex<Id>& points, const Executor& executor, Watcher& watcher)
+    : m_points(points)
+    , m_watcher(watcher)
+    , m_triangulation(points.complex, executor)
+  {
+    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(!watcher.leaves_points_out());
+  }
+
+  std::size_t size_of_piece(std::size_t inserted) const
+  {
+    return m_triangulation.size_of_piece(inserted);
+  }
+  std::size_t number_of_threads() const { return m_triangulation.number_of_workers(); }
+
+  // Inserts the points at the places first, …, last - 1; false if the watcher stopped it.
+  bool operator()(std::size_t first, std::size_t last)
+  {
+    return m_triangulation.insert_round(
+        first, last, m_points.vertex_of, m_points.starting_cells(),
+        [&](std::size_t inserted) { return m_watcher.go_further(inserted); });
+  }
+
+  // To be called when all is inserted.
+  void finish() { m_triangulation.finish(); }
+
+  Insertion_counts counts() const { return m_triangulation.counts(); }
+
+private:
+  Ordered_complex<Id>& m_points;
+  Watcher& m_watcher;
+  Parallel_triangulation<Id> m_triangulation;
+};
+
+template <>
+struct Inserter_of<Many_threads>
+{
+  template <class Id>
+  using type = Insert_by_workers<Id>;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -1,0 +1,373 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_EXPORT_COMPLEX_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_EXPORT_COMPLEX_H
+
+// Writes the cells into an empty triangulation through the public interface of its data structure.
+//
+// Cells are made in ascending order, each linked with those made before it, so that a compact cell
+// is read once and its memory can take a handle, or go back to the system while CGAL's grows. Linear.
+
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
+
+#include <CGAL/Triangulation_hierarchy_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The handles of the cells made so far, kept in the memory of the compact cells, from the beginning
+// of each block on, so that no other memory is touched. A handle is no larger than a compact cell:
+// that of the k-th cell of a block overwrites only the first k, which have been read.
+template <class Tds, class Id>
+class Cells_made
+{
+  using Cell = typename Tds::Cell;
+  using Compact = Compact_cell<Id>;
+  static_assert(sizeof(Compact) >= sizeof(Cell*), "handles overwrite only what was read");
+
+public:
+  using Handle = typename Tds::Cell_handle;
+
+  // The handles of one block, by place in it.
+  class Block
+  {
+  public:
+    explicit Block(Compact* first)
+      : m_begin(reinterpret_cast<char*>(first))
+    {
+    }
+
+    const void* address(std::size_t k) const { return m_begin + k * sizeof(Cell*); }
+    void set(std::size_t k, Handle handle)
+    {
+      Cell* const cell = &*handle;
+      std::memcpy(m_begin + k * sizeof(Cell*), &cell, sizeof(Cell*));
+    }
+    Handle operator[](std::size_t k) const
+    {
+      Cell* cell;
+      std::memcpy(&cell, address(k), sizeof(Cell*));
+      return Tds::Cell_range::s_iterator_to(*cell);
+    }
+
+  private:
+    char* m_begin;
+  };
+
+  // Blocks have `size_of_block` cells.
+  Cells_made(Built<Id>& built, std::size_t size_of_block)
+    : m_cells(built.cells)
+    , m_size(size_of_block)
+  {
+  }
+
+  // The block that begins with cell `first`.
+  Block block(std::size_t first) const { return Block(m_cells + first); }
+
+  // How many compact cells the handles of `number` cells overwrite.
+  static std::size_t cells_overwritten(std::size_t number)
+  {
+    return (number * sizeof(Cell*) + sizeof(Compact) - 1) / sizeof(Compact);
+  }
+
+  const void* address(std::size_t c) const { return block(first(c)).address(c - first(c)); }
+  Handle operator[](std::size_t c) const { return block(first(c))[c - first(c)]; }
+
+private:
+  // The first cell of the block of cell c.
+  std::size_t first(std::size_t c) const { return c < m_size ? 0 : c - c % m_size; }
+
+  Compact* m_cells;
+  std::size_t m_size;
+};
+
+template <class Tr>
+std::true_type has_upper_levels(const Triangulation_hierarchy_3<Tr>*);
+std::false_type has_upper_levels(const void*);
+
+// Elements of CGAL's containers that bear a time stamp are made one after the other.
+template <class Element>
+using Says_of_time_stamp = typename Element::Has_timestamp;
+
+template <class Element>
+constexpr bool has_time_stamp = detected_or_t<std::false_type, Says_of_time_stamp, Element>::value;
+
+template <class Range>
+std::size_t blocks_of_export(const Executor& executor, std::size_t n)
+{
+  constexpr std::size_t least = 4096;
+  return has_time_stamp<typename Range::value_type> ? 1 : number_of_blocks(executor, n, least);
+}
+
+// Calls body(begin, end) for portions of first, …, last - 1, in ascending order.
+template <class Body>
+void for_each_portion(std::size_t first, std::size_t last, const Body& body)
+{
+  constexpr std::size_t portion = std::size_t(1) << 16;
+  for (std::size_t begin = first, end; begin < last; begin = end) {
+    end = (std::min)(last, begin / portion * portion + portion);
+    body(begin, end);
+  }
+}
+
+// The cells of one block: made in ascending order, each linked with those made before it.
+template <class Tds, class Id>
+class Export_block
+{
+  using Cell_handle = typename Tds::Cell_handle;
+  using Numbers = Compact_numbers<Id>;
+  using Made = Cells_made<Tds, Id>;
+  using Block = typename Made::Block;
+
+public:
+  // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
+  // ones they are cannot be predicted. One to a later block is kept, for both its ends.
+  template <class Vertex>
+  void make(typename Tds::Cell_range& range, Built<Id>& built, const std::vector<Vertex>& vertices,
+            Block cells, Cell_handle scratch, std::size_t first, std::size_t last)
+  {
+    // Before this cell there are handles to keep.
+    const std::size_t kept = first + Made::cells_overwritten(last - first);
+    for_each_portion(first, last, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) {
+        const Compact_cell<Id> cell = built.cells[c];
+        const std::size_t own = c - first;
+        cells.set(own, scratch);
+        fetch_ahead(built, cells, c, first, last);
+        if (Numbers::is_dead(cell))
+          continue;
+        const Cell_handle made = range.emplace(vertices[cell.v[0]], vertices[cell.v[1]],
+                                               vertices[cell.v[2]], vertices[cell.v[3]]);
+        for (int i = 0; i < 4; ++i) {
+          const Id link = cell.links[i];
+          const Cell_handle neighbor = cells[place_or(link, first, own)];
+          made->set_neighbor(i, neighbor);
+          neighbor->set_neighbor(int(link & 3), made);
+          if (std::size_t(link >> 2) >= last)
+            m_links_out.push_back({Numbers::link(Id(c), unsigned(i)), link});
+        }
+        cells.set(own, made);
+      }
+      if (end > kept)
+        built.release_cells((std::max)(begin, kept), end);
+    });
+  }
+
+  // To be called when all blocks have made their cells: sets part `part` of `parts`.
+  void set_links_out(const Made& cells, std::size_t part, std::size_t parts) const
+  {
+    const std::size_t n = m_links_out.size(), last = n * (part + 1) / parts;
+    for (std::size_t k = n * part / parts; k < last; ++k) {
+      const Link_out& ahead = m_links_out[(std::min)(k + prefetch_distance, last - 1)];
+      prefetch(cells.address(ahead.there >> 2));
+      const Link_out& near = m_links_out[(std::min)(k + near_prefetch_distance, last - 1)];
+      prefetch(&*cells[near.there >> 2]);
+      const Link_out& out = m_links_out[k];
+      const Cell_handle here = cells[out.here >> 2], there = cells[out.there >> 2];
+      here->set_neighbor(int(out.here & 3), there);
+      there->set_neighbor(int(out.there & 3), here);
+    }
+  }
+
+private:
+  struct Link_out
+  {
+    Id here, there;
+  };
+
+  // The place in its block of the cell that a link leads to; the place given if that cell is of a
+  // block before or not made yet.
+  static std::size_t place_or(Id link, std::size_t first, std::size_t own)
+  {
+    return (std::min)(std::size_t(link >> 2) - first, own);
+  }
+
+  // How many cells ahead handles, and then what they point to, are prefetched. The distances were
+  // chosen by trial; no measurement of them is kept.
+  static void fetch_ahead(const Built<Id>& built, const Block& cells, std::size_t c,
+                          std::size_t first, std::size_t last)
+  {
+    constexpr std::size_t handles_ahead = 24, cells_ahead = 8;
+    for (const Id link : built.cells[(std::min)(c + handles_ahead, last - 1)].links)
+      prefetch(cells.address(place_or(link, first, c - first)));
+    for (const Id link : built.cells[(std::min)(c + cells_ahead, last - 1)].links)
+      prefetch(&*cells[place_or(link, first, c - first)]);
+  }
+
+  std::vector<Link_out> m_links_out;
+};
+
+// The cells alone. Returns their handles by cell, which lie in the memory of the compact cells.
+template <class Tds, class Id, class Vertex>
+Cells_made<Tds, Id> export_cells(Tds& tds, Built<Id>& built, const std::vector<Vertex>& vertices,
+                                 typename Tds::Cell_handle scratch, const Executor& executor)
+{
+  using Range = typename Tds::Cell_range;
+  const std::size_t n = built.cells_end, number = blocks_of_export<Range>(executor, n);
+  const Cells_made<Tds, Id> cells(built, size_of_block(n, number));
+  std::vector<Range> ranges(number);
+  std::vector<Export_block<Tds, Id>> blocks(number);
+  ranges[0].swap(tds.cells());
+  for_each_block(executor, n, number, [&](std::size_t first, std::size_t last, std::size_t b) {
+    const auto own = b == 0 ? scratch : ranges[b].emplace();
+    blocks[b].make(ranges[b], built, vertices, cells.block(first), own, first, last);
+    ranges[b].erase(own);
+  });
+  for_each_block(executor, number, number, [&](std::size_t, std::size_t, std::size_t part) {
+    for (const auto& block : blocks)
+      block.set_links_out(cells, part, number);
+  });
+  for (Range& range : ranges)
+    tds.cells().merge(range);
+  return cells;
+}
+
+// The k-th vertex to be created, k > 0: in the order of the numbers, or in that in which `order`,
+// if it is there, first names points.
+template <class Vertex>
+struct Creation_order
+{
+  const std::vector<std::size_t>* order;
+  const Vertex* vertices; // by point
+  bool is_own() const { return order == nullptr; }
+  std::size_t operator()(std::size_t k) const
+  {
+    return is_own() ? k : std::size_t(vertices[(*order)[k - 1]]);
+  }
+};
+
+// The vertices alone, but for the infinite one. Returns their handles by vertex, none where there
+// is no vertex. point(v) and in_order(k): as in export_complex().
+template <class Triangulation, class PointOf, class InOrder>
+std::vector<typename Triangulation::Vertex_handle>
+export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const InOrder& in_order,
+                const Executor& executor)
+{
+  using Range = typename Triangulation::Triangulation_data_structure::Vertex_range;
+  std::vector<typename Triangulation::Vertex_handle> vertices(end);
+  vertices[0] = tr.infinite_vertex();
+  const std::size_t number = in_order.is_own() ? blocks_of_export<Range>(executor, end) : 1;
+  std::vector<Range> ranges(number);
+  ranges[0].swap(tr.tds().vertices());
+  for_each_block(executor, end, number, [&](std::size_t first, std::size_t last, std::size_t b) {
+    for (std::size_t k = (std::max)(first, std::size_t(1)); k < last; ++k) {
+      const std::size_t v = in_order(k);
+      const bool is_new = vertices[v] == typename Triangulation::Vertex_handle();
+      if (const auto* const p = is_new ? point(v) : nullptr) {
+        vertices[v] = ranges[b].emplace();
+        vertices[v]->set_point(*p);
+      }
+    }
+  });
+  for (Range& range : ranges)
+    tr.tds().vertices().merge(range);
+  return vertices;
+}
+
+// Fills `tr`, empty, and gives up the memory of `built`. point(v) leads to the point of vertex v,
+// or to none if that vertex is in no cell. The vertices are made in the order in which in_order(1),
+// … first names them; in_order.is_own() says that it is that of the numbers. Returns the handles by
+// vertex, that of the infinite vertex first, and none where there is no vertex. With several
+// workers each fills containers of its own, which are then merged: their order is that of the
+// numbers all the same.
+template <class Triangulation, class Id, class PointOf, class InOrder>
+std::vector<typename Triangulation::Vertex_handle>
+export_complex(Triangulation& tr, Built<Id>& built, const PointOf& point, const InOrder& in_order,
+               const Executor& executor)
+{
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  auto& tds = tr.tds();
+  const auto vertices = export_vertices(tr, built.vertices_end, point, in_order, executor);
+  Large_vector<Id> cell_of(vertices.size());
+  const std::size_t number = number_of_blocks(executor, vertices.size(), 4096);
+  for_each_block(executor, vertices.size(), number,
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t v = first; v < last; ++v)
+                     cell_of[v] = built.vertices[v].cell;
+                 });
+  built.give_up_vertices();
+  tds.set_dimension(3);
+  const auto cells = export_cells(tds, built, vertices, tr.infinite_vertex()->cell(), executor);
+  for_each_block(executor, vertices.size(), number,
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t v = first; v < last; ++v)
+                     if (vertices[v] != Vertex_handle())
+                       vertices[v]->set_cell(cells[cell_of[v]]);
+                 });
+  built.give_up_cells();
+  return vertices;
+}
+
+// Fills the upper levels of a triangulation with `Fast_location`: vertices that are inserted again
+// where they are pass the draw of their level.
+template <class Triangulation>
+void fill_upper_levels(Triangulation& tr,
+                       const std::vector<typename Triangulation::Vertex_handle>& vertices)
+{
+  using Has_upper_levels = decltype(has_upper_levels(static_cast<Triangulation*>(nullptr)));
+  if constexpr (Has_upper_levels::value) {
+    for (std::size_t v = 1; v < vertices.size(); ++v) {
+      if (vertices[v] == typename Triangulation::Vertex_handle())
+        continue;
+      const auto c = vertices[v]->cell();
+      const auto p = vertices[v]->point(); // a copy: the insertion assigns it
+      tr.insert(p, Triangulation::VERTEX, c, c->index(vertices[v]), 0);
+    }
+  } else {
+    (void)tr, (void)vertices;
+  }
+}
+
+// From the core's complex to the caller's triangulation.
+
+// Fills `tr`, which is empty, with what was built of the points, and gives up its memory. Returns the
+// vertices by point, none for those that were left out. They are made in the order of insertion or in
+// that of the input. Linear.
+template <class Triangulation, class Id>
+std::vector<typename Triangulation::Vertex_handle>
+export_built(Built<Id>& built, const std::vector<typename Triangulation::Point>& points,
+             bool creates_in_input_order, Triangulation& tr, const Executor& executor)
+{
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  const std::size_t n = built.order.size;
+  const std::size_t* const order = built.order.order;
+  const auto point = [&](std::size_t v) -> const typename Triangulation::Point* {
+    const std::size_t k = Compact_numbers<Id>::point_of_vertex(v);
+    prefetch(&points[order[(std::min)(k + prefetch_distance, n - 1)]]);
+    return built.vertex_of[k] == v ? &points[order[k]] : nullptr;
+  };
+  const auto places = creates_in_input_order ? inverse(order, n) : std::vector<std::size_t>();
+  const Creation_order<Id> in_order = {creates_in_input_order ? &places : nullptr, built.vertex_of};
+  auto handles = export_complex(tr, built, point, in_order, executor);
+  fill_upper_levels(tr, handles);
+  handles.front() = {}; // points that were left out have no vertex, nor that at infinity
+
+  std::vector<Vertex_handle> vertices(n);
+  for_each_block(executor, n, number_of_blocks(executor, n, 4096),
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   for (std::size_t k = first; k < last; ++k)
+                     vertices[order[k]] = handles[built.vertex_of[k]];
+                 });
+  return vertices;
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_EXPORT_COMPLEX_H

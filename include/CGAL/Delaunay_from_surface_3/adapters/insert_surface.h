@@ -1,0 +1,580 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_INSERT_SURFACE_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_INSERT_SURFACE_H
+
+// The way into a triangulation, which all functions that insert share: it reads the parameters,
+// builds aside what is empty, through the core, as the paper does, or by CGAL if that are few points,
+// and hands the vertices over.
+
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Visitor_watcher.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/export_complex.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/give_to_vertices.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/iterator.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The coordinates of a caller's points as doubles: exact if all of them are doubles, else rounded,
+// which is enough to make an order.
+template <class Point>
+class Doubles_of_points final : public Point_source
+{
+public:
+  // Keeps a reference. Linear.
+  explicit Doubles_of_points(const std::vector<Point>& points)
+    : m_points(points)
+    , m_not_double(points.size())
+  {
+    read();
+  }
+
+  Point_array points() override
+  {
+    if (m_coordinates.empty())
+      read();
+    return Point_array(m_coordinates.data(), m_points.size());
+  }
+  void give_up() override { Large_vector<double>().swap(m_coordinates); }
+
+  // Why they are not exact; empty if they are.
+  std::string obstacle() const
+  {
+    return m_not_double < m_points.size()
+               ? "a coordinate of point " + std::to_string(m_not_double) + " is not a double"
+               : std::string();
+  }
+
+private:
+  void read()
+  {
+    m_coordinates.reserve(3 * m_points.size());
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      const Point& p = m_points[i];
+      std::array<double, 3> c;
+      if (const auto exact = double_coordinates(p)) {
+        c = *exact;
+      } else {
+        m_not_double = (std::min)(m_not_double, i);
+        c = {to_double(p.x()), to_double(p.y()), to_double(p.z())};
+      }
+      m_coordinates.insert(m_coordinates.end(), c.begin(), c.end());
+    }
+  }
+
+  const std::vector<Point>& m_points;
+  Large_vector<double> m_coordinates;
+  std::size_t
+      m_not_double; // the first point with a coordinate that is none, or the number of points
+};
+
+// What keeps a call from going through the core, so that CGAL's own insertion takes its place.
+
+// Whether all predicates that the filters decide without asking are those of the kernel. What
+// counts is what the triangulation calls: the objects.
+template <class GeomTraits, class Kernel>
+constexpr bool has_predicates_of_kernel()
+{
+  using Gt = const GeomTraits&;
+  using K = const Kernel&;
+  return std::is_same<decltype(std::declval<Gt>().orientation_3_object()),
+                      decltype(std::declval<K>().orientation_3_object())>::value &&
+         std::is_same<decltype(std::declval<Gt>().side_of_oriented_sphere_3_object()),
+                      decltype(std::declval<K>().side_of_oriented_sphere_3_object())>::value &&
+         std::is_same<
+             decltype(std::declval<Gt>().coplanar_side_of_bounded_circle_3_object()),
+             decltype(std::declval<K>().coplanar_side_of_bounded_circle_3_object())>::value &&
+         std::is_same<decltype(std::declval<Gt>().coplanar_orientation_3_object()),
+                      decltype(std::declval<K>().coplanar_orientation_3_object())>::value &&
+         std::is_same<decltype(std::declval<Gt>().compare_xyz_3_object()),
+                      decltype(std::declval<K>().compare_xyz_3_object())>::value;
+}
+
+// Whether the predicates are exact: filtered, or on exact numbers.
+template <class GeomTraits>
+using Says_of_filters = typename GeomTraits::Has_filtered_predicates_tag;
+
+template <class GeomTraits>
+constexpr bool has_filtered_predicates =
+    detected_or_t<std::false_type, Says_of_filters, GeomTraits>::value;
+
+template <class GeomTraits>
+constexpr bool has_exact_predicates()
+{
+  using Is_exact = typename Algebraic_structure_traits<typename GeomTraits::FT>::Is_exact;
+  return has_filtered_predicates<GeomTraits> || std::is_same<Is_exact, Tag_true>::value;
+}
+
+// Whether the core knows the numbers and predicates of the triangulation. Traits that bring
+// predicates of their own are not served: its filters would go past them.
+template <class Triangulation>
+constexpr bool serves_geom_traits()
+{
+  using Geom_traits = typename Triangulation::Geom_traits;
+  using Point = typename Triangulation::Point;
+  return std::is_same<typename Geom_traits::Point_3, Point>::value &&
+         has_predicates_of_kernel<Geom_traits, typename Kernel_traits<Point>::Kernel>() &&
+         has_exact_predicates<Geom_traits>();
+}
+
+// What is known before anything is done; empty if nothing is in the way.
+template <class Triangulation>
+std::string obstacle_to_core(const Triangulation& tr,
+                             const Doubles_of_points<typename Triangulation::Point>& points)
+{
+  if (!serves_geom_traits<Triangulation>())
+    return "the predicates of the geometric traits are not the exact ones of a kernel";
+  if (const char* const obstacle = obstacle_of_core())
+    return obstacle;
+  if (tr.number_of_vertices() > 0)
+    return "the triangulation is not empty";
+  return points.obstacle();
+}
+
+// What the core found.
+template <class Id>
+std::string obstacle_found(const Built<Id>& built)
+{
+  switch (built.outcome) {
+  case Insertion_outcome::FLAT:
+    return built.dimension < 3 ? "the points lie in one plane"
+                               : "the points that are accepted first lie in one plane";
+  case Insertion_outcome::TOO_FEW_IDS:
+    return Too_few_ids(std::numeric_limits<Id>::digits).what();
+  default:
+    return "";
+  }
+}
+
+[[noreturn]] inline void refuse_input_order(const std::string& obstacle)
+{
+  throw Surface_input_error("the vertices cannot be created in the order of the input: " +
+                            obstacle);
+}
+
+// The order of insertion by a plan. If the plan is the core's own, only numbers go there; else it
+// gets the caller's points and graph.
+
+// What a plan is given: points, traits, graph and index map.
+template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
+struct Planned_points
+{
+  const std::vector<Point>& points;
+  const GeomTraits& gt;
+  const Graph& graph;
+  VertexIndexMap index_map;
+};
+
+template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
+Planned_points(const std::vector<Point>&, const GeomTraits&, const Graph&, VertexIndexMap)
+    -> Planned_points<Point, GeomTraits, Graph, VertexIndexMap>;
+
+// Whether a plan names a budget, and a plan to fall back to when it is exceeded.
+template <class Plan>
+using Budget = std::void_t<decltype(Plan::cells_per_point),
+                           decltype(std::declval<const Plan&>().fallback_plan())>;
+
+template <class Plan>
+constexpr bool has_budget = is_detected<Budget, Plan>;
+
+// Whether the core can carry the plan out: not one that a caller has derived from one of the
+// core's.
+template <class Plan>
+using Plan_of_core = typename Plan::Plan_of_core;
+
+template <class Plan>
+constexpr bool is_plan_of_core = std::is_same<Plan, detected_or_t<void, Plan_of_core, Plan>>::value;
+
+template <class Plan, class Points>
+std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points,
+                                           Edge_source& edges);
+
+// The order of a caller's plan, and then that of its fallback plan, if the budget is exceeded. An
+// order that no insertion could use is refused with a std::invalid_argument.
+template <class Plan, class Points>
+class Order_of_plan final : public Order_source
+{
+public:
+  Order_of_plan(const Points& points, Edge_source& edges, const Plan& plan)
+    : m_points(points)
+    , m_edges(edges)
+    , m_plan(plan)
+  {
+  }
+
+  // The plan gets the points as the caller knows them.
+  Order_view make(const Point_array& points, const Executor& executor) override
+  {
+    if (m_next)
+      return m_next->make(points, executor);
+    m_order = m_plan(m_points.points, m_points.gt, m_points.graph, m_points.index_map);
+    check_plan(m_order, m_points.points.size());
+    return view_of(m_order);
+  }
+  std::size_t cells_per_point() const override
+  {
+    if (m_next)
+      return m_next->cells_per_point();
+    if constexpr (has_budget<Plan>)
+      return Plan::cells_per_point;
+    else
+      return any_number;
+  }
+  bool go_on() override
+  {
+    if (m_next)
+      return m_next->go_on();
+    m_order = Insertion_order(); // frees the memory before another is made
+    if constexpr (has_budget<Plan>)
+      m_next = order_source(m_plan.fallback_plan(), m_points, m_edges);
+    return m_next != nullptr;
+  }
+
+private:
+  const Points& m_points;
+  Edge_source& m_edges;
+  const Plan m_plan;
+  Insertion_order m_order;
+  std::unique_ptr<Order_source> m_next;
+};
+
+// Keeps a reference to the points.
+template <class Plan, class Points>
+std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points,
+                                           Edge_source& edges)
+{
+  if constexpr (is_plan_of_core<Plan>)
+    return order_of_core(plan.order_request(), edges);
+  else
+    return std::make_unique<Order_of_plan<Plan, Points>>(points, edges, plan);
+}
+
+// What is built aside takes the place of an empty triangulation: with its traits, its lock
+// structure and what its infinite vertex holds. That is moved, not copied: what a vertex base holds
+// need not be copyable, even where its type claims to be (as std::vector does for any element).
+
+// A vertex with constant members can be copied, but not assigned to another.
+template <class Vertex>
+constexpr bool is_only_copied =
+    std::is_copy_constructible<Vertex>::value && !std::is_move_assignable<Vertex>::value;
+
+// An empty triangulation with the traits and the lock structure of `tr`, which is empty.
+template <class Triangulation>
+Triangulation empty_like(const Triangulation& tr)
+{
+  if constexpr (is_only_copied<typename Triangulation::Vertex>) {
+    return Triangulation(tr);
+  } else {
+    Triangulation aside(tr.geom_traits()); // Fast_location has no constructor that takes both
+    aside.set_lock_data_structure(tr.get_lock_data_structure());
+    return aside;
+  }
+}
+
+// All that the vertex holds but its cell and its time stamp, which belong to its container.
+template <class Vertex>
+void move_content(Vertex& from, Vertex& to)
+{
+  const auto cell = to.cell();
+  if constexpr (has_time_stamp<Vertex>) {
+    const auto time_stamp = to.time_stamp();
+    to = std::move(from);
+    to.set_time_stamp(time_stamp);
+  } else {
+    to = std::move(from);
+  }
+  to.set_cell(cell);
+}
+
+// Both change places. `aside` came from empty_like(tr).
+template <class Triangulation>
+void take_place(Triangulation& aside, Triangulation& tr)
+{
+  if constexpr (std::is_move_assignable<typename Triangulation::Vertex>::value)
+    move_content(*tr.infinite_vertex(), *aside.infinite_vertex());
+  tr.swap(aside);
+}
+
+// The fast way from the points of a call to the vertices of an empty triangulation: what the core is
+// given, what comes of it, and CGAL's insertion, in the same order, where it cannot serve.
+
+// The type of the core's ids where a traits class is used; tests use others.
+template <class Traits>
+struct Id_of_core
+{
+  using type = std::uint32_t;
+};
+
+template <class Traits>
+using Says_of_starting_places = decltype(Traits::uses_starting_places);
+
+template <class Traits>
+constexpr bool uses_starting_places()
+{
+  if constexpr (is_detected<Says_of_starting_places, Traits>)
+    return Traits::uses_starting_places;
+  else
+    return true;
+}
+
+// What a caller asks of the order.
+struct Order_options
+{
+  unsigned int seed;
+  bool creates_in_input_order;
+};
+
+template <class Traits, class Triangulation, class Input, class Watcher>
+class Way_through_core
+{
+  using Point = typename Triangulation::Point;
+  using Inserted = Inserted_points<typename Triangulation::Vertex_handle>;
+
+public:
+  using Id = typename Id_of_core<Traits>::type;
+
+  // Keeps references to all but the options.
+  Way_through_core(Triangulation& tr, const Input& input, const Traits& traits,
+                   const Order_options& options, Watcher& watcher, const Executor& executor)
+    : m_tr(tr)
+    , m_input(input)
+    , m_options(options)
+    , m_watcher(watcher)
+    , m_executor(executor)
+    , m_doubles(input.points)
+    , m_planned{input.points, tr.geom_traits(), input.graph, input.index_map}
+    , m_edges(input.graph, input.index_map, input.points.size())
+    , m_orders(order_source(traits.insertion_plan_object(options.seed), m_planned, m_edges))
+    , m_obstacle(obstacle_to_core(tr, m_doubles))
+  {
+  }
+
+  // Whether build() may be called.
+  bool is_open() const { return m_obstacle.empty(); }
+  Point_source& points() { return m_doubles; }
+  Order_source& orders() { return *m_orders; }
+  Request request() const { return {false, uses_starting_places<Traits>()}; }
+
+  // What build() made becomes the triangulation, or leads round the core.
+  void take(Built<Id>& built)
+  {
+    m_obstacle = obstacle_found(built);
+    m_inserted.is_complete = built.outcome == Insertion_outcome::COMPLETE;
+    if (m_inserted.is_complete) {
+      m_inserted.vertices =
+          export_built(built, m_input.points, m_options.creates_in_input_order, m_tr, m_executor);
+    } else if (built.outcome == Insertion_outcome::FLAT) {
+      m_order = copy_of(built.order);
+    }
+  }
+
+  // The vertices by point.
+  Inserted finish()
+  {
+    if (!m_obstacle.empty())
+      insert_round_the_core();
+    return std::move(m_inserted);
+  }
+
+private:
+  using Graph = std::decay_t<decltype(std::declval<const Input&>().graph)>;
+  using Index_map = decltype(std::declval<const Input&>().index_map);
+  using Planned = Planned_points<Point, typename Triangulation::Geom_traits, Graph, Index_map>;
+
+  void insert_round_the_core()
+  {
+    using Phase = Surface_insertion_phase;
+    if (m_options.creates_in_input_order)
+      refuse_input_order(m_obstacle);
+    if (!m_order) {
+      m_watcher.phase_begins(Phase::PLAN);
+      m_order = copy_of(m_orders->make(m_doubles.points(), m_executor));
+      if (!uses_starting_places<Traits>())
+        m_order->starting_places.clear();
+      m_watcher.phase_begins(Phase::SUBGRAPH);
+    }
+    m_doubles.give_up();
+    m_watcher.target_is_replaced(m_obstacle);
+    m_inserted = insert_through_cgal<Planned_hints_3>(m_tr, m_input.points, *m_order, Index_graph(),
+                                                      m_watcher);
+  }
+
+  Triangulation& m_tr;
+  const Input& m_input;
+  const Order_options m_options;
+  Watcher& m_watcher;
+  const Executor& m_executor;
+  Doubles_of_points<Point> m_doubles;
+  const Planned m_planned;
+  Edges_of_graph<Graph, Index_map> m_edges;
+  const std::unique_ptr<Order_source> m_orders;
+  std::string m_obstacle; // empty as long as there is none
+  std::optional<Insertion_order> m_order;
+  Inserted m_inserted;
+};
+
+template <class NamedParameters>
+Order_options order_options(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  return {
+      static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0)),
+      choose_parameter(get_parameter(np, internal_np::preserve_order), false)};
+}
+
+// Whether traits have the constant through_core.
+template <class Traits>
+using Through_core = decltype(Traits::through_core);
+
+template <class Traits>
+constexpr bool names_way = is_detected<Through_core, Traits>;
+
+template <class Traits>
+constexpr bool goes_through_core()
+{
+  static_assert(
+      names_way<Traits>,
+      "traits say by through_core who inserts: the core, in which nothing is traced, or CGAL");
+  if constexpr (names_way<Traits>)
+    return Traits::through_core;
+  else
+    return false;
+}
+
+// With fewer points than this CGAL inserts them at once, where the caller cannot tell the
+// difference: not if there is a plan of the caller's or a visitor, nor if the order of the input is
+// preserved.
+template <class Traits, class Triangulation, class NamedParameters>
+std::size_t least_points_for_core(const Triangulation& tr, const NamedParameters& np)
+{
+  if constexpr (goes_through_core<Traits>() && !is_given<NamedParameters, internal_np::visitor_t>) {
+    using Plan = std::decay_t<decltype(std::declval<const Traits&>().insertion_plan_object(0u))>;
+    if (is_plan_of_core<Plan> && tr.number_of_vertices() == 0)
+      return order_options(np).creates_in_input_order ? 0 : few_points;
+  }
+  (void)tr, (void)np;
+  return 0;
+}
+
+// Hands the vertices over, by point. A vertex of several points gets that of the first.
+template <class Vertex_handle, class Input, class Infos, class Output>
+void give(const std::vector<Vertex_handle>& vertices, std::size_t number_of_new_vertices,
+          const Input& input, const Infos& infos, Output& out, const Rounding_to_nearest& rounding)
+{
+  if (number_of_new_vertices < input.points.size())
+    give_points(vertices, input.points);
+  rounding.in_mode_of_caller([&] {
+    give_infos(vertices, infos);
+    write_vertices(vertices, input.name_of, out);
+  });
+}
+
+// The parameters that all forms share: those of the order, the visitor, and what is done with the
+// vertices. `Known` are the tags of those that only this form has. An empty triangulation changes
+// when nothing can fail any more.
+template <class ExecutorOfCall, class... Known, class Triangulation, class Input, class Traits,
+          class NamedParameters>
+std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Traits& traits,
+                              const NamedParameters& np)
+{
+  using namespace internal_np;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Point = typename Triangulation::Point;
+  check_named_parameters<Known..., visitor_t, random_seed_t, preserve_order_t,
+                         vertex_to_vertex_output_iterator_t, Vertex_info_map_tag,
+                         Vertex_info_range_tag>(np);
+  const Order_options options = order_options(np);
+  const auto infos = infos_of_caller(np, input.name_of, input.infos, input.points.size());
+  auto out = choose_parameter(get_parameter(np, internal_np::vertex_to_vertex_output_iterator),
+                              Emptyset_iterator());
+  auto&& visitor = visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
+                                         get_parameter(np, internal_np::visitor)),
+                                     input.points.size());
+  using Visitor = std::remove_reference_t<decltype(visitor)>;
+  const Rounding_to_nearest rounding;
+  Visitor_watcher<Visitor, Point> watcher(visitor, rounding, input.points);
+  if (input.irregularity)
+    watcher.surface_is_irregular(*input.irregularity);
+
+  const std::size_t before = tr.number_of_vertices();
+  const std::unique_ptr<Triangulation> aside(before > 0 ? nullptr
+                                                        : new Triangulation(empty_like(tr)));
+  Triangulation& into = aside ? *aside : tr;
+  Inserted_points<typename Triangulation::Vertex_handle> inserted;
+  if constexpr (goes_through_core<Traits>()) {
+    if (input.points.size() < least_points_for_core<Traits>(tr, np)) {
+      inserted = insert_few_points(into, input.points);
+    } else {
+      // One thread if a visitor is asked about each point, in their order.
+      using Executor = std::conditional_t<accepts_points<Visitor, Point>(), Alone, ExecutorOfCall>;
+      using Way = Way_through_core<Traits, Triangulation, Input, decltype(watcher)>;
+      const Executor executor{};
+      Way way(into, input, traits, options, watcher, executor);
+      if constexpr (serves_geom_traits<Triangulation>())
+        if (way.is_open())
+          way.take(*build<typename Way::Id, typename Crew<Executor>::type>(
+              way.points(), way.orders(), way.request(), watcher, executor));
+      inserted = way.finish();
+    }
+  } else {
+    if (options.creates_in_input_order)
+      refuse_input_order("that needs traits that go through the core");
+    inserted = insert_with_traces(into, input, traits, options.seed, watcher);
+  }
+
+  if (inserted.is_complete || !aside)
+    give(inserted.vertices, into.number_of_vertices() - before, input, infos, out, rounding);
+  watcher.phase_begins(Surface_insertion_phase::DONE);
+  if (inserted.is_complete && aside)
+    take_place(*aside, tr);
+  return static_cast<std::ptrdiff_t>(tr.number_of_vertices()) - static_cast<std::ptrdiff_t>(before);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_INSERT_SURFACE_H

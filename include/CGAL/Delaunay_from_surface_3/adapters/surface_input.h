@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_SURFACE_INPUT_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_SURFACE_INPUT_H
+
+// Everything that is asked of the input before the triangulation is touched.
+
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Iterator_range.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Coordinates of any number type, as doubles where they are doubles.
+
+using Coordinate_intervals = std::array<std::pair<double, double>, 3>;
+
+// Whether a point holds intervals around its coordinates. Points of lazy kernels do; to ask these
+// for a coordinate would make a number of it first.
+template <class Point>
+using Interval_of_x = decltype(std::declval<const Point&>().approx().x().pair());
+
+template <class Point>
+constexpr bool has_intervals = is_detected<Interval_of_x, Point>;
+
+// Whether every number of the type is a double.
+template <class FT>
+constexpr bool is_at_most_double = std::is_floating_point<FT>::value &&
+                                   sizeof(FT) <= sizeof(double);
+
+// Intervals that contain the coordinates.
+template <class Point>
+Coordinate_intervals coordinate_intervals(const Point& p)
+{
+  if constexpr (has_intervals<Point>) {
+    const auto q = p.approx();
+    return {q.x().pair(), q.y().pair(), q.z().pair()};
+  } else {
+    return {CGAL::to_interval(p.x()), CGAL::to_interval(p.y()), CGAL::to_interval(p.z())};
+  }
+}
+
+// The double that is equal to x, if there is one. A lazy number is computed exactly by the
+// comparison, and its interval is the narrowest after it.
+template <class FT>
+std::optional<double> equal_double(const FT& x)
+{
+  if (const double d = CGAL::to_double(x); is_finite_number(d) && FT(d) == x)
+    return d;
+  const std::pair<double, double> interval = CGAL::to_interval(x);
+  if (interval.first == interval.second)
+    return interval.first;
+  return std::nullopt;
+}
+
+// The coordinates of p if they are all doubles.
+template <class Point>
+std::optional<std::array<double, 3>> double_coordinates(const Point& p)
+{
+  using FT = std::decay_t<decltype(p.x())>;
+  if constexpr (is_at_most_double<FT>) {
+    return {{double(p.x()), double(p.y()), double(p.z())}};
+  } else {
+    const Coordinate_intervals intervals = coordinate_intervals(p);
+    std::array<double, 3> coordinates;
+    for (std::size_t c = 0; c < 3; ++c) {
+      coordinates[c] = intervals[c].first;
+      if (intervals[c].first == intervals[c].second)
+        continue;
+      const std::optional<double> d = equal_double(c == 0 ? p.x() : c == 1 ? p.y() : p.z());
+      if (!d)
+        return std::nullopt;
+      coordinates[c] = *d;
+    }
+    return coordinates;
+  }
+}
+
+// Whether it is an arithmetic type of more than one byte: no bool, no char.
+template <class Number>
+constexpr bool is_number = std::is_arithmetic<Number>::value && sizeof(Number) > 1;
+
+// Its number of coordinates, if its type says so; else 3 are assumed.
+template <class Item>
+using Size_of_tuple = std::integral_constant<std::size_t, std::tuple_size<Item>::value>;
+
+template <class Item>
+constexpr std::size_t number_of_coordinates =
+    detected_or_t<std::integral_constant<std::size_t, 3>, Size_of_tuple, Item>::value;
+template <class Number, std::size_t n>
+inline constexpr std::size_t number_of_coordinates<Number[n]> = n;
+
+template <class Item>
+using Kernel_of_item = typename Item::R;
+template <class Item>
+using Point_of_kernel_of = typename Item::R::Point_3;
+template <class Item>
+using First_coordinate = std::decay_t<decltype(std::declval<const Item&>()[0])>;
+
+// Whether it has coordinates [0], [1] and [2] of arithmetic type, as arrays, pointers, and vectors
+// of other libraries have. A type of a kernel must be its point type; others are refused.
+template <class Item>
+constexpr bool has_coordinates =
+    is_number<detected_or_t<char, First_coordinate, Item>>&& number_of_coordinates<Item> == 3 &&
+    !is_detected<Kernel_of_item, Item>;
+
+// Whether it is a point of a kernel.
+template <class Item>
+constexpr bool is_point_of_kernel =
+    std::is_convertible<const Item&, detected_or_t<void, Point_of_kernel_of, Item>>::value;
+
+// The rule where the kernels differ: a point of the same or a convertible type is taken as it is;
+// any other goes through Cartesian_converter, exactly if the target's numbers can hold it, else by
+// to_double(). Coordinates without a point are doubles.
+template <class Point, class SourcePoint>
+Point converted_point(const SourcePoint& p)
+{
+  constexpr bool is_served = std::is_convertible<const SourcePoint&, Point>::value ||
+                             is_point_of_kernel<SourcePoint> || has_coordinates<SourcePoint>;
+  static_assert(is_served, "points are those of a kernel, or have coordinates p[0], p[1] and p[2]; "
+                           "other items need a point_map, those of a Point_set_3 its own");
+  if constexpr (std::is_convertible<const SourcePoint&, Point>::value)
+    return p;
+  else if constexpr (has_coordinates<SourcePoint>)
+    return Point(double(p[0]), double(p[1]), double(p[2]));
+  else if constexpr (is_served)
+    return Cartesian_converter<typename Kernel_traits<SourcePoint>::Kernel,
+                               typename Kernel_traits<Point>::Kernel>()(p);
+  else
+    return Point(ORIGIN);
+}
+
+// Works for exact numbers too: an interval around a finite number has a finite end, and no NaN.
+inline bool holds_finite_number(const std::pair<double, double>& interval)
+{
+  return interval.first <= (std::numeric_limits<double>::max)() &&
+         interval.second >= std::numeric_limits<double>::lowest();
+}
+
+template <class Point>
+void check_point(const Point& p, std::size_t i)
+{
+  const Coordinate_intervals intervals = coordinate_intervals(p);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (!holds_finite_number(intervals[c]))
+      throw Surface_input_error("vertex " + std::to_string(i) + ": its " + "xyz"[c] +
+                                " coordinate is not a finite number");
+}
+
+// Appends p, converted and checked.
+template <class Point, class SourcePoint>
+void append_checked(const SourcePoint& p, std::vector<Point>& points)
+{
+  points.push_back(converted_point<Point>(p));
+  check_point(points.back(), points.size() - 1);
+}
+
+// Reserves room for all items, if their number is known.
+template <class T, class Range>
+void reserve_for(const Range& items, std::vector<T>& into)
+{
+  using Iterator = decltype(std::begin(items));
+  using Category = typename std::iterator_traits<Iterator>::iterator_category;
+  if constexpr (std::is_convertible<Category, std::forward_iterator_tag>::value)
+    into.reserve(std::size_t(std::distance(std::begin(items), std::end(items))));
+}
+
+// The points of `items`, converted and checked. A range is read once.
+template <class Point, class Range, class PointMap>
+std::vector<Point> read_points(const Range& items, const PointMap& point_map)
+{
+  std::vector<Point> points;
+  reserve_for(items, points);
+  for (auto&& item : items)
+    append_checked(get(point_map, item), points);
+  return points;
+}
+
+// The vertices of a graph, numbered 0, …, n-1. The user's index map must tell them apart; it need
+// not be dense, since that of a mesh with removed vertices is not. A map from vertices to these
+// numbers:
+template <class VertexIndexMap>
+class Dense_index_map
+{
+public:
+  using key_type = typename boost::property_traits<VertexIndexMap>::key_type;
+  using value_type = std::size_t;
+  using reference = std::size_t;
+  using category = boost::readable_property_map_tag;
+
+  Dense_index_map(VertexIndexMap sparse, const std::vector<std::size_t>& dense)
+    : m_sparse(sparse)
+    , m_dense(&dense)
+  {
+  }
+
+  friend std::size_t get(const Dense_index_map& map, const key_type& v)
+  {
+    return (*map.m_dense)[std::size_t(get(map.m_sparse, v))];
+  }
+
+private:
+  VertexIndexMap m_sparse;
+  const std::vector<std::size_t>* m_dense;
+};
+
+constexpr std::size_t no_index = std::size_t(-1);
+
+// dense[index of v] = position of v in `vertices`. All indices must be less than `bound`.
+template <class VertexRange, class VertexIndexMap>
+std::vector<std::size_t> dense_indices(const VertexRange& vertices, VertexIndexMap index_map,
+                                       std::size_t bound)
+{
+  std::vector<std::size_t> dense(
+      std::size_t(std::distance(std::begin(vertices), std::end(vertices))), no_index);
+  std::size_t position = 0;
+  for (const auto& v : vertices) {
+    const auto index = get(index_map, v);
+    if (index < decltype(index)(0))
+      throw Surface_input_error("vertex " + std::to_string(position) + ": its index is negative");
+    if (std::size_t(index) >= bound)
+      throw Surface_input_error("vertex " + std::to_string(position) + ": its index " +
+                                std::to_string(index) + " is too large");
+    if (std::size_t(index) >= dense.size())
+      dense.resize((std::max)(std::size_t(index) + 1, 2 * dense.size()), no_index);
+    std::size_t& number = dense[std::size_t(index)];
+    if (number != no_index)
+      throw Surface_input_error("vertices " + std::to_string(number) + " and " +
+                                std::to_string(position) + " have the same index " +
+                                std::to_string(index));
+    number = position++;
+  }
+  return dense;
+}
+
+// Throws unless the vertices of `graph` have the indices 0, …, n-1.
+template <class Graph, class VertexIndexMap>
+void check_indices(const Graph& graph, VertexIndexMap index_map, std::size_t n)
+{
+  const auto range = vertices(graph);
+  const auto count = std::size_t(std::distance(range.first, range.second));
+  if (count != n)
+    throw Surface_input_error("the graph has " + std::to_string(count) +
+                              " vertices, but there are " + std::to_string(n) + " points");
+  // n different indices less than n are all of them.
+  dense_indices(make_range(range.first, range.second), index_map, n);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_SURFACE_INPUT_H
