@@ -188,7 +188,7 @@ Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64
   const Point_of point_of = {python::Points_view(points)};
   const auto first_of = firsts.unchecked<1>();
   const auto item = items.unchecked<1>();
-  if (std::size_t(firsts.shape(0)) != n + 1 || first_of(py::ssize_t(n)) != items.shape(0))
+  if (std::size_t(firsts.shape(0)) != n + 1)
     throw py::value_error("minimum_spanning_tree: expected as many lists as points");
   std::vector<Index> tree;
   {
@@ -198,7 +198,10 @@ Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64
     std::vector<Edge> edges;
     edges.reserve(std::size_t(items.shape(0)) / 2);
     for (std::size_t v = 0; v < n; ++v)
-      for (auto i = first_of(py::ssize_t(v)); i < first_of(py::ssize_t(v) + 1); ++i, step()) {
+      for (std::int64_t
+               i = (std::max)(first_of(py::ssize_t(v)), std::int64_t(0)),
+               end = (std::min)(first_of(py::ssize_t(v) + 1), std::int64_t(items.shape(0)));
+           i < end; ++i, step()) {
         const Index w = item(py::ssize_t(i));
         if (w > Index(v) && std::size_t(w) < n)
           edges.push_back({squared_length(point_of(v), point_of(std::size_t(w))), {Index(v), w}});
@@ -346,9 +349,12 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
   const python::Unlocked unlocked;
   const core::Rounding_to_nearest rounding;
   const python::Interruptible_executor executor(threads);
-  for (std::size_t i = 0; i < n; ++i) // the first of those at its place
-    if (vertex(py::ssize_t(i)) < 0 || std::size_t(vertex(py::ssize_t(i))) > i)
+  std::vector<Index> old_vertices(n); // copied: another thread may write meanwhile
+  for (std::size_t i = 0; i < n; ++i) {
+    old_vertices[i] = vertex(py::ssize_t(i));
+    if (old_vertices[i] < 0 || std::size_t(old_vertices[i]) > i) // the first of those at its place
       return false;
+  }
   std::vector<std::array<Index, 4>> cells(rows.size(), {-1, -1, -1, -1});
   for (std::size_t c = 0; c < rows.size(); ++c)
     for (std::size_t k = 0; k < rows.corners(); ++k)
@@ -361,7 +367,7 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
   for (std::size_t i = 0; i < n; ++i)
     number_of[std::size_t(met[i])] = Index(i);
   for (std::size_t i = 0; i < n; ++i) {
-    vertices[i] = number_of[std::size_t(vertex(met[i]))];
+    vertices[i] = number_of[std::size_t(old_vertices[std::size_t(met[i])])];
     std::copy_n(coordinates.data() + 3 * std::size_t(met[i]), 3, met_coordinates.data() + 3 * i);
   }
   const auto arrays = core::complete_arrays<Index>(dimension, cells, std::move(vertices), executor);

@@ -1223,6 +1223,29 @@ class Control(unittest.TestCase):
                 finally:
                     signal.signal(signal.SIGALRM, before)
 
+    def test_cells_that_lie_over_each_other(self):
+        """They wind twice around an edge; in a plane, around a vertex."""
+        angles = np.radians([0, 115, 235, 355, 475, 590])
+        radii = np.array([2, 2.1, 2, 2.2, 2.1, 2.3])
+        points = np.vstack([[(0, 0, 1.), (0, 0, -1)], np.c_[radii * np.cos(angles), radii * np.sin(angles), 0 * angles]])
+        cells = np.array([(1, 0, 2 + i, 2 + (i + 1) % 6) for i in range(6)], dtype=np.int32)
+        twice = dfs.Delaunay3(points, cells, None, np.arange(8, dtype=np.int32), 3)
+        self.assertEqual([twice.check(level) for level in ("links", "euler", "orientation", "delaunay")], [True] * 3 + [False])
+        points = np.vstack([[(0, 0, 0.)], points[2:]])
+        triangles = np.array([(0, 1 + i, 1 + (i + 1) % 6) for i in range(6)], dtype=np.int32)
+        self.assertFalse(dfs.Delaunay3(points, triangles, None, np.arange(7, dtype=np.int32), 2).check())
+        wrapped = dfs.Delaunay3(points, triangles.astype(np.int64), None, np.arange(7), 2)
+        self.assertEqual(wrapped.simplices.dtype, np.int32)
+        for wrong in (triangles.astype(np.int64) + 2**32, triangles + .7):
+            with self.assertRaisesRegex(ValueError, "^simplices: expected numbers of 32 bits"):
+                dfs.Delaunay3(points, wrong, None, np.arange(7, dtype=np.int32), 2)
+        lists = dfs.delaunay3(random_points(100))
+        lists.vertex_neighbor_vertices[0][5] = 10**12  # nothing is read beyond the arrays
+        lists.minimum_spanning_tree()
+        for dimension in (2, 3):  # a full turn of many
+            points = np.vstack([[(0, 0, 1.), (0, 0, -1)], np.c_[np.cos(angles / 590 * 350), np.sin(angles / 590 * 350), 0 * angles]])
+            self.assertTrue(dfs.delaunay3(points if dimension == 3 else points[:, :2] @ np.eye(2, 3)).check())
+
     def test_other_threads_run(self):
         ticks, done = [], threading.Event()
 

@@ -24,11 +24,10 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 \ingroup PkgDelaunayFromSurface3Arrays
 
 checks whether arrays are the Delaunay triangulation of points, up to `level`. The last level
-detects every error except a vertex whose link has several components, and handles that compensate
-for these in Euler's formula. The arrays may come from anywhere: a file, another process, another
-program. The check is exact.
+detects every error. The arrays may come from anywhere: a file, another process, another program. The
+check is exact.
 
-<b>Complexity</b>: \f$O(m \log m)\f$ time for m cells, and some 150 bytes for each.
+<b>Complexity</b>: \f$O(m)\f$ time for m cells, and some 100 bytes for each.
 
 \param arrays the arrays to be checked, with neighbours and infinite cells
 \param points the points of the arrays, in the same order; any range that `delaunay_3_arrays()`

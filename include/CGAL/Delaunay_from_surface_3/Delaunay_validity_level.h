@@ -19,7 +19,8 @@ enum class Delaunay_validity_level {
   LINKS,       ///< neighbours lead back, share a facet, and are oriented alike.
   EULER,       ///< around each vertex there is a sphere of cells, as Euler's formula counts them.
   ORIENTATION, ///< finite cells are positively oriented, by exact predicates.
-  DELAUNAY ///< no cell is in conflict with the vertex across a facet, perturbed as CGAL does it.
+  DELAUNAY ///< no cell is in conflict with the vertex across a facet, perturbed as CGAL does it, and
+           ///< no point is in two cells.
 };
 
 } // namespace CGAL

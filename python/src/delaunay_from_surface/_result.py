@@ -60,6 +60,16 @@ class InsideFigures(NamedTuple):
     may be wrong."""
 
 
+def _numbers_of(name: str, array: Indices) -> Indices:
+    """The array itself, or one of int32 that is equal."""
+    if array.dtype == np.int32:
+        return array
+    narrow = array.astype(np.int32) if array.dtype.kind in "iu" else None
+    if narrow is None or not np.array_equal(narrow, array):
+        raise ValueError(f"{name}: expected numbers of 32 bits, got entries of type {array.dtype}")
+    return narrow
+
+
 class Delaunay3:
     """A Delaunay triangulation in NumPy arrays. The names are those of scipy.spatial.Delaunay.
 
@@ -113,14 +123,14 @@ class Delaunay3:
                  dimension: int, threads: int = 1, winding_numbers: Optional[Reals] = None,
                  inside_figures: Optional[InsideFigures] = None) -> None:
         self.points = points
-        self.simplices = simplices
-        self.vertices = vertices
+        self.simplices = _numbers_of("simplices", simplices)
+        self.vertices = _numbers_of("vertices", vertices)
         self.dimension = dimension
         self.winding_numbers = winding_numbers
         self.inside_figures = inside_figures
         self._threads = threads
         if neighbors is not None:
-            self.__dict__["neighbors"] = neighbors  # it need not be computed
+            self.__dict__["neighbors"] = _numbers_of("neighbors", neighbors)  # it need not be computed
 
     def __setattr__(self, name: str, value: object) -> None:
         """Each once: what is computed from one is kept, and would not be that of another."""
@@ -311,7 +321,8 @@ class Delaunay3:
 
         Each level includes those before it: "links" (simplices share facets in pairs, oriented alike), "euler" (around
         each vertex there is a sphere), "orientation" (all are positive), "delaunay" (no sphere contains the vertex
-        across a facet; ties are decided as CGAL does). The last two by exact arithmetic.
+        across a facet; ties are decided as CGAL does; and no point is in two simplices). The last two by exact
+        arithmetic. Linear.
         """
         if level not in LEVELS:
             raise ValueError(f"check: expected one of {', '.join(LEVELS)}, got {level!r}")

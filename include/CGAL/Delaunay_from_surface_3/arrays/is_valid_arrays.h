@@ -220,7 +220,51 @@ public:
     });
   }
 
+  // Whether cells that are right lie beside each other, and not over each other: they may wind twice around
+  // an edge. Let x be in cell 0, infinitely near its first vertex. If x is on the inner side of all facets
+  // of the hull, these are seen from x all around, as often as cells contain x. If that is cell 0
+  // alone, the hull is a surface around x that does not meet itself; and no point within is in two cells,
+  // as their number changes across the hull alone. Linear, nearly all by comparisons.
+  bool are_apart(const Executor& executor) const
+  {
+    const Compact_cell<Id> first = cell(0);
+    return holds_for_all(executor, m_arrays.number_of_cells(), [&](std::size_t c) {
+      const Compact_cell<Id> here = cell(c);
+      if (Complex::is_infinite(here))
+        return side_of(first, here, 3) < 0;
+      return c == 0 || is_outside(first.v[0], here) || side_of(first, here, 0) < 0 ||
+             side_of(first, here, 1) < 0 || side_of(first, here, 2) < 0 ||
+             side_of(first, here, 3) < 0;
+    });
+  }
+
 private:
+  // The orientation of a cell with x in place of its vertex k: that with the first corner that gives one.
+  int side_of(const Compact_cell<Id>& first, Compact_cell<Id> cell, unsigned k) const
+  {
+    int side = 0;
+    for (unsigned i = 0; i < 4 && side == 0; ++i) {
+      cell.v[k] = first.v[i];
+      side = sign_of_cell(cell);
+    }
+    return side;
+  }
+
+  // Whether a vertex is not in the box of a cell.
+  bool is_outside(Id v, const Compact_cell<Id>& cell) const
+  {
+    const auto& complex = m_vertices.complex;
+    const double* const p = complex.exact_coordinates(v);
+    const double* const q[4] = {
+        complex.exact_coordinates(cell.v[0]), complex.exact_coordinates(cell.v[1]),
+        complex.exact_coordinates(cell.v[2]), complex.exact_coordinates(cell.v[3])};
+    for (unsigned i = 0; i < 3; ++i)
+      if ((q[0][i] < p[i] && q[1][i] < p[i] && q[2][i] < p[i] && q[3][i] < p[i]) ||
+          (q[0][i] > p[i] && q[1][i] > p[i] && q[2][i] > p[i] && q[3][i] > p[i]))
+        return true;
+    return false;
+  }
+
   // The vertices, in the order of the points; of the cells none is used.
   static Ordered_complex<Id> vertices_of(const Point_array& points, const Starting_simplex& simplex)
   {
@@ -314,7 +358,8 @@ bool is_valid_if_linked(const Delaunay_3_arrays<Index>& arrays, const Point_arra
   if (simplex.dimension == 1)
     return is_line_of_segments(arrays, points);
   const Cells_of_arrays<Index> cells(arrays, points, simplex);
-  return cells.are_right(level >= Level::DELAUNAY, executor);
+  return cells.are_right(level >= Level::DELAUNAY, executor) &&
+         (level < Level::DELAUNAY || cells.are_apart(executor));
 }
 
 // Whether they are those of these points. Neighbours and infinite cells are still there.
