@@ -191,7 +191,9 @@ bool asks_for_help(int argc, char* argv[])
 int main(int argc, char* argv[])
 {
   try {
-    if (argc > 1 && std::string(argv[1]) == "tiles" && !asks_for_help(argc, argv)) {
+    if (argc > 1 && std::string(argv[1]) == "tiles" && asks_for_help(argc, argv))
+      argc = 2, argv[1] = const_cast<char*>("--help"); // it explains both commands
+    if (argc > 1 && std::string(argv[1]) == "tiles") {
       const int exit_code = tiles_command(argc - 1, argv + 1);
       return std::cout.flush() ? exit_code
                                : fail("the results cannot be written to the standard output");

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iomanip>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -36,6 +37,7 @@ struct Bad_edges
 inline std::string in_words(const Bad_edges& edges, const Surface& surface)
 {
   std::ostringstream text;
+  text << std::setprecision(10); // millimetres on a map
   const Point &p = surface.points[edges.ends[0]], &q = surface.points[edges.ends[1]];
   text << edges.name << ": " << edges.number << ", first " << edges.ends[0] << '-' << edges.ends[1]
        << " at (" << p.x() / 2 + q.x() / 2 << ", " << p.y() / 2 + q.y() / 2 << ", "

@@ -42,10 +42,12 @@ inline std::vector<std::string> files_of_output(const Options& options)
     return {};
   if (options.to != "tetgen")
     return {options.output};
-  std::vector<std::string> names;
-  for (const char* const extension : {".node", ".ele", ".neigh"})
-    names.push_back(std::filesystem::path(options.output).replace_extension(extension).string());
-  return names;
+  std::filesystem::path stem =
+      options.output; // another extension belongs to the name, as in model.1
+  const std::string extension = stem.extension().string();
+  if (extension == ".node" || extension == ".ele" || extension == ".neigh")
+    stem.replace_extension();
+  return {stem.string() + ".node", stem.string() + ".ele", stem.string() + ".neigh"};
 }
 
 // No file is written over another that is read or written, whatever they are called.
@@ -123,6 +125,8 @@ private:
   void finish()
   {
     for (files::Output_file& file : m_files)
+      file.close();
+    for (files::Output_file& file : m_files)
       file.finish();
     if (m_files.empty() && !std::cout.flush())
       throw std::runtime_error("the tetrahedra cannot be written to the standard output");
@@ -188,8 +192,13 @@ inline void write(const Options& options, const Surface& surface, const Triangul
   const files::Simplices_3 simplices =
       chosen_simplices(options, surface, tr, vertices, report, messages);
   output.write(simplices);
-  report("written", std::to_string(simplices.size()) + " " + names[simplices.dimension] + " to " +
-                        options.output);
+  std::string files = options.output;
+  if (options.to == "tetgen") {
+    const std::vector<std::string> three = files_of_output(options);
+    files = three[0] + ", " + three[1] + " and " + three[2];
+  }
+  report("written",
+         std::to_string(simplices.size()) + " " + names[simplices.dimension] + " to " + files);
 }
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_OUTPUT_H

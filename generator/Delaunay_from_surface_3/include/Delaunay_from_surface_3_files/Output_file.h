@@ -60,12 +60,20 @@ public:
 
   std::ostream& stream() { return m_stream; }
 
-  void finish()
+  // All is written. To be called for each of several files before finish() for the first.
+  void close()
   {
+    if (!m_stream.is_open())
+      return;
     errno = 0;
     m_stream.close();
     if (!m_stream)
       fail(errno);
+  }
+
+  void finish()
+  {
+    close();
     std::error_code error;
     std::filesystem::rename(m_unfinished, m_place, error);
     if (error)

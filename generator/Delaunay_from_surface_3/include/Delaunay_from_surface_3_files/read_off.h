@@ -66,9 +66,8 @@ private:
       keyword.remove_prefix(found ? prefix.size() : 0);
       return found;
     };
-    skip("ST");
-    skip("C");
-    skip("N");
+    while (skip("ST") || skip("C") || skip("N")) {
+    } // some programs write them in another order
     m_is_homogeneous = skip("4");
     const bool has_dimension = skip("n");
     if (!skip("OFF") || (!keyword.empty() && !(keyword[0] >= '0' && keyword[0] <= '9')))

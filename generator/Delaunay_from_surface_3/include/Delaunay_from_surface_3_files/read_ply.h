@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -95,15 +96,17 @@ private:
     std::size_t place = find(element, "vertex_indices", true);
     if (place == element.properties.size())
       place = find(element, "vertex_index", true);
-    if (place == element.properties.size())
+    if (place == element.properties.size() && element.count > 0)
       throw Bad_content("the faces do not have the property vertex_indices");
     soup.faces.reserve(soup.faces.size() + element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
       soup.faces.emplace_back();
       read_item(element, [&](std::size_t property, double value) {
         if (property == place)
-          soup.faces.back().push_back(value >= 0 && value <= double(UINT32_MAX) ? std::size_t(value)
-                                                                                : no_index);
+          soup.faces.back().push_back(value >= 0 && value <= double(UINT32_MAX) &&
+                                              value == std::floor(value)
+                                          ? std::size_t(value)
+                                          : no_index);
       });
     }
   }
@@ -115,6 +118,8 @@ private:
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       const Ply_property& property = element.properties[p];
       double count = property.is_list ? read_number(property.type_of_count) : 1;
+      if (count != std::floor(count))
+        throw Bad_content("a list claims to have a number of entries that is not whole");
       if (!(count >= 0) || count > double((m_rest.size() + 1) / least_size(property.type)))
         throw Bad_content("a list claims to have more entries than the file has room for");
       for (; count > 0; --count)

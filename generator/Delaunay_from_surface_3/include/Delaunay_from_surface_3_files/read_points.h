@@ -15,8 +15,18 @@
 
 namespace files {
 
+inline bool begins_with_number(std::string_view line)
+{
+  try {
+    parse_coordinate(next_word(line));
+  } catch (const Bad_content&) {
+    return false;
+  }
+  return true;
+}
+
 // Whether this is a molecule, as chemistry writes .xyz: a line with the number of atoms, one with a
-// comment, and then in each an element and three numbers.
+// comment, and then in each an element, or its number, and three numbers.
 inline bool is_molecule(std::string_view text)
 {
   std::string_view lines[3];
@@ -27,8 +37,12 @@ inline bool is_molecule(std::string_view text)
   }
   const std::size_t number = parse_index(next_word(lines[0]));
   const std::string_view element = next_word(lines[2]);
-  const bool is_element = !element.empty() && element.size() <= 3 &&
-                          std::isalpha(static_cast<unsigned char>(element[0])) != 0;
+  const std::size_t of_atom = parse_index(element);
+  const bool has_name = !element.empty() && element.size() <= 3 &&
+                        std::isalpha(static_cast<unsigned char>(element[0])) != 0;
+  // A point behind a blank line or a comment has no whole number for its x and three more behind it.
+  const bool has_number = of_atom >= 1 && of_atom <= 118 && !begins_with_number(lines[1]);
+  const bool is_element = has_name || has_number;
   if (number == no_index || !next_word(lines[0]).empty() || !is_element)
     return false;
   try {

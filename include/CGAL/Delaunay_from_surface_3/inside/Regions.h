@@ -271,8 +271,6 @@ inline bool passes_inside(const Cutting_triangle& t, const std::array<Vector_3d,
 
 class Crossings
 {
-  static constexpr double near = no_rounding;
-
 public:
   // From the centre of tetrahedron c of the cells.
   template <class Cells>
@@ -290,15 +288,26 @@ public:
   }
 
 private:
+  // What rounding may do to the centres, and to differences from them: corners may be far from the surface.
+  static double tolerance_for(const std::array<Vector_3d, 4>& p)
+  {
+    double largest = 0;
+    for (const Vector_3d& corner : p)
+      for (const double x : corner)
+        largest = (std::max)(largest, std::abs(x));
+    return no_rounding + 1e-14 * largest;
+  }
+
   // The box of the centres, and a little more.
   static Box_3d box_of_ways(const std::array<Vector_3d, 4>& p)
   {
     Box_3d box;
+    const double tolerance = tolerance_for(p);
     for (std::size_t j = 0; j < 3; ++j) {
       const double sum = p[0][j] + p[1][j] + p[2][j] + p[3][j];
       const auto ends = std::minmax({p[0][j], p[1][j], p[2][j], p[3][j]});
-      box.low[j] = (sum - ends.second) / 3 - near;
-      box.high[j] = (sum - ends.first) / 3 + near;
+      box.low[j] = (sum - ends.second) / 3 - tolerance;
+      box.high[j] = (sum - ends.first) / 3 + tolerance;
     }
     return box;
   }
@@ -309,6 +318,7 @@ private:
   void set(const Cells& cells, std::size_t c)
   {
     m_center = cells.center(c);
+    m_tolerance = tolerance_for(cells(c));
     const auto v = cells.vertices_of(c);
     std::array<std::size_t, 4> order = {0, 1, 2, 3};
     std::sort(order.begin(), order.end(),
@@ -326,9 +336,9 @@ private:
 
   void add(const Cutting_triangle& t, Jumps& jumps) const
   {
-    const double tolerance = near * std::sqrt(dot(t.normal, t.normal));
+    const double length = std::sqrt(dot(t.normal, t.normal));
     const auto side = [&](const Vector_3d& p) {
-      return sign(dot(t.normal, minus(p, t.corners[0])), tolerance);
+      return sign(dot(t.normal, minus(p, t.corners[0])), length * m_tolerance);
     };
     const int side_of_center = side(m_center);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -352,12 +362,13 @@ private:
       const Vector_3d &a = corners[i], &b = corners[(i + 1) % 3];
       const Vector_3d n = cross(way, minus(b, a));
       const double lengths = std::sqrt(dot(way, way) * dot(minus(b, a), minus(b, a)));
-      ++signs[1 + sign(dot(n, minus(a, m_center)), near * lengths)];
+      ++signs[1 + sign(dot(n, minus(a, m_center)), lengths * m_tolerance)];
     }
     return signs[0] > 0 && signs[2] > 0 ? 0 : signs[1] > 0 ? -1 : 1;
   }
 
   Vector_3d m_center;
+  double m_tolerance = 0;
   std::array<Vector_3d, 4> m_ends;
 };
 
