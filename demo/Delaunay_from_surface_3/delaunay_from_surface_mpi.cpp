@@ -176,6 +176,8 @@ void finish(const Command& command, const CGAL::Tiles_report& result,
   if (command.vtu)
     core::write_pvtu(command.output, result.tiles);
   core::write_report(command.output, result);
+  std::error_code ignored; // a mark too many costs nothing
+  std::filesystem::remove(mark_of_run(command.output), ignored);
   Report report(std::cout, style_of(command));
   report_tiles(command.output, result, command.options.compares_cells, report);
   report("ranks", engine.number_of_ranks());

@@ -105,7 +105,12 @@ class ByMpi(unittest.TestCase):
         kept = [self.output / name for name in ("notes.txt", "points-a.npy", "points-1.npy")]
         for file in left + kept:
             file.write_text("text")
+        command = (BY_MPI, self.points, "--output", self.output)
+        self.fails(command, command, says="rank 0: .*: is not of a run that was stopped here")  # nobody has begun one
+        self.assertEqual(left, [file for file in left if file.exists()])
+        (self.output / "tiles.begun").touch()
         self.works(2, self.points, "--output", self.output, "--quiet")
+        self.assertFalse((self.output / "tiles.begun").exists())
         self.assertEqual([], [file for file in left if file.exists()])
         self.assertEqual(kept, [file for file in kept if file.exists()])
         self.assertEqual(len([*self.output.glob("cells-*")]), 2)

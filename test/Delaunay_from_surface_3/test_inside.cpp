@@ -408,6 +408,42 @@ BOOST_AUTO_TEST_CASE(test_unused_points)
   }
 }
 
+// Nor do they if many faces are no facets, so that it is asked which ways cross them.
+BOOST_AUTO_TEST_CASE(test_far_point_and_faces_that_are_no_facets)
+{
+  const double pi = std::acos(-1.);
+  const std::array<std::size_t, 2> sizes[] = {{7, 5}, {9, 6}, {12, 5}, {6, 9}};
+  for (const auto& [n, m] : sizes)
+    for (unsigned seed = 0; seed < 6; ++seed) {
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> noise(-.007, .007);
+      Soup soup;
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < m; ++j) {
+          const double u = 2 * pi * double(i) / double(n), v = 2 * pi * double(j) / double(m);
+          const double r = 1 + .45 * std::cos(v);
+          soup.add_point(r * std::cos(u) + noise(random), r * std::sin(u) + noise(random),
+                         .45 * std::sin(v) * (1 + .3 * std::sin(3 * u)) + noise(random));
+        }
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < m; ++j) {
+          const std::size_t a = i * m + j, b = (i + 1) % n * m + j, d = i * m + (j + 1) % m,
+                            c = (i + 1) % n * m + (j + 1) % m;
+          soup.faces.push_back({a, b, c});
+          soup.faces.push_back({a, c, d});
+        }
+      const double expected = find(soup).volume;
+      for (const double far : {1e8, 1e12, 1e16, 1e20, 1e60, 1e200}) {
+        Soup other = soup;
+        other.add_point(far, far, -far / 10);
+        BOOST_TEST_CONTEXT(n << " × " << m << ", seed " << seed << ", a point at " << far)
+        {
+          BOOST_CHECK_CLOSE(find(other).volume, expected, 5);
+        }
+      }
+    }
+}
+
 // Some faces turned round, by chance or all for which a condition holds.
 template <class Condition>
 Soup with_turned(Soup soup, Condition condition)

@@ -14,16 +14,25 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <vector>
 
 namespace core = CGAL::Delaunay_from_surface_3::internal;
 
-// The folder is there, and empty of other runs.
+// Stands in a folder as long as a run has not ended there.
+inline std::filesystem::path mark_of_run(const std::filesystem::path& folder)
+{
+  return folder / "tiles.begun";
+}
+
+// The folder is there, and empty of other runs. What a run that did not end has left is removed, as it may
+// have had more tiles; what stands there without its mark is somebody else's.
 inline void make_folder(const std::filesystem::path& folder, const std::vector<std::string>& inputs)
 {
   for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
@@ -34,7 +43,6 @@ inline void make_folder(const std::filesystem::path& folder, const std::vector<s
   std::filesystem::create_directories(folder, error);
   if (error)
     core::fail_to_write(folder, error.value());
-  // What a run that did not end has left: it may have had more tiles.
   std::vector<std::filesystem::path> files = core::files_of_tiles(folder);
   const std::vector<std::filesystem::path> left = core::left_files(folder);
   files.insert(files.end(), left.begin(), left.end());
@@ -43,9 +51,16 @@ inline void make_folder(const std::filesystem::path& folder, const std::vector<s
       if (std::filesystem::equivalent(file, input, error))
         throw CGAL::Tile_files_error(file.string() +
                                      ": would be overwritten: name another folder for the tiles");
+  if (!files.empty() && !std::filesystem::exists(mark_of_run(folder)))
+    throw CGAL::Tile_files_error(files.front().string() +
+                                 ": is not of a run that was stopped here: remove it, or name "
+                                 "another folder for the tiles");
   for (const auto& file : files)
     if (!std::filesystem::remove(file, error) && error)
       core::fail_to_write(file, error.value());
+  errno = 0;
+  if (!std::ofstream(mark_of_run(folder)).flush())
+    core::fail_to_write(mark_of_run(folder), errno);
 }
 
 // Whether a run of these points has ended there, as eight vertices of each tile tell.

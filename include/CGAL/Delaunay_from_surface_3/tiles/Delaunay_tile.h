@@ -153,6 +153,7 @@ std::vector<Id> insert_by_threads(Compact_complex<Id>& complex, std::size_t firs
                            Starting_cells<Id>(complex, vertex_of, nullptr, 1),
                            [](std::size_t) { return true; });
       place = next;
+      workers.note_cells();
       check();
     }
   workers.finish();

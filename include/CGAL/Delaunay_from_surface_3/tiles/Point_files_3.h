@@ -81,12 +81,23 @@ public:
     const auto there = std::filesystem::status(m_place, ignored);
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
       throw Tile_files_error(m_place.string() + ": cannot be written: it is no regular file");
+    if (std::filesystem::is_symlink(m_place, ignored)) // it stays
+      m_place = std::filesystem::weakly_canonical(m_place, ignored);
+    errno = 0;
+    if (std::filesystem::exists(there)) {
+      std::FILE* const file = std::fopen(m_place.string().c_str(), "ab"); // is it write-protected?
+      if (file == nullptr)
+        fail_to_write(m_place, errno);
+      std::fclose(file);
+    }
     std::random_device random;
     m_unfinished = m_place.string() + "-" + std::to_string(random()) + unfinished;
     errno = 0;
     m_file.reset(std::fopen(m_unfinished.string().c_str(), "wb"));
     if (!m_file)
       fail_to_write(m_place, errno);
+    if (std::filesystem::exists(there))
+      std::filesystem::permissions(m_unfinished, there.permissions(), ignored);
   }
   Bytes_writer(const Bytes_writer&) = delete;
   Bytes_writer& operator=(const Bytes_writer&) = delete;
@@ -151,7 +162,7 @@ private:
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  const std::filesystem::path m_place;
+  std::filesystem::path m_place;
   std::filesystem::path m_unfinished;
   std::unique_ptr<std::FILE, Close> m_file;
   bool m_is_finished = false;

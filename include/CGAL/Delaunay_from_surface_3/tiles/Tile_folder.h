@@ -95,7 +95,7 @@ private:
 // What a run is of.
 struct Tiles_input
 {
-  std::uint64_t points, fingerprint, sample_share, points_at_once;
+  std::uint64_t points, fingerprint, sample_share, points_at_once, most_points_kept;
   std::uint32_t tiles, compares_cells;
 };
 

@@ -252,6 +252,21 @@ public:
     if (is_done(k))
       return;
     const Rounding_to_nearest rounding;
+    try {
+      do_task_of_stage(k, n);
+    } catch (const Tile_too_large& error) {
+      if (m_limit >= m_input.most_points_kept)
+        throw;
+      throw Tile_files_error(m_folder.place().string() +
+                             ": holds the state of a run whose tiles may " +
+                             "be larger than memory and threads allow now: " + error.what() +
+                             "; allow as much as then, or remove it");
+    }
+  }
+
+private:
+  void do_task_of_stage(std::size_t k, std::size_t n) const
+  {
     switch (m_stage) {
     case SAMPLE:
       return tasks().summarize(k);
@@ -266,6 +281,7 @@ public:
     }
   }
 
+public:
   // When all tasks are done, and nobody does any.
   void close()
   {
@@ -339,6 +355,7 @@ private:
                fingerprint_of(*m_source),
                options.sample_share,
                most_points_read(options, at_once),
+               m_limit,
                number_of_tiles(options, m_source->size(), at_once),
                options.compares_cells};
     std::random_device random;

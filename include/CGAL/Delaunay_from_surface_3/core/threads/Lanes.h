@@ -194,10 +194,13 @@ public:
     m_next = (std::max)(used, m_complex.cells_end());
   }
 
+  // Tells the complex how many cells are handed out. No worker may run.
+  void note_cells() { m_complex.use_cells((std::min)(m_next.load(), m_complex.capacity())); }
+
   // More room than before.
   void grow()
   {
-    m_complex.use_cells((std::min)(m_next.load(), m_complex.capacity()));
+    note_cells();
     make_room(Complex::more_room(m_complex.capacity()));
   }
 
@@ -206,7 +209,7 @@ public:
   void finish()
   {
     m_lanes.deallocate();
-    m_complex.use_cells((std::min)(m_next.load(), m_complex.capacity()));
+    note_cells();
     for (std::size_t c = m_complex.cells_end(); c-- > 0;)
       if (!Complex::is_dead(m_complex.cell(c)) && Complex::is_infinite(m_complex.cell(c))) {
         m_complex.vertex(Complex::infinite).cell = Id(c);

@@ -168,6 +168,9 @@ public:
     return insert_put_off(round);
   }
 
+  // Between rounds: Compact_complex::cells_end() is right then.
+  void note_cells() { m_shared.note_cells(); }
+
   // To be called when all is inserted. Gives back what only threads need.
   void finish()
   {
