@@ -233,6 +233,29 @@ BOOST_AUTO_TEST_CASE(points_of_any_kind)
   check_arrays(delaunay_3_arrays(numbers_of_points, CGAL::parameters::point_map(map)), points);
 }
 
+// What would be rounded is refused: equal points could come of it.
+BOOST_AUTO_TEST_CASE(coordinates_that_are_no_doubles)
+{
+  constexpr std::int64_t large = std::int64_t(1) << 53;
+  using Integers = std::vector<std::array<std::int64_t, 3>>;
+  Integers points = {{0, 0, 0}, {large, 0, 0}, {0, large + 2, 0}, {0, 0, -large}};
+  BOOST_TEST(delaunay_3_arrays(points).number_of_simplices() == 1u);
+  for (const std::int64_t wrong :
+       {large + 1, -large - 1, (std::numeric_limits<std::int64_t>::max)()}) {
+    points[3][2] = wrong;
+    BOOST_CHECK_EXCEPTION(
+        delaunay_3_arrays(points), CGAL::Surface_input_error, [](const auto& error) {
+          return std::string(error.what()).find("is not a double") != std::string::npos;
+        });
+  }
+  std::vector<std::array<long double, 3>> wide = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  BOOST_TEST(delaunay_3_arrays(wide).number_of_simplices() == 1u);
+  if (std::numeric_limits<long double>::digits > 53) {
+    wide[3][2] = 1 + std::numeric_limits<long double>::epsilon();
+    BOOST_CHECK_THROW(delaunay_3_arrays(wide), CGAL::Surface_input_error);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_given_up)
 {
   const std::vector<Point> points = grid(4, 4, 4);

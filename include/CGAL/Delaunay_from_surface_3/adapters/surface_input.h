@@ -133,9 +133,26 @@ template <class Item>
 constexpr bool is_point_of_kernel =
     std::is_convertible<const Item&, detected_or_t<void, Point_of_kernel_of, Item>>::value;
 
+// The double that is equal to a number of an arithmetic type; throws if there is none.
+template <class Number>
+double double_of(Number x)
+{
+  const double d = double(x);
+  bool is_equal = true;
+  if constexpr (std::is_floating_point<Number>::value)
+    is_equal =
+        Number(d) == x || !(x == x) || !is_finite_number(d); // these are refused with their place
+  else if constexpr (std::numeric_limits<Number>::digits > 53)
+    is_equal = d < double((std::numeric_limits<Number>::max)()) && Number(d) == x;
+  if (!is_equal)
+    throw Surface_input_error("a coordinate is not a double: " + std::to_string(x) +
+                              "; remedy: subtract an origin that is near the points");
+  return d;
+}
+
 // The rule where the kernels differ: a point of the same or a convertible type is taken as it is;
 // any other goes through Cartesian_converter, exactly if the target's numbers can hold it, else by
-// to_double(). Coordinates without a point are doubles.
+// to_double(). Coordinates without a point are doubles, or refused.
 template <class Point, class SourcePoint>
 Point converted_point(const SourcePoint& p)
 {
@@ -146,7 +163,7 @@ Point converted_point(const SourcePoint& p)
   if constexpr (std::is_convertible<const SourcePoint&, Point>::value)
     return p;
   else if constexpr (has_coordinates<SourcePoint>)
-    return Point(double(p[0]), double(p[1]), double(p[2]));
+    return Point(double_of(p[0]), double_of(p[1]), double_of(p[2]));
   else if constexpr (is_served)
     return Cartesian_converter<typename Kernel_traits<SourcePoint>::Kernel,
                                typename Kernel_traits<Point>::Kernel>()(p);

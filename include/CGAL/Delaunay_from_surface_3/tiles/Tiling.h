@@ -345,7 +345,9 @@ inline std::size_t most_points_kept(const Tiles_options& options, std::size_t at
 // How many points are read at a time: 60 bytes each while they are sorted by tiles.
 inline std::size_t most_points_read(const Tiles_options& options, std::size_t at_once)
 {
-  const std::uint64_t fit = options.memory / (std::max)(at_once, std::size_t(1)) / 100;
+  constexpr std::uint64_t least = 1 << 14; // each range is a file, of which every tile reads a part
+  const std::uint64_t fit =
+      (std::max)(options.memory / (std::max)(at_once, std::size_t(1)) / 100, least);
   const std::size_t most =
       options.memory == 0 ? options.points_at_once
                           : std::size_t((std::min)(std::uint64_t(options.points_at_once), fit));
