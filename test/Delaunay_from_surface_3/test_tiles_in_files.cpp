@@ -201,6 +201,32 @@ BOOST_AUTO_TEST_CASE(stopped_again_and_again)
     BOOST_TEST(entry.path().extension() != ".unfinished");
 }
 
+// With less memory than it began with a run does not give up what is done.
+BOOST_AUTO_TEST_CASE(stopped_and_continued_with_less_memory)
+{
+  const Points points = some_points(2000);
+  const Folder folder;
+  CGAL::Tiles_options options = options_of(4);
+  options.starts_again = true;
+  options.progress = [](const std::string& what, std::size_t, std::size_t) {
+    return what != "round 1";
+  };
+  const auto run = [&] {
+    return core::Tiles_to_files(folder.path, 1, false).run(source_of(points), options);
+  };
+  BOOST_CHECK_THROW(run(), CGAL::Tiles_stopped);
+  options.progress = nullptr;
+  options.number_of_tiles = 0; // as many as there are
+  options.memory = 600 * core::bytes_per_point_kept;
+  BOOST_CHECK_EXCEPTION(run(), CGAL::Tile_files_error, [](const std::exception& error) {
+    const std::string message = error.what();
+    BOOST_TEST_MESSAGE(message);
+    return message.find("holds the state of a run whose tiles may be larger") != message.npos;
+  });
+  options.memory = 0;
+  check_same(run(), report_of_here(points, 4));
+}
+
 BOOST_AUTO_TEST_CASE(task_by_task_in_any_order)
 {
   const Points points = some_points(1500);
