@@ -53,8 +53,8 @@ inline void make_folder(const std::filesystem::path& folder, const std::vector<s
                                      ": would be overwritten: name another folder for the tiles");
   if (!files.empty() && !std::filesystem::exists(mark_of_run(folder)))
     throw CGAL::Tile_files_error(files.front().string() +
-                                 ": is not of a run that was stopped here: remove it, or name "
-                                 "another folder for the tiles");
+                                 ": is not of a run that was stopped here: remove all files of "
+                                 "tiles, or name another folder");
   for (const auto& file : files)
     if (!std::filesystem::remove(file, error) && error)
       core::fail_to_write(file, error.value());

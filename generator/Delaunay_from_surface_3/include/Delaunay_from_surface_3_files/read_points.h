@@ -10,48 +10,67 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
 namespace files {
 
-inline bool begins_with_number(std::string_view line)
+// Reads the numbers at the beginning of a line, `most` at most; returns how many there are, or 0 if
+// another word comes first.
+inline std::size_t read_numbers(std::string_view line, double* numbers, std::size_t most)
 {
+  std::size_t k = 0;
   try {
-    parse_coordinate(next_word(line));
+    for (std::string_view word; k < most && !(word = next_word(line)).empty(); ++k)
+      numbers[k] = parse_coordinate(word);
   } catch (const Bad_content&) {
-    return false;
+    return 0;
   }
-  return true;
+  return k;
 }
 
-// Whether this is a molecule, as chemistry writes .xyz: a line with the number of atoms, one with a
-// comment, and then in each an element, or its number, and three numbers.
+// Takes a line off a text.
+inline std::string_view take_line(std::string_view& text)
+{
+  const std::size_t end = text.find('\n');
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end == text.npos ? text.size() : end + 1);
+  return line;
+}
+
+// Returns whether each of so many lines holds the number of an element and three coordinates, not all of
+// which are whole: on a lattice, the fourth number may be an intensity.
+inline bool are_numbered_atoms(std::string_view text, std::size_t number)
+{
+  bool are_whole = true;
+  for (std::size_t i = 0; i < number; ++i) {
+    double x[5];
+    if (text.empty() || read_numbers(take_line(text), x, 5) != 4 || !(x[0] >= 1 && x[0] <= 118) ||
+        x[0] != std::floor(x[0]))
+      return false;
+    for (const double y : {x[1], x[2], x[3]})
+      are_whole = are_whole && y == std::floor(y);
+  }
+  return !are_whole;
+}
+
+// Returns whether this is a molecule, as chemistry writes .xyz: a line with the number of atoms, one with
+// a comment, and then in each an element, or its number, and three numbers.
 inline bool is_molecule(std::string_view text)
 {
-  std::string_view lines[3];
-  for (std::string_view& line : lines) {
-    const std::size_t end = text.find('\n');
-    line = text.substr(0, end);
-    text.remove_prefix(end == text.npos ? text.size() : end + 1);
-  }
-  const std::size_t number = parse_index(next_word(lines[0]));
-  const std::string_view element = next_word(lines[2]);
-  const std::size_t of_atom = parse_index(element);
-  const bool has_name = !element.empty() && element.size() <= 3 &&
-                        std::isalpha(static_cast<unsigned char>(element[0])) != 0;
-  // A point behind a blank line or a comment has no whole number for its x and three more behind it.
-  const bool has_number = of_atom >= 1 && of_atom <= 118 && !begins_with_number(lines[1]);
-  const bool is_element = has_name || has_number;
-  if (number == no_index || !next_word(lines[0]).empty() || !is_element)
+  std::string_view first = take_line(text);
+  const std::string_view comment = take_line(text);
+  const std::size_t number = parse_index(next_word(first));
+  if (number == no_index || number == 0 || !next_word(first).empty())
     return false;
-  try {
-    for (int k = 0; k < 3; ++k)
-      parse_coordinate(next_word(lines[2]));
-  } catch (const Bad_content&) {
-    return false;
-  }
-  return true;
+  double x[3];
+  if (read_numbers(comment, x, 1) == 0 && are_numbered_atoms(text, number))
+    return true;
+  std::string_view atom = take_line(text);
+  const std::string_view element = next_word(atom);
+  return !element.empty() && element.size() <= 3 &&
+         std::isalpha(static_cast<unsigned char>(element[0])) != 0 && read_numbers(atom, x, 3) == 3;
 }
 
 // Whether a line names columns: CloudCompare's begins with "//", others are "x y z …".

@@ -131,24 +131,25 @@ struct Matched_facets
 };
 
 // Calls set(c, k, d) for facet k of simplex c and the simplex d across, both ways; a facet that has no
-// partner is left out. If one has several the simplices are those of no triangulation. Throws if there are 2^30 simplices; `set` is called by several threads. Expected linear; 16 bytes
-// for each simplex, and 4 for each of the n vertices.
+// partner is left out. If one has several, the simplices are not those of a triangulation. Throws if
+// there are 2^30 simplices; `set` is called by several threads. Expected linear; 16 bytes for each
+// simplex, and 4 for each of the n vertices.
 template <std::size_t Corners, class Index, class Set>
 Matched_facets match_facets(const Corners_view<Index>& simplices, std::size_t n, const Set& set,
                             const Executor& executor)
 {
   const auto key = [&](std::size_t f) { return key_of_facet<Corners>(simplices, f); };
-  const Lists<std::uint32_t> facets = in_lists<std::uint32_t>(
-      n,
-      Listed_items(
-          Corners * simplices.number,
-          [&](std::size_t f) {
-            if (f % (1 << 16) == 0)
-              executor.interruption_point();
-            return std::size_t(key(f).least);
-          },
-          [](std::size_t f) { return std::uint32_t(f); }),
-      executor);
+  const Lists<std::uint32_t> facets =
+      in_lists<std::uint32_t>(n,
+                              Listed_items(
+                                  Corners * simplices.number,
+                                  [&](std::size_t f) {
+                                    if (f % (1 << 16) == 0)
+                                      executor.interruption_point();
+                                    return std::size_t(key(f).least);
+                                  },
+                                  [](std::size_t f) { return std::uint32_t(f); }),
+                              executor);
   const std::size_t blocks = number_of_blocks(executor, n, 4096);
   std::vector<Matched_facets> matched(blocks);
   for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
@@ -189,8 +190,8 @@ constexpr std::size_t corner_beyond(std::size_t k, std::size_t i)
     return Corners == 3 ? (k + 2 - i) % 3 : 1 - k;
 }
 
-// Arrays of simplices with this many corners, or nothing (see below). Infinite cells are linked along the edges that the finite
-// facets of these share.
+// Returns arrays of simplices with this many corners, or nothing (see below). Infinite cells are linked
+// along the edges that their finite facets share.
 template <std::size_t Corners, class Index>
 std::optional<Delaunay_3_arrays<Index>>
 complete_simplices(const std::vector<std::array<Index, 4>>& simplices,
@@ -200,10 +201,9 @@ complete_simplices(const std::vector<std::array<Index, 4>>& simplices,
   Page_array<Index> rows;
   rows.reserve(8 * (finite + 2 * n), 0); // no convex hull has more facets
   rows.touch(0, 8 * finite);
-  for_each_part(finite, executor, [&](std::size_t first, std::size_t last) {
-    for (std::size_t c = first; c < last; ++c)
-      std::fill_n(std::copy_n(simplices[c].data(), 4, rows.data() + 8 * c), 4, Index(-1));
-  });
+  Steps step(executor);
+  for (std::size_t c = 0; c < finite; ++c, step())
+    std::fill_n(std::copy_n(simplices[c].data(), 4, rows.data() + 8 * c), 4, Index(-1));
   const auto link = [](Index* cells, std::size_t c, std::size_t k, std::size_t d) {
     cells[8 * c + 4 + k] = Index(d);
   };
@@ -291,17 +291,17 @@ template <class Index, class VertexOf>
 Adjacent_vertices<Index> adjacent_vertices(std::size_t number, std::size_t corners, std::size_t n,
                                            const VertexOf& vertex_of, const Executor& executor)
 {
-  const Lists<std::uint32_t> simplices = in_lists<std::uint32_t>(
-      n,
-      Listed_items(
-          corners * number,
-          [&](std::size_t i) {
-            if (i % (1 << 16) == 0)
-              executor.interruption_point();
-            return std::size_t(vertex_of(i / corners, i % corners));
-          },
-          [=](std::size_t i) { return std::uint32_t(i / corners); }),
-      executor);
+  const Lists<std::uint32_t> simplices =
+      in_lists<std::uint32_t>(n,
+                              Listed_items(
+                                  corners * number,
+                                  [&](std::size_t i) {
+                                    if (i % (1 << 16) == 0)
+                                      executor.interruption_point();
+                                    return std::size_t(vertex_of(i / corners, i % corners));
+                                  },
+                                  [=](std::size_t i) { return std::uint32_t(i / corners); }),
+                              executor);
   const std::size_t blocks = number_of_blocks(executor, n, 4096);
   std::vector<std::vector<Index>> items(blocks);
   Adjacent_vertices<Index> adjacent;

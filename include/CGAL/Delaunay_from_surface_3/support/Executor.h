@@ -155,17 +155,6 @@ private:
   std::size_t m_number = 0;
 };
 
-// Calls body(first, last) for short parts of 0, …, n-1, and asks the executor between them.
-template <class Body>
-void for_each_part(std::size_t n, const Executor& executor, const Body& body)
-{
-  constexpr std::size_t size = 1 << 16;
-  for (std::size_t first = 0; first < n; first += size) {
-    executor.interruption_point();
-    body(first, (std::min)(n, first + size));
-  }
-}
-
 // Whether is_right(i) holds for i = 0, …, n-1.
 template <class Predicate>
 bool holds_for_all(const Executor& executor, std::size_t n, const Predicate& is_right)

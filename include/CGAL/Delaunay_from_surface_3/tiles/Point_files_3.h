@@ -81,8 +81,8 @@ public:
     const auto there = std::filesystem::status(m_place, ignored);
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
       throw Tile_files_error(m_place.string() + ": cannot be written: it is no regular file");
-    if (std::filesystem::is_symlink(m_place, ignored)) // it stays
-      m_place = std::filesystem::weakly_canonical(m_place, ignored);
+    if (std::filesystem::exists(there)) // a link stays, and what it leads to is replaced
+      m_place = std::filesystem::canonical(m_place);
     errno = 0;
     if (std::filesystem::exists(there)) {
       std::FILE* const file = std::fopen(m_place.string().c_str(), "ab"); // is it write-protected?

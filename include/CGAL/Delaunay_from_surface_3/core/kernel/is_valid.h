@@ -118,7 +118,7 @@ bool are_finite_cells_positive(const Compact_complex<Id>& complex)
   return true;
 }
 
-// Checks as much as the level says. Linear.
+// Checks as much as the level says, but not whether cells lie over each other. Linear.
 template <class Id>
 bool is_valid(const Compact_complex<Id>& complex, Delaunay_validity_level level)
 {
