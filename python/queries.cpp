@@ -59,8 +59,8 @@ auto with_corners(std::size_t corners, const F& f)
   }
 }
 
-// Numbers points 0, …, n-1 anew, in the order in which they are met as corners; those that are not come
-// last. What is near in space is then near in memory. Returns the old numbers; negative ones stay.
+// Renumbers points 0, …, n-1 in the order in which they are met as corners, and the rest after them, so
+// that what is near in space is near in memory. Negative numbers stay. Returns the old numbers.
 std::vector<Index> number_as_met(Index* corners, std::size_t number_of_corners, std::size_t n,
                                  const core::Executor& executor)
 {
@@ -104,7 +104,7 @@ Numbers neighbors(const Numbers& simplices, std::size_t n, std::size_t threads)
   return array_from(std::move(found), {simplices.shape(0), simplices.shape(1)});
 }
 
-// Of points in groups, so that not all are copied at once.
+// Takes the queries in groups, so that they are not all copied at once.
 Numbers find_simplex(const Points& points, const Numbers& simplices, const Numbers& neighbors,
                      const Points& queries, std::size_t threads)
 {

@@ -189,7 +189,7 @@ function finish() {
         script = REPORT.replace("<script>\n", """<script>
 // Called behind the page's own observer, when the browser has laid out a frame; it asks for no more frames itself.
 window.requestAnimationFrame = () => 0;
-// Virtual time leaps over what nobody waits for, and a busy browser then lays out no frame in time: each of these waits.
+// Virtual time runs ahead while nothing is waited for, and a busy browser lays out no frame in time; each of these waits.
 const wait = setInterval(() => {
   element("canvas").getContext("webgl").readPixels(0, 0, 1, 1, 6408, 5121, new Uint8Array(4));
 }, 10);

@@ -14,7 +14,7 @@
 
 namespace python {
 
-// Where signs would not be right, as in a thread that takes denormal numbers for 0.
+// Throws where signs would not be right, as in a thread that takes denormal numbers for 0.
 inline void refuse_obstacle()
 {
   if (const char* const obstacle = CGAL::Delaunay_from_surface_3::internal::obstacle_of_core())

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_INTERRUPTIBLE_H
 
-// Long calls that see signals, Ctrl-C above all.
+// Makes long calls see signals, above all Ctrl-C.
 
 #include "Unlocked.h"
 
@@ -107,8 +107,8 @@ private:
   bool m_is_stopped = false;
 };
 
-// Threads whose tasks end when a signal has raised an exception, such as KeyboardInterrupt. It is made,
-// and its tasks are run, by one thread, which has given the interpreter's lock back when they run.
+// Runs tasks by threads, and ends them when a signal has raised an exception, such as KeyboardInterrupt.
+// One thread makes the executor and calls run(), without the interpreter's lock.
 class Interruptible_executor final : public CGAL::Delaunay_from_surface_3::internal::Executor
 {
   using Task = CGAL::Delaunay_from_surface_3::internal::Task;

@@ -25,14 +25,14 @@
 
 namespace core = CGAL::Delaunay_from_surface_3::internal;
 
-// Stands in a folder as long as a run has not ended there.
+// Returns the file that stands in a folder as long as a run has not ended there.
 inline std::filesystem::path mark_of_run(const std::filesystem::path& folder)
 {
   return folder / "tiles.begun";
 }
 
-// The folder is there, and empty of other runs. What a run that did not end has left is removed, as it may
-// have had more tiles; what stands there without its mark is somebody else's.
+// Makes the folder, or refuses one with tiles of another run. With its mark, what a run has left that did
+// not end is removed, as it may have had more tiles; without it, the files are somebody else's.
 inline void make_folder(const std::filesystem::path& folder, const std::vector<std::string>& inputs)
 {
   for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})

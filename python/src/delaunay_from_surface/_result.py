@@ -61,7 +61,7 @@ class InsideFigures(NamedTuple):
 
 
 def _numbers_of(name: str, array: Indices) -> Indices:
-    """The array itself, or one of int32 that is equal."""
+    """Return the array itself, or an equal one of int32."""
     if array.dtype == np.int32:
         return array
     narrow = array.astype(np.int32) if array.dtype.kind in "iu" else None

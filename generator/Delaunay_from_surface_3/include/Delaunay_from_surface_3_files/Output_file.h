@@ -60,7 +60,7 @@ public:
 
   std::ostream& stream() { return m_stream; }
 
-  // All is written. To be called for each of several files before finish() for the first.
+  // Says that all is written. If several files belong together, each is closed before any is finished.
   void close()
   {
     if (!m_stream.is_open())

@@ -16,8 +16,8 @@
 
 namespace files {
 
-// Reads the numbers at the beginning of a line, `most` at most; returns how many there are, or 0 if
-// another word comes first.
+// Reads the first words of a line, `most` at most, as numbers. Returns how many there are, or 0 if one is
+// not a number.
 inline std::size_t read_numbers(std::string_view line, double* numbers, std::size_t most)
 {
   std::size_t k = 0;

@@ -421,7 +421,7 @@ private:
   using Index_map = decltype(std::declval<const Input&>().index_map);
   using Planned = Planned_points<Point, typename Triangulation::Geom_traits, Graph, Index_map>;
 
-  void insert_round_the_core()
+  [[gnu::cold]] void insert_round_the_core()
   {
     using Phase = Surface_insertion_phase;
     if (m_options.creates_in_input_order)

@@ -133,7 +133,7 @@ template <class Item>
 constexpr bool is_point_of_kernel =
     std::is_convertible<const Item&, detected_or_t<void, Point_of_kernel_of, Item>>::value;
 
-// The double that is equal to a number of an arithmetic type; throws if there is none.
+// Returns the double that equals a number of an arithmetic type, or throws.
 template <class Number>
 double double_of(Number x)
 {

@@ -30,8 +30,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The neighbours of simplices, from their vertices alone: two that share a facet.
 
-// The vertices of a facet in ascending order; 0 in place of those that it lacks. And whether they were
-// swapped an odd number of times, from the order in which the simplex is oriented.
+// Holds the vertices of a facet in ascending order, with 0 for those that it lacks, and whether an odd
+// permutation leads there from the order that the simplex induces.
 struct Facet_key
 {
   std::uint32_t least = 0, middle = 0, greatest = 0;
@@ -74,7 +74,13 @@ Facet_key key_of_facet(const Corners_view<Index>& simplices, std::size_t f)
   return key;
 }
 
-// Facets with the same least vertex, by the two others.
+// Tells whether every facet belongs to at most two simplices, and whether these lie on its two sides.
+struct Matched_facets
+{
+  bool are_pairs = true, are_oriented = true;
+};
+
+// Finds facets with the same least vertex by the two others.
 class Facet_table
 {
 public:
@@ -96,8 +102,8 @@ public:
     std::uint32_t& chain = m_chains[std::size_t(both * 0x9e3779b97f4a7c15 >> 32) & m_mask];
     for (std::uint32_t i = chain; i != none; i = m_entries[i].next)
       if (m_entries[i].both == both) {
-        m_has_pairs_only &= !std::exchange(m_entries[i].has_partner, true);
-        m_is_oriented &= m_entries[i].is_odd != key.is_odd;
+        m_matched.are_pairs &= !std::exchange(m_entries[i].has_partner, true);
+        m_matched.are_oriented &= m_entries[i].is_odd != key.is_odd;
         return m_entries[i].number;
       }
     m_entries.push_back({both, number, chain, key.is_odd, false});
@@ -105,10 +111,8 @@ public:
     return none;
   }
 
-  // Whether there never was a third one.
-  bool has_pairs_only() const { return m_has_pairs_only; }
-  // Whether the two of each pair are seen from two sides.
-  bool is_oriented() const { return m_is_oriented; }
+  // Tells it of all facets so far.
+  const Matched_facets& matched() const { return m_matched; }
 
 private:
   struct Entry
@@ -121,13 +125,7 @@ private:
   std::vector<std::uint32_t> m_chains;
   std::size_t m_mask = 0;
   std::vector<Entry> m_entries;
-  bool m_has_pairs_only = true, m_is_oriented = true;
-};
-
-// What all the facets have that simplices share: at most two simplices each, and these on two sides.
-struct Matched_facets
-{
-  bool are_pairs = true, are_oriented = true;
+  Matched_facets m_matched;
 };
 
 // Calls set(c, k, d) for facet k of simplex c and the simplex d across, both ways; a facet that has no
@@ -169,7 +167,7 @@ Matched_facets match_facets(const Corners_view<Index>& simplices, std::size_t n,
         }
       }
     }
-    matched[b] = {table.has_pairs_only(), table.is_oriented()};
+    matched[b] = table.matched();
   });
   Matched_facets all;
   for (const Matched_facets& of_block : matched) {
@@ -245,8 +243,9 @@ complete_simplices(const std::vector<std::array<Index, 4>>& simplices,
                                   std::move(vertices_of_points));
 }
 
-// Entries of simplices beyond the dimension are -1, the others numbers of points. Nothing if their facets
-// do not come in pairs, seen from two sides, or a surface is not closed.
+// Returns the arrays of simplices whose entries beyond the dimension are -1; the others are numbers of
+// points. Returns nothing if a facet belongs to more than two simplices, or to two on the same side, or if
+// the facets of the hull do not form a closed surface.
 template <class Index>
 std::optional<Delaunay_3_arrays<Index>>
 complete_arrays(int dimension, const std::vector<std::array<Index, 4>>& simplices,

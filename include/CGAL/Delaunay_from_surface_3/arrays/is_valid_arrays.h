@@ -41,7 +41,7 @@ class Links_of_arrays
   using Cell = std::array<Index, 4>;
 
 public:
-  // Keeps references. Neighbours and infinite cells are still there.
+  // Keeps references. The arrays must still have neighbours and infinite cells.
   Links_of_arrays(const Arrays& arrays, const Executor& executor)
     : m_arrays(arrays)
     , m_executor(executor)
@@ -49,14 +49,14 @@ public:
   {
   }
 
-  // Whether neighbours lead back, and the vertices are right.
+  // Returns whether have_vertices() holds and all neighbours lead back.
   bool are_valid() const
   {
     return have_vertices() && holds_for_all(m_executor, m_arrays.number_of_cells(),
                                             [&](std::size_t c) { return has_neighbors(c); });
   }
 
-  // Whether vertices are points, each the first of those at its place and in a cell.
+  // Returns whether all vertices are points, are in a cell, and have the least index at their place.
   bool have_vertices() const
   {
     if (!holds_for_all(m_executor, m_arrays.number_of_cells(),
@@ -196,8 +196,8 @@ public:
       m_is_turned = sign_of_cell(cell(0)) < 0;
   }
 
-  // Whether cells are positive and, if that is asked, in conflict with no vertex across a facet, which is
-  // the same from both sides. In one pass.
+  // Returns whether all cells are positive and, if that is asked, not in conflict with a vertex across a
+  // facet. A conflict is the same from both sides of a facet, so one side is asked. One pass.
   bool are_right(bool are_without_conflict, const Executor& executor) const
   {
     const Links_of_arrays<Index> links(m_arrays, executor);
@@ -220,11 +220,12 @@ public:
     });
   }
 
-  // Whether cells that are right lie beside each other, and not over each other: they may wind twice around
-  // an edge. Let x be in cell 0, infinitely near its first vertex. If x is on the inner side of all facets
-  // of the hull, these are seen from x all around, as often as cells contain x. If that is cell 0
-  // alone, the hull is a surface around x that does not meet itself; and no point within is in two cells,
-  // as their number changes across the hull alone. Linear, nearly all by comparisons.
+  // Returns whether no point is in two cells, if are_right() holds: cells could still wind around an edge
+  // twice. Let x be a point of cell 0 infinitely close to its first vertex. If x lies on the inner side of
+  // every facet of the hull, the projection from x maps the hull onto a sphere around x and covers it as
+  // often as cells contain x. If only cell 0 contains x, the hull is star-shaped and does not meet itself.
+  // The number of cells that contain a point changes only across the hull, so it is 1 inside. Linear;
+  // nearly all cells are settled by comparing coordinates.
   bool are_apart(const Executor& executor) const
   {
     const Compact_cell<Id> first = cell(0);
@@ -239,7 +240,8 @@ public:
   }
 
 private:
-  // The orientation of a cell with x in place of its vertex k: that with the first corner that gives one.
+  // Returns the orientation of a cell with x in place of its vertex k. x lies where the first corner of
+  // cell 0 lies that is not in the plane of the other three vertices.
   int side_of(const Compact_cell<Id>& first, Compact_cell<Id> cell, unsigned k) const
   {
     int side = 0;
@@ -250,7 +252,7 @@ private:
     return side;
   }
 
-  // Whether a vertex is not in the box of a cell.
+  // Returns whether a vertex lies outside the bounding box of a cell.
   bool is_outside(Id v, const Compact_cell<Id>& cell) const
   {
     const auto& complex = m_vertices.complex;
@@ -334,7 +336,7 @@ bool is_line_of_segments(const Delaunay_3_arrays<Index>& arrays, const Point_arr
   return true;
 }
 
-// Whether they are those of these points, if their links are known to be right.
+// Returns whether arrays are valid up to a level, if their neighbours are known to be right.
 template <class Index>
 bool is_valid_if_linked(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
                         Delaunay_validity_level level, const Executor& executor)
@@ -362,7 +364,7 @@ bool is_valid_if_linked(const Delaunay_3_arrays<Index>& arrays, const Point_arra
          (level < Level::DELAUNAY || cells.are_apart(executor));
 }
 
-// Whether they are those of these points. Neighbours and infinite cells are still there.
+// Returns whether arrays are valid up to a level. They must still have neighbours and infinite cells.
 template <class Index>
 bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
               Delaunay_validity_level level, const Executor& executor = Alone())

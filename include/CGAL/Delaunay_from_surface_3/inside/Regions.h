@@ -288,7 +288,8 @@ public:
   }
 
 private:
-  // What rounding may do to the centres, and to differences from them: corners may be far from the surface.
+  // Returns a bound of what rounding does to the centres and to differences from them. Corners may lie far
+  // from the surface.
   static double tolerance_for(const std::array<Vector_3d, 4>& p)
   {
     double largest = 0;

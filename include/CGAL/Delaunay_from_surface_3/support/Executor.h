@@ -45,7 +45,7 @@ public:
   // or later, anywhere. Returns when all have returned, or throws.
   virtual void run(std::size_t number, const Task& task) const = 0;
 
-  // Long tasks call this now and then; what it throws stops them.
+  // Is called now and then by long tasks. An exception that it throws stops them.
   virtual void interruption_point() const {}
 };
 
@@ -132,7 +132,7 @@ void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks,
       std::rethrow_exception(error);
 }
 
-// Counts the steps of a long loop, and asks the executor now and then whether it shall go on.
+// Counts the steps of a long loop, and calls the executor's interruption_point() now and then.
 class Steps
 {
 public:
@@ -155,7 +155,7 @@ private:
   std::size_t m_number = 0;
 };
 
-// Whether is_right(i) holds for i = 0, …, n-1.
+// Returns whether is_right(i) holds for i = 0, …, n-1.
 template <class Predicate>
 bool holds_for_all(const Executor& executor, std::size_t n, const Predicate& is_right)
 {

@@ -8,8 +8,8 @@
 // Functions in vector instructions that the user need not compile for: they are marked with their
 // target, and called where the machine has it. It fuses products into sums if the compiler's options
 // allow it (-ffp-contract), and filters are proved for either. A vector that is read from a vertex
-// has a word more than its point, which other threads may write and nobody looks at; ThreadSanitizer
-// cannot know that, and where it watches there are no vectors.
+// holds one word more than the point. Other threads may write that word, and its lane is never used.
+// ThreadSanitizer cannot know this, so vectors are left out where it watches.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 

@@ -241,7 +241,7 @@ public:
     return false;
   }
 
-  // That are taken by what there is.
+  // Returns how many bytes the cells and vertices take.
   std::uint64_t bytes() const
   {
     return m_complex.cells_end() * sizeof(Cell) +
@@ -443,8 +443,8 @@ public:
     return tell_and_answer(news.questions);
   }
 
-  // The same in two steps, of which the first may be taken again and again. No more points wait at once
-  // than an eighth of those that may be kept.
+  // Does the same in two steps; the first may be repeated. Where memory is short, points are inserted in
+  // portions of an eighth of the points that may be kept.
   void offer(std::vector<Tile_point> points)
   {
     note_known(points);
@@ -513,7 +513,7 @@ private:
     return is_wanted;
   }
 
-  // A point may have many cells.
+  // Throws if few points have so many cells that they take more memory than allowed.
   void check_bytes() const
   {
     if (m_triangulation.bytes() > m_bytes)

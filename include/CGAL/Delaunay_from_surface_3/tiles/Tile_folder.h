@@ -378,8 +378,8 @@ inline std::vector<std::filesystem::path> left_files(const std::filesystem::path
   return files;
 }
 
-// The place that a name means, by way of links; it need not be there, and may be one that the
-// system cannot follow.
+// Returns the place that a name leads to through links. The place need not exist; a name that the system
+// cannot follow is only made absolute.
 inline std::filesystem::path place_of(const std::filesystem::path& name)
 {
   std::error_code error;

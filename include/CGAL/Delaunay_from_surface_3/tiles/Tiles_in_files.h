@@ -164,8 +164,8 @@ private:
     return own;
   }
 
-  // Calls hear(messages) for what the tile was told in a round, as often as it takes for no more points to
-  // wait than it may keep.
+  // Calls hear(messages) with what the tile was told in a round, in portions of about as many points as it
+  // may keep.
   template <class Hear>
   void hear_messages(std::uint32_t t, std::size_t round, const Closed_round& closed,
                      const Hear& hear) const
@@ -177,9 +177,10 @@ private:
         messages.push_back({posted.from, t, {}});
         folder.append_message(posted, round, messages.back().points);
         waiting += messages.back().points.size();
-        if (waiting > limit)
+        if (waiting > limit) {
           hear(std::exchange(messages, {}));
-        waiting = messages.empty() ? 0 : waiting;
+          waiting = 0;
+        }
       }
     hear(std::move(messages));
   }
@@ -264,24 +265,6 @@ public:
     }
   }
 
-private:
-  void do_task_of_stage(std::size_t k, std::size_t n) const
-  {
-    switch (m_stage) {
-    case SAMPLE:
-      return tasks().summarize(k);
-    case HOME:
-      return tasks().bring_home(k, *m_tiling);
-    case ROUND:
-      return tasks(n).do_round(m_tasks[k], *m_tiling, m_round, m_closed, m_shown);
-    case PIECES:
-      return tasks(n).finish_tile(m_tasks[k], *m_tiling, m_closed);
-    case DONE:
-      return;
-    }
-  }
-
-public:
   // When all tasks are done, and nobody does any.
   void close()
   {
@@ -346,6 +329,22 @@ public:
   void forget() const { forget_folder(m_folder.place()); }
 
 private:
+  void do_task_of_stage(std::size_t k, std::size_t n) const
+  {
+    switch (m_stage) {
+    case SAMPLE:
+      return tasks().summarize(k);
+    case HOME:
+      return tasks().bring_home(k, *m_tiling);
+    case ROUND:
+      return tasks(n).do_round(m_tasks[k], *m_tiling, m_round, m_closed, m_shown);
+    case PIECES:
+      return tasks(n).finish_tile(m_tasks[k], *m_tiling, m_closed);
+    case DONE:
+      return;
+    }
+  }
+
   Tile_tasks tasks(std::size_t n = 1) const { return {m_folder, *m_source, m_input, m_limit, n}; }
 
   void begin_anew(const Tiles_options& options, std::size_t at_once)

@@ -42,7 +42,8 @@ struct Tiles_options
   /// tile divided by `sample_share`, but at most 16384.
   std::size_t sample_share = 8;
 
-  /// the number of points that are read at a time, or fewer if `memory` is less than 100 bytes for each.
+  /// the number of points that are read at a time, or fewer if `memory` is less than 100 bytes for each, but
+  /// not fewer than 16384.
   std::size_t points_at_once = 4000000;
 
   /// whether the certificate compares cells instead of sums of their hashes.

@@ -168,7 +168,7 @@ public:
     return insert_put_off(round);
   }
 
-  // Between rounds: Compact_complex::cells_end() is right then.
+  // Makes Compact_complex::cells_end() right. To be called between rounds.
   void note_cells() { m_shared.note_cells(); }
 
   // To be called when all is inserted. Gives back what only threads need.
