@@ -16,15 +16,6 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// Whether a coordinate is a finite number, by its bits: with -ffast-math, compilers take
-// std::isfinite() for true.
-inline bool is_finite_number(double x)
-{
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof(bits));
-  return (bits >> 52 & 0x7ff) != 0x7ff;
-}
-
 // n points as n × 3 doubles, owned elsewhere.
 class Point_array
 {
@@ -62,6 +53,15 @@ public:
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Whether a coordinate is a finite number, by its bits: with -ffast-math, compilers take
+// std::isfinite() for true.
+inline bool is_finite_number(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return (bits >> 52 & 0x7ff) != 0x7ff;
+}
 
 // Points that are there all the time.
 class Given_points final : public Point_source
