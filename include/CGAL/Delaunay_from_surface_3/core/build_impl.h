@@ -69,7 +69,7 @@ public:
 
   void release_cells(std::size_t first, std::size_t last) override
   {
-    m_points.complex.memory_of_cells().release(first, last);
+    m_points.complex.memory_of_cells().release_before_end(first, last);
   }
   void give_up_cells() override { m_points.complex.memory_of_cells().deallocate(); }
   void give_up_vertices() override { m_points.complex.memory_of_vertices().deallocate(); }
