@@ -15,8 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 
@@ -93,7 +92,7 @@ py::tuple views_of(Arrays&& moved, bool with_neighbors)
   return py::make_tuple(view(arrays->vertices_data()), neighbors, vertices, arrays->dimension());
 }
 
-// The finite cells of what the core makes of points and edges, if it was not stopped.
+// The finite cells of what the core makes of the points, if it was not stopped.
 Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::Watcher& watcher,
                  const core::Executor& executor)
 {
@@ -109,15 +108,14 @@ Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::W
   return core::arrays_of_built<std::int32_t>(*built, points, executor, false);
 }
 
-// Of the faces of a surface, if there is any; read with the lock, and gone when it is given back.
-core::Soup_edges edges_of(const py::object& faces, std::size_t n, const core::Executor& executor)
+// Refuses faces with indices that are not those of n points. Nothing else is done with them.
+void check_faces(const py::object& faces, std::size_t n)
 {
-  if (faces.is_none())
-    return {};
-  return python::with_faces(faces, [&](const auto& rows) {
-    const python::Unlocked unlocked;
-    return core::soup_edges(rows, n, executor);
-  });
+  if (!faces.is_none())
+    python::with_faces(faces, [&](const auto& rows) {
+      const python::Unlocked unlocked;
+      core::check_faces(rows, n);
+    });
 }
 
 py::tuple triangulated(const py::array& array, const py::object& faces, bool neighbors,
@@ -128,11 +126,10 @@ py::tuple triangulated(const py::array& array, const py::object& faces, bool nei
   const core::Rounding_to_nearest rounding;
   const core::Thread_executor executor((std::min)(threads, std::size_t(core::Lanes::most_workers)));
   python::Copied_points points(array);
-  core::Soup_edges soup = edges_of(faces, points.size(), executor);
+  check_faces(faces, points.size());
   core::Order_request request;
   request.seed = seed;
-  core::Given_edges edges(std::move(soup.lower));
-  auto orders = core::order_of_core(request, edges);
+  auto orders = core::order_of_core(request);
   if (kept != nullptr)
     orders = std::make_unique<core::Kept_order>(kept->order, std::move(orders));
   python::Interruptible_watcher watcher(points.size(), progress, rounding);

@@ -306,7 +306,7 @@ class Results(unittest.TestCase):
         one, other, again = (dfs.delaunay3(points, faces, seed=s).simplices for s in (1, 2, 1))
         self.assertEqual(cell_set(one), cell_set(other))
         self.assertTrue(np.array_equal(one, again))
-        self.assertFalse(np.array_equal(one, other))
+        self.assertTrue(np.array_equal(one, other))  # the order has random numbers only where it is replaced
 
 
 class AsScipy(unittest.TestCase):

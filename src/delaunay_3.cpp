@@ -12,8 +12,6 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -108,27 +106,18 @@ core::Point_array checked_points(const double* points, std::size_t n)
   return core::Point_array(points, n);
 }
 
-std::vector<std::array<std::int32_t, 3>> checked_faces(const std::int32_t* triangles,
-                                                       std::size_t number, std::size_t n)
+// The triangles change nothing in the result; wrong ones are a sign of a mistake.
+void check_triangles(const std::int32_t* triangles, std::size_t number, std::size_t n)
 {
   check_number(triangles, number);
-  std::vector<std::array<std::int32_t, 3>> faces(number);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k) {
-      faces[f][k] = triangles[3 * f + k];
-      if (faces[f][k] < 0 || std::size_t(faces[f][k]) >= n)
-        throw Refusal{DELAUNAY_3_BAD_INDEX, f};
-    }
-  return faces;
+  for (std::size_t k = 0; k < 3 * number; ++k)
+    if (triangles[k] < 0 || std::size_t(triangles[k]) >= n)
+      throw Refusal{DELAUNAY_3_BAD_INDEX, k / 3};
 }
 
-Arrays built_of(const core::Point_array& points,
-                const std::vector<std::array<std::int32_t, 3>>& faces,
-                const core::Executor& executor)
+Arrays built_of(const core::Point_array& points, const core::Executor& executor)
 {
-  core::Order_request request;
-  core::Given_edges edges(std::move(core::soup_edges(faces, points.size(), executor).lower));
-  const auto orders = core::order_of_core(request, edges);
+  const auto orders = core::order_of_core(core::Order_request());
   core::Given_points source(points);
   core::Watcher nobody;
   const auto build = executor.number_of_workers() > 1
@@ -150,9 +139,8 @@ delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t
     refuse_null(result);
     const core::Thread_executor executor(checked_threads(threads));
     const core::Point_array checked = checked_points(points, n);
-    const auto faces = checked_faces(triangles, number_of_triangles, n);
-    auto made =
-        std::make_unique<delaunay_3>(delaunay_3{checked, built_of(checked, faces, executor)});
+    check_triangles(triangles, number_of_triangles, n);
+    auto made = std::make_unique<delaunay_3>(delaunay_3{checked, built_of(checked, executor)});
     *result = made.release();
   });
 }

@@ -29,10 +29,10 @@ typedef struct delaunay_3 delaunay_3;
 
 typedef enum delaunay_3_status {
   DELAUNAY_3_OK = 0,
-  DELAUNAY_3_NOT_FINITE,   /* a coordinate */
-  DELAUNAY_3_BAD_INDEX,    /* in a triangle */
+  DELAUNAY_3_NOT_FINITE, /* a coordinate */
+  DELAUNAY_3_BAD_INDEX,  /* in a triangle */
   DELAUNAY_3_BAD_ARGUMENT, /* no thread, a level that there is not, null for an array that has entries */
-  DELAUNAY_3_TOO_MANY,     /* more than 2^30 cells, or 2^31 - 2 points or triangles */
+  DELAUNAY_3_TOO_MANY, /* more than 2^30 cells, or 2^31 - 2 points or triangles */
   DELAUNAY_3_NO_MEMORY,
   DELAUNAY_3_FAILED, /* a fault of the library */
   DELAUNAY_3_NOT_EXACT /* the library is compiled with -ffast-math, -Ofast or parts of them, or denormal
@@ -54,8 +54,8 @@ typedef struct delaunay_3_cells
 
 /* During a call, numbers are rounded to nearest, and denormal ones kept; then the caller's mode is back. */
 
-/* Of n points, three coordinates each. Triangles of a surface on the points, three indices each, may make
- * it faster and never change the result; there may be none. The points are read again by the last two
+/* Of n points, three coordinates each. Triangles of a surface on the points, three indices each, are
+ * checked and never change the result; there may be none. The points are read again by the last two
  * functions, so they stay where they are. Where something is refused, *where is the point or the
  * triangle, if anybody wants to know, and *result is null. `where` may be null, `result` may not; points
  * and triangles only if there are none. */

@@ -5,7 +5,7 @@
 // Measures how the default keeps up with plain CGAL where an order of insertion can go wrong:
 // solids as CAD makes them, in three numberings and with coordinates rounded in four ways, and
 // surfaces that are degenerate, wrong or of quadratic size; or where walks can go astray. Times in
-// turn, and counts. Or only counts, of nets drawn by other rules. Writes JSON.
+// turn, and counts. Or only counts, beside those of nets of the surface. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
@@ -23,9 +23,9 @@
 #include <Delaunay_from_surface_3_surfaces/renumber.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -189,8 +189,10 @@ Json measure_case(const Case& c, std::size_t repetitions)
           {"order_was_replaced", counts.order_was_replaced}};
 }
 
-// The default with nets in blocks of another size; see Surface_net_rounds.
-struct Nets_in_blocks : CGAL::Surface_insertion_traits_3
+// Nets of the surface in blocks of another size; see Surface_net_rounds.
+struct Nets_in_blocks
+  : CGAL::Surface_insertion_policies_3<DFS::No_subgraph, DFS::Surface_net_rounds,
+                                       DFS::Planned_hints_3>
 {
   std::size_t block = 1;
   Insertion_plan insertion_plan_object(unsigned int seed) const
@@ -226,7 +228,7 @@ Json count_case(const Case& c, const std::vector<std::size_t>& blocks)
           {"coordinates", c.coordinates},
           {"points", n},
           {"nets", counts},
-          {"random_rounds", counts_of(insertion, CGAL::Point_insertion_traits_3(), n)}};
+          {"spaced_rounds", counts_of(insertion, CGAL::Surface_insertion_traits_3(), n)}};
 }
 
 struct Options

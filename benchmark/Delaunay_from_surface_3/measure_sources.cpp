@@ -122,7 +122,7 @@ comparison::Take_counts counts_of(const Indexed_surface& surface)
   comparison::Take_counts counts;
   Triangulation tr;
   CGAL::insert_points_3(tr, surface.points, surface.faces, Traits(),
-                                CGAL::parameters::visitor(std::ref(counts)));
+                        CGAL::parameters::visitor(std::ref(counts)));
   return counts;
 }
 

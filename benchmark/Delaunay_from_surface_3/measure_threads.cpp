@@ -19,7 +19,8 @@
 #include <Delaunay_from_surface_3_threads/simulate_workers.h>
 #include <Delaunay_from_surface_3_threads/time_parts.h>
 
-#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -264,11 +265,9 @@ Json measure_memory(const Indexed_surface& surface, const Options& options)
 Json simulate(const Indexed_surface& surface, const std::vector<unsigned>& numbers)
 {
   namespace internal = DFS::internal;
-  const auto soup = internal::soup_graph(surface.faces, surface.points.size());
-  const DFS::Insertion_order plan = DFS::Surface_net_rounds(0)(surface.points, Epick(), soup.graph,
-                                                               internal::Identity_index_map());
-  if (plan.starting_places.empty())
-    return nullptr;
+  const auto coordinates = internal::rounded_coordinates(surface.points);
+  const DFS::Insertion_order plan =
+      internal::spaced_rounds({coordinates.data(), surface.points.size()});
   const auto points = internal::permuted(surface.points, plan.order);
   Json result = {{"round_ends", plan.round_ends}};
   for (const unsigned number : numbers)

@@ -22,7 +22,7 @@
 #include <Delaunay_from_surface_3_surfaces/simplify.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
-#include <CGAL/Point_insertion_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_3.h>
 
@@ -106,10 +106,10 @@ Json measure_levels(const std::string& name, const Indexed_surface& surface)
   return {{"surface", name},
           {"points", surface.points.size()},
           {"rounds", ends.size()},
-          {"nets", destroyed(surface, CGAL::Surface_insertion_traits_3())},
+          {"nets", destroyed(surface, With_plan<DFS::Surface_net_rounds>())},
           {"sorted_nets", destroyed(surface, With_plan<uniform::Hilbert_sorted_nets>())},
           {"uniform", destroyed(surface, With_plan<uniform::Uniform_rounds>())},
-          {"random_rounds", destroyed(surface, CGAL::Point_insertion_traits_3())}};
+          {"random_rounds", destroyed(surface, With_plan<DFS::Geometric_rounds>())}};
 }
 
 using Named_surface = std::pair<std::string, Indexed_surface>;

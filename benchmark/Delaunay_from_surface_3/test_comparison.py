@@ -24,7 +24,7 @@ COMMANDS = {"tetgen": ("TETGEN_PEER", ""), "geogram": ("GEOGRAM_PEER", "1"), "ge
 LIBRARIES = {name: f"{os.path.abspath(os.environ[variable])} {threads}"
              for name, (variable, threads) in COMMANDS.items() if variable in os.environ}
 MEASURE_THREADS = os.environ.get("MEASURE_THREADS", "")
-METHODS = ["plain", "plain-fast", "default", "default-fast", "compact-spatial", "nets", "plain-order", "tracing"]
+METHODS = ["plain", "plain-fast", "default", "default-fast", "compact-spatial", "compact-nets", "nets", "plain-order", "tracing"]
 PEERS = [word for name, command in {"again": PEER, "broken": "false", "mute": "echo", **LIBRARIES}.items()
          for word in ("--peer", f"{name}={command}")]
 
@@ -63,7 +63,7 @@ class Comparison(ProgramCase):
         for name in ("nets", "plain-order", "tracing"):  # CGAL's insertion
             self.between(5, methods[name]["predicates"]["update"]["in_sphere"], 200)
         # The order decides what is destroyed, whoever inserts; only the beginnings differ.
-        for ours, cgal in (("default", "nets"), ("compact-spatial", "plain-order")):
+        for ours, cgal in (("compact-nets", "nets"), ("compact-spatial", "plain-order")):
             destroyed = methods[cgal]["cells"]["destroyed"]
             self.between(5, destroyed, 100)
             self.between(destroyed - 2, methods[ours]["cells"]["destroyed"], destroyed + 2)

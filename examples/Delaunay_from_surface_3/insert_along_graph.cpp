@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points on a closed curve, joined by a graph of the Boost Graph Library. No surface is needed,
-// only edges between nearby points.
+// Points on a closed curve, joined by a graph of the Boost Graph Library. Traits of one's own
+// may trace the graph; by default the points alone are used.
 
 #include <CGAL/insert_points_along_graph_3.h>
 

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A polygon soup: three sheets that meet in one edge, and a quadrangle. No mesh data structure of
-// CGAL can represent it, but its edges still guide the insertion.
+// CGAL can represent it.
 
 #include <CGAL/insert_points_3.h>
 

@@ -10,13 +10,13 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Visitor_watcher.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -37,10 +37,9 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The order that the named parameters ask for.
 template <class NamedParameters>
-Order_request order_of_arrays(Order_request::Kind kind, const NamedParameters& np)
+Order_request order_of_arrays(const NamedParameters& np)
 {
   Order_request request;
-  request.kind = kind;
   request.seed = static_cast<unsigned int>(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0));
   return request;
@@ -135,7 +134,7 @@ below; any other does not compile
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of the insertion order, which also determines the numbers of the
-      cells. For points alone it has an effect only if the budget of the order is exceeded.}
+      cells. It has an effect only if the budget of the order is exceeded.}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd
@@ -166,8 +165,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 {
   using namespace Delaunay_from_surface_3::internal;
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
-  Given_edges none;
-  const auto orders = order_of_core(order_of_arrays(Order_request::SPACED, np), none);
+  const auto orders = order_of_core(order_of_arrays(np));
   return insert_into_arrays<Index>(read, *orders, std::nullopt,
                                    typename Executor_of_tag<ConcurrencyTag>::type(), np);
 }
@@ -175,8 +173,8 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-does the same for the points of a polygon soup, whose faces show which points are near each other.
-The order is that of `insert_points_3()` with its default traits; the seed always has an effect.
+does the same for the points of a polygon soup. The faces are checked, and the visitor is told what
+they are like; they have no effect on the order.
 
 \param points the points, including those in no face
 \param faces a range of ranges of integers: for each face the indices of its points, in order
@@ -194,10 +192,13 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
   using namespace Delaunay_from_surface_3::internal;
   const typename Executor_of_tag<ConcurrencyTag>::type executor{};
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
-  Soup_graph soup = soup_graph(faces, read.size(), executor);
-  Given_edges edges(soup.graph.take_lists());
-  const auto orders = order_of_core(order_of_arrays(Order_request::NETS, np), edges);
-  return insert_into_arrays<Index>(read, *orders, soup.irregularity, executor, np);
+  std::optional<std::string> irregularity;
+  if constexpr (is_given<CGAL_NP_CLASS, internal_np::visitor_t>)
+    irregularity = soup_edges(faces, read.size(), executor).irregularity;
+  else
+    check_faces(faces, read.size());
+  const auto orders = order_of_core(order_of_arrays(np));
+  return insert_into_arrays<Index>(read, *orders, irregularity, executor, np);
 }
 
 /*!
@@ -230,8 +231,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 {
   using namespace Delaunay_from_surface_3::internal;
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
-  Given_edges none;
-  Kept_order orders(order, order_of_core(order_of_arrays(Order_request::SPACED, np), none));
+  Kept_order orders(order, order_of_core(order_of_arrays(np)));
   return insert_into_arrays<Index>(read, orders, std::nullopt,
                                    typename Executor_of_tag<ConcurrencyTag>::type(), np);
 }

@@ -11,7 +11,6 @@
 #include <CGAL/Delaunay_from_surface_3/adapters/refuse_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -67,7 +66,7 @@ below; any other does not compile
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of the insertion order; on one thread, the same seed gives the
-      same insertions. For points alone it has an effect only if the budget of the order is
+      same insertions. With the default traits it has an effect only if the budget of the order is
       exceeded.}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
@@ -108,7 +107,7 @@ differ, or the input order cannot be preserved as requested; `tr` is then unchan
 Example: \ref Delaunay_from_surface_3/thin_points.cpp
 
 \sa `insert_points_along_graph_3()`
-\sa `Point_insertion_traits_3`
+\sa `Surface_insertion_traits_3`
 */
 template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class Slds,
           class PointRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -123,7 +122,7 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   const Insertion_input input{read.points(), no_graph,        Identity_index_map(),
                               std::nullopt,  Identity_name(), read.infos()};
   return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t>(
-      tr, input, Point_insertion_traits_3(), np);
+      tr, input, Surface_insertion_traits_3(), np);
 }
 
 /// \ingroup PkgDelaunayFromSurface3Points
@@ -144,14 +143,14 @@ insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator f
 /*!
 \ingroup PkgDelaunayFromSurface3Soup
 
-inserts the points of a polygon soup into a Delaunay triangulation. Only the edges of the faces are
-used. The faces may be any polygons, may overlap, may be oriented arbitrarily, and any number of
+inserts the points of a polygon soup into a Delaunay triangulation. By default the faces are checked
+and have no effect on the order; other traits use their edges. The faces may be any polygons, may overlap, may be oriented arbitrarily, and any number of
 them may share an edge. If the traits trace a `Bounded_degree_subgraph` and the faces are triangles
 that form a surface, this subgraph is found as for a mesh; otherwise a spanning forest takes its
 place. The result, and the state after a stop or an exception, are those of
 `insert_surface_vertices_3()`.
 
-<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for the order of n points along m sides of
+<b>Complexity</b>: \f$O(n \log n + m)\f$ for the order of n points and the checks of m sides of
 faces, plus the insertions.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
@@ -169,7 +168,7 @@ same time if its iterators have random access.
 \param points the points, including those in no face
 \param faces for each face the indices of its points, in order
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the overload
-without faces. Here the seed always has an effect.
+without faces
 
 \return the number of vertices that `tr` has gained; 0 after a stop if it was empty
 
@@ -218,7 +217,7 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
                                       "named parameters");
   if constexpr (are_faces<FaceRange>) {
     const Read_soup<Triangulation, PointRange, FaceRange, CGAL_NP_CLASS> read(
-        points, faces, np, Executor(), least_points_for_core<SurfaceInsertionTraits>(tr, np));
+        points, faces, np, Executor(), asks_for_graph<SurfaceInsertionTraits>());
     return insert_surface<Executor, internal_np::point_t>(tr, read.input(), traits, np);
   } else {
     return 0;

@@ -60,11 +60,11 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 \ingroup PkgDelaunayFromSurface3Graph
 
 inserts points that are the vertices of any graph: the edges of a soup, curves, nearest neighbours.
+By default the edges are not looked at; other traits trace them, or make the order from them.
 The result, and the state after a stop or an exception, are those of `insert_surface_vertices_3()`.
 As there is no surface, the visitor's `surface_is_irregular()` is not called.
 
-<b>Complexity</b>: expected \f$O((n + m) \log n)\f$ for the order of n points along m edges, plus
-the insertions.
+<b>Complexity</b>: \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
 that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
@@ -79,8 +79,8 @@ and multiple edges are allowed
 
 \param tr the triangulation into which the points are inserted
 \param points the points
-\param graph the graph, whose vertex with index i represents the i-th point. A bad graph costs time,
-but does not change the result.
+\param graph the graph, whose vertex with index i represents the i-th point. No graph changes
+the result.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
 `insert_points_3()` with faces, and the one below
 

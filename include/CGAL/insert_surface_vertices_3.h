@@ -26,10 +26,10 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 \ingroup PkgDelaunayFromSurface3Mesh
 
 inserts the vertices of a surface mesh into a Delaunay triangulation. The result equals that of
-`tr.insert(first, last)` for the same points. The surface only makes the insertions faster.
+`tr.insert(first, last)` for the same points.
 
-The default traits use the edges of the mesh, and nothing else of its connectivity. Faces that are
-not triangles, several components, boundaries and isolated vertices are allowed with any traits.
+The default traits use the points of the mesh alone; others trace its surface, or make the order from
+its edges. Faces that are not triangles, several components, boundaries and isolated vertices are allowed with any traits.
 Equal points share one vertex; the first of them in the order of `vertices(mesh)` determines its
 point and info.
 
@@ -41,8 +41,8 @@ If `tr` is not empty, then after a stop, or an exception thrown by the visitor o
 iterator, it is the triangulation of its old points and those inserted so far. After an exception
 thrown by its own insertion it may only be cleared or destroyed. Refused input leaves it unchanged.
 
-<b>Complexity</b>: expected \f$O((n + m) \log n + k)\f$ for the order of n vertices along m edges,
-where k is the largest index, plus the insertions.
+<b>Complexity</b>: \f$O(n \log n + k)\f$ for the order of n vertices, where k is the largest index,
+plus the insertions.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
 that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
@@ -77,7 +77,8 @@ below; any other does not compile
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of the insertion order; on one thread, the same seed gives the
-      same insertions}
+      same insertions. With the default traits it has an effect only if the budget of the order is
+      exceeded.}
     \cgalParamType{unsigned int}
     \cgalParamDefault{0}
   \cgalParamNEnd

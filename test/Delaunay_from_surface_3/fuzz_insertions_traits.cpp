@@ -69,6 +69,7 @@ template <class Plan, template <class, class> class Hints>
 using Core = Surface_insertion_policies_3<Full_graph, Plan, Hints>;
 
 using Random_core = Core<Random_plan, Planned_hints_3>;
+using Nets_core = Core<Surface_net_rounds, Planned_hints_3>;
 using Geometric_core = Core<Geometric_rounds, Planned_hints_3>;
 using Started_core = Core<meters::Neighbor_started_rounds<Random_plan>, Planned_hints_3>;
 using Spatial_core = Core<Spatial_sort_order, Previous_hint_3>;
@@ -96,6 +97,7 @@ std::vector<Insertion_way> ways_by_traits()
           {"history, mesh", check_insertion<Tr, History_tracing_traits_3, As_mesh>},
           {"plain order, soup", check_insertion<Tr, Plain_insertion_traits_3, As_soup>},
           {"random plan, core", check_insertion<Tr, Random_core, As_soup>},
+          {"nets, core", check_insertion<Tr, Nets_core, As_mesh>},
           {"geometric rounds, core", check_insertion<Tr, Geometric_core, As_graph>},
           {"started random plan, core", check_insertion<Tr, Started_core, As_graph>},
           {"spatial order, core", check_insertion<Tr, Spatial_core, As_soup>},

@@ -15,7 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/delaunay_3_arrays.h>
@@ -79,14 +79,10 @@ std::vector<Point> grid(int x, int y, int z)
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 
-// The nets with a budget that nothing keeps.
-class Starved_nets final : public DFS::internal::Order_source
+// The core's order with a budget that nothing keeps.
+class Starved_order final : public DFS::internal::Order_source
 {
 public:
-  explicit Starved_nets(DFS::internal::Edge_source& edges)
-    : m_orders(DFS::internal::order_of_core(DFS::internal::Order_request(), edges))
-  {
-  }
   DFS::internal::Order_view make(const DFS::internal::Point_array& points,
                                  const DFS::internal::Executor& executor) override
   {
@@ -103,7 +99,8 @@ public:
   }
 
 private:
-  std::unique_ptr<DFS::internal::Order_source> m_orders;
+  std::unique_ptr<DFS::internal::Order_source> m_orders =
+      DFS::internal::order_of_core(DFS::internal::Order_request());
   bool m_is_first = true;
 };
 
@@ -117,9 +114,7 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
     Reasons_visitor visitor;
     const auto coordinates = DFS::internal::rounded_coordinates(surface.points);
     DFS::internal::Given_points points({coordinates.data(), surface.points.size()});
-    DFS::internal::Given_edges edges(
-        DFS::internal::soup_graph(surface.faces, surface.points.size()).graph.take_lists());
-    Starved_nets orders(edges);
+    Starved_order orders;
     check_arrays(DFS::internal::insert_into_arrays<std::int32_t>(
                      points, orders, std::nullopt, DFS::internal::Alone(),
                      CGAL::parameters::visitor(std::ref(visitor))),
@@ -587,8 +582,7 @@ BOOST_AUTO_TEST_CASE(order_of_the_last_call)
     order.order.push_back(i);
   order.round_ends = {points.size()};
   order.starting_places.clear();
-  DFS::internal::Given_edges no_edges;
-  DFS::internal::Kept_order orders(order, std::make_unique<Starved_nets>(no_edges));
+  DFS::internal::Kept_order orders(order, std::make_unique<Starved_order>());
   const auto coordinates = DFS::internal::rounded_coordinates(points);
   DFS::internal::Given_points source({coordinates.data(), points.size()});
   Reasons_visitor visitor;

@@ -49,7 +49,8 @@ template <class FaceRange>
 std::set<Pair> edges_of_soup(Kind kind, const FaceRange& faces, std::size_t n)
 {
   namespace internal = DFS::internal;
-  const internal::Graph_of_faces<FaceRange> graph(internal::soup_graph(faces, n).graph, faces);
+  const internal::Graph_of_faces<FaceRange> graph(
+      internal::Lower_neighbor_graph(internal::soup_edges(faces, n).lower), faces);
   std::set<Pair> result;
   const DFS::Bounded_degree_subgraph subgraph(kind);
   subgraph(graph, internal::Identity_index_map(),

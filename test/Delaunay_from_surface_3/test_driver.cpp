@@ -10,6 +10,7 @@
 
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
@@ -78,7 +79,7 @@ std::string refusal(const DFS::Insertion_order& plan)
   return "";
 }
 
-// The nets with a budget that nothing keeps.
+// A plan that is not the core's, with a budget that nothing keeps.
 struct Starved_nets : DFS::Surface_net_rounds
 {
   static constexpr std::size_t cells_per_point = 1;

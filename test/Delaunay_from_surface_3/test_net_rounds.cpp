@@ -18,11 +18,9 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
-#include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -186,34 +184,22 @@ BOOST_AUTO_TEST_CASE(order_of_points_by_request)
 {
   using namespace DFS::internal;
   const surfaces::Indexed_surface surface = surfaces::genus_surface(1, 4000, 0.05);
-  const Graph graph = graph_of(surface);
   const std::size_t n = surface.points.size();
-  std::vector<double> coordinates;
-  for (const Point& p : surface.points)
-    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-  const auto order = [&](const Order_request& request, bool has_edges) {
-    Lists<std::uint32_t> lower;
-    if (has_edges)
-      lower = lower_neighbors(graph, get(boost::vertex_index, graph), n);
-    Given_edges edges(std::move(lower));
+  const auto coordinates = rounded_coordinates(surface.points);
+  const auto order = [&](const auto& plan) {
     return copy_of(
-        order_of_core(request, edges)->make(Point_array(coordinates.data(), n), Alone()));
+        order_of_core(plan.order_request())->make(Point_array(coordinates.data(), n), Alone()));
   };
   const auto planned = [&](const auto& plan) {
-    return plan(surface.points, Kernel(), graph, get(boost::vertex_index, graph));
+    return plan(surface.points, Kernel(), Graph(), get(boost::vertex_index, Graph()));
   };
-  const DFS::Surface_net_rounds nets(3, 64);
-  BOOST_TEST((order(nets.order_request(), true).order == planned(nets).order));
-  BOOST_TEST((order(nets.order_request(), true).starting_places == planned(nets).starting_places));
-  // Points alone are ordered as such.
-  BOOST_TEST((order(nets.order_request(), false).order == planned(DFS::Spaced_rounds(3)).order));
+  const DFS::Spaced_rounds spaced(3);
+  BOOST_TEST((order(spaced).order == planned(spaced).order));
+  BOOST_TEST((order(spaced).starting_places == planned(spaced).starting_places));
   const DFS::Geometric_rounds rounds(3, 0.5, 100);
-  for (const bool has_edges : {false, true}) {
-    const DFS::Insertion_order same = order(rounds.order_request(), has_edges);
-    BOOST_TEST((same.order == planned(rounds).order));
-    BOOST_TEST((same.round_ends == rounds.round_ends(n)));
-    BOOST_TEST(same.starting_places.empty());
-  }
+  BOOST_TEST((order(rounds).order == planned(rounds).order));
+  BOOST_TEST((order(rounds).round_ends == rounds.round_ends(n)));
+  BOOST_TEST(order(rounds).starting_places.empty());
 }
 
 BOOST_AUTO_TEST_CASE(random_blocks_are_permutations)
@@ -279,8 +265,7 @@ BOOST_AUTO_TEST_CASE(hubs_do_not_keep_what_is_nearer_to_others)
   using DFS::internal::Numbered_edge;
   for (const std::uint32_t n :
        {8000u, 80000u}) { // vertices 1, 2, … along a line, every 4th beside 0
-    std::vector<DFS::internal::Large_vector<Numbered_edge>> blocks(1);
-    auto& edges = blocks[0];
+    DFS::internal::Large_vector<Numbered_edge> edges;
     for (std::uint32_t v = 2; v < n; ++v)
       edges.emplace_back(v - 1, v);
     for (std::uint32_t v = 4; v < n; v += 4)
@@ -289,7 +274,7 @@ BOOST_AUTO_TEST_CASE(hubs_do_not_keep_what_is_nearer_to_others)
     for (std::uint32_t v = 0; v < n; ++v)
       coordinates[3 * v] = v;
     const DFS::internal::Point_array points(coordinates.data(), n);
-    const auto lower = DFS::internal::lower_neighbors(blocks, n);
+    const auto lower = DFS::internal::lower_neighbors(edges, n);
     const auto net = DFS::internal::net_of(lower, 1, DFS::internal::Vertex_points(points));
     const auto stay = std::count(net.cluster_of.begin(), net.cluster_of.end(), net.cluster_of[0]);
     BOOST_TEST(stay > 1);
@@ -364,9 +349,9 @@ BOOST_AUTO_TEST_CASE(invariants_of_orders_and_nets)
   BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 3}, {0, 0, 2}}, 3));
   BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 3}, {0, 0}}, 3));
 
-  std::vector<core::Large_vector<core::Numbered_edge>> path(1); // 0 - 1 - 2 - 3
+  core::Large_vector<core::Numbered_edge> path; // 0 - 1 - 2 - 3
   for (const std::uint32_t v : {1u, 2u, 3u})
-    path[0].emplace_back(v, v - 1);
+    path.emplace_back(v, v - 1);
   const auto lower = core::lower_neighbors(path, 4);
   BOOST_TEST(core::is_net(lower, {0, 0, 3, 3}));
   BOOST_TEST(core::is_net(lower, {1, 1, 1, 3}));

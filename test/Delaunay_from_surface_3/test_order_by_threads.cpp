@@ -18,10 +18,9 @@
 
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -51,29 +50,28 @@ void shuffle(Indexed_surface& surface)
 }
 
 template <class Executor>
-DFS::internal::Soup_graph graph_of(const Indexed_surface& surface, const Executor& executor)
+DFS::internal::Soup_edges edges_of(const Indexed_surface& surface, const Executor& executor)
 {
-  return DFS::internal::soup_graph(surface.faces, surface.points.size(), executor);
+  return DFS::internal::soup_edges(surface.faces, surface.points.size(), executor);
 }
 
 template <class Executor>
 DFS::Insertion_order order_of(const Indexed_surface& surface, const Executor& executor)
 {
-  const auto soup = graph_of(surface, DFS::internal::Alone());
-  return DFS::Surface_net_rounds(5)(surface.points, CGAL::Epick(), soup.graph,
-                                    DFS::internal::Identity_index_map(), executor);
+  const auto coordinates = DFS::internal::rounded_coordinates(surface.points);
+  return DFS::internal::spaced_rounds({coordinates.data(), surface.points.size()}, executor);
 }
 
 void check(const Indexed_surface& surface)
 {
-  const auto alone = graph_of(surface, DFS::internal::Alone());
+  const auto alone = edges_of(surface, DFS::internal::Alone());
   const auto order = order_of(surface, DFS::internal::Alone());
-  BOOST_TEST_REQUIRE(alone.graph.number_of_edges() > 32768u); // so that threads have a part
+  BOOST_TEST_REQUIRE(alone.lower.items.size() > 32768u); // so that threads have a part
   for (const std::size_t number : {1, 2, 5}) {
     const tests::Thread_executor executor(number);
-    const auto soup = graph_of(surface, executor);
-    BOOST_TEST((soup.graph.lists().first == alone.graph.lists().first));
-    BOOST_TEST((soup.graph.lists().items == alone.graph.lists().items));
+    const auto soup = edges_of(surface, executor);
+    BOOST_TEST((soup.lower.first == alone.lower.first));
+    BOOST_TEST((soup.lower.items == alone.lower.items));
     BOOST_TEST(soup.irregularity.value_or("") == alone.irregularity.value_or(""));
     const auto same = order_of(surface, executor);
     BOOST_TEST((same.order == order.order));
@@ -111,7 +109,7 @@ BOOST_AUTO_TEST_CASE(the_first_bad_face_is_named)
   for (const std::size_t number : {1, 2, 5}) {
     const tests::Thread_executor executor(number);
     BOOST_CHECK_EXCEPTION(
-        graph_of(surface, executor), CGAL::Surface_input_error,
+        edges_of(surface, executor), CGAL::Surface_input_error,
         [](const std::exception& e) { return std::string(e.what()).find("face 20000: ") == 0; });
   }
 }
@@ -122,12 +120,9 @@ BOOST_AUTO_TEST_CASE(a_part_left_out_is_noticed)
   const Indexed_surface surface = surfaces::genus_surface(3, 60000, 0.1);
   const tests::Forgetful_executor executor(2);
   const auto order = order_of(surface, DFS::internal::Alone()).order;
-  BOOST_CHECK_THROW(graph_of(surface, executor), std::logic_error);
+  BOOST_CHECK_THROW(edges_of(surface, executor), std::logic_error);
   BOOST_CHECK_THROW(order_of(surface, executor), std::logic_error);
   BOOST_CHECK_THROW(DFS::internal::permuted(order, order, executor), std::logic_error);
-  const auto coordinates = DFS::internal::rounded_coordinates(surface.points);
-  const DFS::internal::Point_array points(coordinates.data(), surface.points.size());
-  BOOST_CHECK_THROW(DFS::internal::spaced_rounds(points, executor), std::logic_error);
 }
 
 // Of points alone, too, whose parts are sorted by whoever comes first: on a surface, in space, and where

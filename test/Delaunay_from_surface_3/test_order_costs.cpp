@@ -111,7 +111,8 @@ DFS::Insertion_order plan_of(const std::vector<Point>& points, const Index_graph
 // Every edge once, from the smaller index to the larger.
 Index_graph graph_of(const surfaces::Indexed_surface& surface)
 {
-  const auto soup = DFS::internal::soup_graph(surface.faces, surface.points.size()).graph;
+  const DFS::internal::Lower_neighbor_graph soup(
+      DFS::internal::soup_edges(surface.faces, surface.points.size()).lower);
   std::vector<std::pair<std::size_t, std::size_t>> ascending;
   for (auto [e, end] = edges(soup); e != end; ++e)
     ascending.emplace_back(target(*e, soup), source(*e, soup));
@@ -127,21 +128,21 @@ void check(const std::vector<tests::Order_case>& cases)
       const surfaces::Indexed_surface surface = a_case.make();
       const std::vector<Point>& points = surface.points;
       const Index_graph graph = graph_of(surface);
-      const auto nets = plan_of<DFS::Surface_net_rounds>(points, graph);
+      const auto spaced = plan_of<DFS::Spaced_rounds>(points, graph);
       const Cost plain = cost(points, plan_of<DFS::Spatial_sort_order>(points, graph));
-      const Cost planned = cost(points, nets);
-      const Cost neighbor = cost(points, from_nearest_neighbors(points, graph, nets));
-      BOOST_TEST_MESSAGE(a_case.name << ": cells destroyed per point: nets " << planned.destroyed
-                                     << ", plain CGAL's order " << plain.destroyed
-                                     << "; tested to start: planned " << planned.tested_to_start
-                                     << ", at a neighbour " << neighbor.tested_to_start
-                                     << ", plain CGAL's order " << plain.tested_to_start);
+      const Cost planned = cost(points, spaced);
+      const Cost neighbor = cost(points, from_nearest_neighbors(points, graph, spaced));
+      BOOST_TEST_MESSAGE(
+          a_case.name << ": cells destroyed per point: spaced rounds " << planned.destroyed
+                      << ", plain CGAL's order " << plain.destroyed << "; tested to start: planned "
+                      << planned.tested_to_start << ", at a neighbour " << neighbor.tested_to_start
+                      << ", plain CGAL's order " << plain.tested_to_start);
       BOOST_TEST(planned.destroyed <= 1.15 * plain.destroyed);
       if (a_case.is_quadratic)
         continue;
       BOOST_TEST(planned.tested_to_start <= 2 * neighbor.tested_to_start);
       // The budget leaves room for larger ones.
-      const double allowed = 0.8 * double(DFS::Surface_net_rounds::cells_per_point);
+      const double allowed = 0.8 * double(DFS::Spaced_rounds::cells_per_point);
       BOOST_TEST(planned.destroyed <= allowed);
       BOOST_TEST(planned.tested_to_start <= allowed / 4);
     }

@@ -8,6 +8,7 @@
 #define BOOST_TEST_MODULE test_threads
 #include <boost/test/included/unit_test.hpp>
 
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Tracing_traits_3.h>
@@ -34,6 +35,7 @@
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/transform_iterator.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -53,6 +55,7 @@ namespace {
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Epick::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<Epick>;
+namespace DFS = CGAL::Delaunay_from_surface_3;
 using surfaces::Indexed_surface;
 
 struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
@@ -134,6 +137,35 @@ BOOST_AUTO_TEST_CASE(surfaces_by_many_threads)
   }
 }
 
+struct Numbers_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  std::vector<std::size_t> numbers;
+
+  using CGAL::Default_surface_insertion_visitor_3::go_further;
+  bool go_further(std::size_t inserted)
+  {
+    numbers.push_back(inserted);
+    return true;
+  }
+};
+
+// Though the caller's thread takes chunks from others, which may lie before its own.
+BOOST_AUTO_TEST_CASE(progress_never_falls)
+{
+  const Indexed_surface surface = surfaces::genus_surface(3, 60000, 0.1);
+  with_eight_threads([&] {
+    for (int i = 0; i < 5; ++i) {
+      Triangulation tr;
+      Numbers_visitor visitor;
+      CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points,
+                                                CGAL::parameters::visitor(std::ref(visitor)));
+      BOOST_TEST(visitor.numbers.size() > 20u);
+      BOOST_TEST(std::is_sorted(visitor.numbers.begin(), visitor.numbers.end()));
+      BOOST_TEST(visitor.numbers.back() <= surface.points.size());
+    }
+  });
+}
+
 BOOST_AUTO_TEST_CASE(a_triangulation_for_many_threads)
 {
   using Tds = CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Epick>,
@@ -148,7 +180,7 @@ BOOST_AUTO_TEST_CASE(a_triangulation_for_many_threads)
     Counting_visitor by_default;
     Parallel other;
     insert_points_3(other, surface.points, surface.faces,
-                            CGAL::parameters::visitor(std::ref(by_default)));
+                    CGAL::parameters::visitor(std::ref(by_default)));
     BOOST_TEST(by_default.threads == 8u);
     BOOST_TEST((other == plain));
     other.clear();
@@ -175,7 +207,7 @@ BOOST_AUTO_TEST_CASE(points_alone)
   }
 }
 
-// The hubs come first, and two thousand of them have a million cells.
+// In nets the hubs come first, and two thousand of them have a million cells.
 BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_found_early)
 {
   const Indexed_surface surface = surfaces::skew_stars(36000, 1);
@@ -183,8 +215,11 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_found_early)
   with_eight_threads([&] {
     Triangulation tr;
     Counting_visitor visitor;
-    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces,
-                                                      CGAL::parameters::visitor(std::ref(visitor)));
+    const CGAL::Surface_insertion_policies_3<DFS::No_subgraph, DFS::Surface_net_rounds,
+                                             DFS::Planned_hints_3>
+        by_nets;
+    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces, by_nets,
+                                              CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST((tr == plain));
     BOOST_TEST(visitor.asked_before_replaced > 0u);
     BOOST_TEST(visitor.asked_before_replaced < 20u);
@@ -227,8 +262,8 @@ BOOST_AUTO_TEST_CASE(hints_that_are_not_concurrent)
     Triangulation tr;
     Counting_visitor visitor;
     CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces,
-                                                      CGAL::Tracing_traits_3(),
-                                                      CGAL::parameters::visitor(std::ref(visitor)));
+                                              CGAL::Tracing_traits_3(),
+                                              CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_TEST(visitor.threads == 1u);
     BOOST_TEST((tr == plain));
   });
@@ -252,9 +287,8 @@ BOOST_AUTO_TEST_CASE(points_left_out)
   Triangulation alone, tr;
   CGAL::insert_points_3(alone, surface.points, surface.faces, np);
   visitor.threads = 0;
-  with_eight_threads([&] {
-    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces, np);
-  });
+  with_eight_threads(
+      [&] { CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces, np); });
   BOOST_TEST(visitor.threads == 1u);
   BOOST_TEST(tr.number_of_vertices() < surface.points.size());
   BOOST_TEST((tr == alone));
@@ -307,8 +341,7 @@ BOOST_AUTO_TEST_CASE(in_the_loop_of_a_caller)
   std::vector<Triangulation> triangulations(6);
   with_eight_threads([&] {
     tbb::parallel_for(std::size_t(0), triangulations.size(), [&](std::size_t k) {
-      CGAL::insert_points_3<CGAL::Parallel_tag>(triangulations[k], surface.points,
-                                                        surface.faces);
+      CGAL::insert_points_3<CGAL::Parallel_tag>(triangulations[k], surface.points, surface.faces);
     });
   });
   for (const Triangulation& tr : triangulations)
@@ -422,7 +455,7 @@ private:
     Triangulation tr;
     Cancelling_visitor visitor(moment, cancel);
     CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, faces(moment, cancel),
-                                                      CGAL::parameters::visitor(std::ref(visitor)));
+                                              CGAL::parameters::visitor(std::ref(visitor)));
     return visitor.threads == 8 && tr == plain && tr.tds().is_valid();
   }
 
@@ -486,7 +519,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_that_asks_for_cancellation)
     Triangulation tr;
     tests::call_in_group([&](const auto&) {
       CGAL::insert_points_3<CGAL::Parallel_tag>(tr, points, faces,
-                                                        CGAL::parameters::visitor(goes_on));
+                                                CGAL::parameters::visitor(goes_on));
     });
     BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
 
@@ -494,13 +527,13 @@ BOOST_AUTO_TEST_CASE(a_visitor_that_asks_for_cancellation)
       tr.clear();
       double told = -1;
       tests::call_in_group([&](const auto& cancel) {
-        CGAL::insert_points_3<CGAL::Parallel_tag>(
-            tr, points, faces, CGAL::parameters::visitor([&](double inserted) {
-              told = inserted;
-              if (inserted >= share)
-                cancel();
-              return goes_on(inserted);
-            }));
+        CGAL::insert_points_3<CGAL::Parallel_tag>(tr, points, faces,
+                                                  CGAL::parameters::visitor([&](double inserted) {
+                                                    told = inserted;
+                                                    if (inserted >= share)
+                                                      cancel();
+                                                    return goes_on(inserted);
+                                                  }));
       });
       BOOST_TEST(tr.number_of_vertices() == 0u);
       BOOST_TEST(told >= share);
@@ -517,9 +550,8 @@ BOOST_AUTO_TEST_CASE(several_callers_at_once)
   std::vector<Triangulation> triangulations(4);
   std::vector<std::thread> callers;
   for (Triangulation& tr : triangulations)
-    callers.emplace_back([&] {
-      CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
-    });
+    callers.emplace_back(
+        [&] { CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces); });
   for (std::thread& caller : callers)
     caller.join();
   for (const Triangulation& tr : triangulations)

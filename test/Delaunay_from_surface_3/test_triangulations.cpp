@@ -24,6 +24,7 @@
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_surface_vertices_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/insert_points_3.h>
@@ -514,6 +515,9 @@ BOOST_AUTO_TEST_CASE(a_seed_determines_everything)
     BOOST_TEST((finite_points(by_default) == finite_points(unnamed)));
   };
   check(CGAL::Tracing_traits_3(), true);
-  check(CGAL::Surface_insertion_traits_3(), true);
+  check(CGAL::Surface_insertion_policies_3<DFS::No_subgraph, DFS::Surface_net_rounds,
+                                           DFS::Planned_hints_3>(),
+        true);
+  check(CGAL::Surface_insertion_traits_3(), false);
   check(CGAL::Plain_insertion_traits_3(), false);
 }

@@ -18,7 +18,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/surface_of.h>
 
@@ -81,13 +80,9 @@ inline std::vector<float> centered(const std::vector<std::array<double, 3>>& poi
 template <class Traits>
 DFS::Insertion_order order_of(const Surface& surface, const Traits& traits, unsigned int seed)
 {
-  const auto plan = traits.insertion_plan_object(seed);
-  if (surface.is_manifold)
-    return plan(surface.points, Kernel(), surface.mesh, get(boost::vertex_index, surface.mesh));
-  auto soup = DFS::internal::soup_graph(surface.faces, surface.points.size());
-  const DFS::internal::Graph_of_faces<decltype(surface.faces)> graph(std::move(soup.graph),
-                                                                     surface.faces);
-  return plan(surface.points, Kernel(), graph, DFS::internal::Identity_index_map());
+  const std::decay_t<decltype(surface.mesh)> no_edges; // none of the plans looks at any
+  return traits.insertion_plan_object(seed)(surface.points, Kernel(), no_edges,
+                                            get(boost::vertex_index, no_edges));
 }
 
 // The edges of the subgraph of bounded degree, as indices of input points; none where there is no

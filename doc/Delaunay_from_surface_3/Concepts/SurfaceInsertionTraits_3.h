@@ -10,7 +10,6 @@ class. None of its parts changes the resulting triangulation.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Surface_insertion_traits_3}
-\cgalHasModels{CGAL::Point_insertion_traits_3}
 \cgalHasModels{CGAL::Tracing_traits_3}
 \cgalHasModels{CGAL::History_tracing_traits_3}
 \cgalHasModels{CGAL::Plain_insertion_traits_3}

@@ -43,7 +43,7 @@ class SurfaceInsertionVisitor_3
 public:
   /*!
   is called before the first phase if the surface is not a manifold mesh of triangles. This is not an
-  error, since only the edges are used.
+  error.
 
   \param reason says in words how many faces are not triangles, and how many edges have more than two
   faces
@@ -121,7 +121,7 @@ public:
 
   /*!
   is optional. If it exists, the core calls it instead of the one without argument, with the number of
-  points inserted; with several threads this number is approximate, and may decrease. The one without
+  points inserted; with several threads this number is approximate. It falls only when the work begins anew. The one without
   argument must exist too: a class derived from the default visitor says
   `using CGAL::Default_surface_insertion_visitor_3::go_further;`.
 

@@ -215,15 +215,13 @@ def draw_cell():
 def draw_call():
     svg = Svg(860, 232)
     svg.box("box", 6, 60, 122, 62, "mesh, soup,", "graph, points")
-    svg.box("box", 160, 60, 112, 62, "doubles", "and edges")
-    svg.box("warm", 304, 34, 152, 50, "nets", "of a surface or graph")
-    svg.box("warm", 304, 98, 152, 50, "spaced rounds", "of points alone")
+    svg.box("box", 160, 60, 112, 62, "doubles")
+    svg.box("warm", 304, 60, 152, 62, "spaced rounds", "of the points")
     svg.box("red", 496, 60, 140, 62, "rounds of", "walk, dig, fill")
     svg.box("green", 676, 40, 178, 38, "export into tr")
     svg.box("green", 676, 104, 178, 38, "arrays, in place")
     svg.box("warm", 304, 172, 152, 50, "geometric rounds", "random")
-    for places in ([(128, 91), (158, 91)], [(272, 84), (302, 62)], [(272, 98), (302, 120)], [(456, 62), (494, 84)],
-                   [(456, 120), (494, 100)], [(636, 84), (674, 60)], [(636, 98), (674, 122)]):
+    for places in ([(128, 91), (158, 91)], [(272, 91), (302, 91)], [(456, 91), (494, 91)], [(636, 84), (674, 60)], [(636, 98), (674, 122)]):
         svg.way("arrow", places)
     svg.way("arrow dashed", [(548, 122), (548, 188), (458, 188)])
     svg.way("arrow dashed", [(456, 208), (588, 208), (588, 124)])

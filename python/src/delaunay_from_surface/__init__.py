@@ -61,7 +61,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         are copied while the order is made, so another thread may change them.
     faces
         Indices of points: an integer array of shape (m, k), or a sequence of sequences of any lengths.
-        They need not be a manifold. Without them the points are taken alone.
+        They need not be a manifold. They are checked, and used by `inside`; the simplices do not depend on them.
     neighbors
         Whether the neighbours are kept: they and the simplices are then views of one array, 16 bytes apart.
         Else they are found anew when they are first asked for.
@@ -70,7 +70,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         `inside_figures` how sure that is. The surface may have gaps, and parts that overlap; faces that disagree with
         those around them are turned. If much of the volume may be wrong, a `UserWarning` says so.
     seed
-        Decides the order of insertion, and with it the order of the simplices.
+        Of the random order of insertion that takes over where the usual one, which has no random numbers, turns out
+        to be bad. It changes the order of the simplices at most.
     progress
         Is called about every 50 ms with the share of the points that are inserted, and at last with 1. If it
         returns False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and
@@ -82,7 +83,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     order
         The order of insertion of the last call, for points that move a little from call to call: make an
         `InsertionOrder()` and give it to all. A new one is made and kept if it is one of another number of points, or
-        too costly by now; faces are then looked at. The simplices are the same, in another order. 16 bytes per point.
+        too costly by now. The simplices are the same, in another order. 16 bytes per point.
 
     Raises
     ------

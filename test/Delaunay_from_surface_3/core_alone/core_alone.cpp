@@ -3,15 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The core by itself, as a program would use it that has never heard of CGAL: points of every
-// dimension, degenerate ones, with edges and without, into arrays.
+// dimension, degenerate ones, in both orders, into arrays.
 
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/complete_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
@@ -46,15 +44,6 @@ std::vector<double> lattice(int x, int y, int z, double scale, bool is_sheared =
         for (const int c : {i, j, is_sheared ? i + j + k : k})
           coordinates.push_back(scale * c);
   return coordinates;
-}
-
-// Successive points are joined, whatever they are.
-core::Lists<std::uint32_t> path(std::size_t n)
-{
-  std::vector<core::Large_vector<core::Numbered_edge>> edges(1);
-  for (std::size_t i = 1; i < n; ++i)
-    edges[0].emplace_back(std::uint32_t(i), std::uint32_t(i - 1));
-  return core::lower_neighbors(edges, n);
 }
 
 std::vector<std::array<std::int32_t, 4>> simplices_of(const Arrays& arrays)
@@ -116,12 +105,14 @@ void check_queries(const Arrays& arrays, const core::Point_array& points, const 
   }
 }
 
-Arrays arrays_of(const std::vector<double>& coordinates, bool has_edges, const char* where)
+Arrays arrays_of(const std::vector<double>& coordinates, core::Order_request::Kind kind,
+                 const char* where)
 {
   const std::size_t n = coordinates.size() / 3;
   core::Given_points points(core::Point_array(coordinates.data(), n));
-  core::Given_edges edges(has_edges ? path(n) : core::Lists<std::uint32_t>());
-  const auto orders = core::order_of_core(core::Order_request(), edges);
+  core::Order_request request;
+  request.kind = kind;
+  const auto orders = core::order_of_core(request);
   core::Watcher nobody;
   const auto built = core::build<std::uint32_t, core::One_thread>(points, *orders, {true, true},
                                                                   nobody, core::Alone());
@@ -142,8 +133,8 @@ void check_lattice(int x, int y, int z, const char* where)
   const int dimension = int(x > 1) + int(y > 1) + int(z > 1);
   const int least[] = {1, 1, 2, 5}, most[] = {1, 1, 2, 6};
   for (const double scale : {1., 0x1p-1070, 0x1p1000, .1})
-    for (const bool has_edges : {false, true}) {
-      const Arrays arrays = arrays_of(lattice(x, y, z, scale), has_edges, where);
+    for (const auto kind : {core::Order_request::SPACED, core::Order_request::GEOMETRIC}) {
+      const Arrays arrays = arrays_of(lattice(x, y, z, scale), kind, where);
       check(arrays.dimension() == dimension, "dimension", where);
       check(arrays.number_of_points() == std::size_t(x * y * z), "points", where);
       check(arrays.number_of_vertices() == std::size_t(x * y * z), "vertices", where);

@@ -29,10 +29,7 @@ CGAL::Delaunay_3_arrays<std::int32_t> arrays_by_threads(std::size_t number,
     for (const int k : {0, 1, 2})
       coordinates.push_back(p[k]);
   core::Given_points source(core::Point_array(coordinates.data(), points.size()));
-  core::Given_edges none;
-  core::Order_request request;
-  request.kind = core::Order_request::SPACED;
-  const auto orders = core::order_of_core(request, none);
+  const auto orders = core::order_of_core(core::Order_request());
   return core::insert_into_arrays<std::int32_t>(
       source, *orders, std::nullopt, Thread_executor(number), CGAL::parameters::default_values());
 }

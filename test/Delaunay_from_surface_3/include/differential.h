@@ -50,7 +50,7 @@ void check_all_plans_and_hints(const Case& plain_case)
   check_all_hints<Subgraph, CGAL::Delaunay_from_surface_3::Surface_net_rounds>(plain_case);
 }
 
-// Nets through CGAL's insertion, and the core with other plans.
+// Nets through CGAL's insertion and through the core, and the core with other plans.
 template <class Case>
 void check_nets_and_compact_kernel_apart(const Case& plain_case, unsigned int seed = 0)
 {
@@ -58,6 +58,8 @@ void check_nets_and_compact_kernel_apart(const Case& plain_case, unsigned int se
   using namespace CGAL::Delaunay_from_surface_3;
   plain_case.template check<Round_the_core<
       Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>>(seed);
+  plain_case.template check<
+      Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Planned_hints_3>>(seed);
   plain_case
       .template check<Surface_insertion_policies_3<Full_graph, Geometric_rounds, Planned_hints_3>>(
           seed);

@@ -22,7 +22,6 @@
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Plain_insertion_traits_3.h>
-#include <CGAL/Point_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
@@ -115,18 +114,21 @@ inline std::vector<Method> all_methods()
   using namespace CGAL;
   using namespace CGAL::Delaunay_from_surface_3;
   using Default = Surface_insertion_traits_3;
+  using By_nets = Surface_insertion_policies_3<No_subgraph, Surface_net_rounds, Planned_hints_3>;
   return {
       {"plain", "dt.insert(first, last) of CGAL", build_by_plain<Triangulation>, nullptr,
        [](const Mesh& mesh, unsigned int) { return counts_of_plain(mesh); }},
       {"plain-fast", "the same into a triangulation with Fast_location",
        build_by_plain<Fast_triangulation>, nullptr, nullptr},
-      surface_method<Default>("default", "Surface_insertion_traits_3: nets, compact triangulation"),
+      surface_method<Default>("default",
+                              "Surface_insertion_traits_3: spaced rounds, compact triangulation"),
       {"default-fast", "the same into a triangulation with Fast_location",
        build_by_package<Fast_triangulation, Default>,
        phases_of_package<Fast_triangulation, Default>, nullptr},
+      surface_method<By_nets>("compact-nets", "nets of the surface, compact triangulation"),
       surface_method<Surface_insertion_policies_3<Full_graph, Spatial_sort_order, Previous_hint_3>>(
           "compact-spatial", "plain CGAL's order, which needs no surface; compact triangulation"),
-      surface_method<By_cgal<Default>>(
+      surface_method<By_cgal<By_nets>>(
           "nets", "nets of the surface, their starting points, CGAL's insertion"),
       surface_method<Plain_insertion_traits_3>(
           "plain-order", "Plain_insertion_traits_3: plain CGAL's insertions, our loop"),

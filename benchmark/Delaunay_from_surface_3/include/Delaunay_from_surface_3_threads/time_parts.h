@@ -139,7 +139,7 @@ std::map<std::string, double> seconds_of_parts(const surfaces::Indexed_surface& 
   const auto np = CGAL::parameters::visitor(Timing_visitor());
   part_clock().begin("read");
   const Read_soup<Triangulation, decltype(surface.points), decltype(surface.faces), decltype(np)>
-      read(surface.points, surface.faces, np, Timed(), 0);
+      read(surface.points, surface.faces, np, Timed(), false);
   insert_surface<Timed, CGAL::internal_np::point_t>(tr, read.input(),
                                                     CGAL::Surface_insertion_traits_3(), np);
   part_clock().end();

@@ -5,11 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_READ_COORDINATES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_READ_COORDINATES_H
 
-#include <CGAL/Delaunay_from_surface_3/core/order/soup_edges.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
-#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
@@ -22,8 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -95,35 +90,6 @@ private:
   const std::size_t m_size;
   Large_vector<double> m_copy;
 };
-
-struct Soup_graph
-{
-  Lower_neighbor_graph graph;
-  // None if all faces are triangles and no edge has more than two.
-  std::optional<std::string> irregularity;
-};
-
-// No edges, where nobody is told what the faces are like and no order is made of them. Linear.
-template <class FaceRange>
-Soup_graph soup_graph_without_edges(const FaceRange& faces, std::size_t number_of_points)
-{
-  std::size_t f = 0;
-  for (const auto& face : faces)
-    check_face(face, f++, number_of_points);
-  return {Lower_neighbor_graph(number_of_points), std::nullopt};
-}
-
-// The edges of the faces as a graph on the points; without edges if there are more sides than
-// numbers of 32 bits. Linear.
-template <class FaceRange>
-Soup_graph soup_graph(const FaceRange& faces, std::size_t number_of_points,
-                      const Executor& executor = Alone())
-{
-  Soup_edges soup = soup_edges(faces, number_of_points, executor);
-  if (!soup.has_lists)
-    return {Lower_neighbor_graph(number_of_points), std::nullopt};
-  return {Lower_neighbor_graph(std::move(soup.lower)), std::move(soup.irregularity)};
-}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

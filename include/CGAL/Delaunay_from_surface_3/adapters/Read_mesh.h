@@ -12,7 +12,10 @@
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
+#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -22,7 +25,6 @@
 
 #include <boost/tuple/tuple.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -148,12 +150,6 @@ struct Identity_name
   std::size_t operator()(std::size_t i) const { return i; }
 };
 
-template <class Point>
-bool are_all_equal(const std::vector<Point>& points)
-{
-  return std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points[0]; });
-}
-
 // Whether these are ranges of integers, which number points.
 template <class FaceRange>
 using Index_in_face =
@@ -162,39 +158,39 @@ using Index_in_face =
 template <class FaceRange>
 constexpr bool are_faces = is_detected<Index_in_face, FaceRange>;
 
-// The points and faces of a polygon soup, read and checked.
+// The points and faces of a polygon soup, read and checked. The edges are kept only for a caller who
+// asks for the graph.
 template <class Triangulation, class PointRange, class FaceRange, class NamedParameters>
 class Read_soup
 {
 public:
-  // Keeps a reference to the faces. Of fewer points than `least` the edges are not used.
+  // Keeps a reference to the faces.
   Read_soup(const PointRange& points, const FaceRange& faces, const NamedParameters& np,
-            const Executor& executor, std::size_t least)
+            const Executor& executor, bool asks_for_graph)
     : m_items(points, np)
-    , m_soup(m_items.points().size() >= least && is_looked_at(m_items.points())
-                 ? soup_graph(faces, m_items.points().size(), executor)
-                 : soup_graph_without_edges(faces, m_items.points().size()))
-    , m_graph(std::move(m_soup.graph), faces)
+    , m_graph(Lower_neighbor_graph(m_items.points().size()), faces)
   {
+    if (!asks_for_graph && !is_given<NamedParameters, internal_np::visitor_t>) {
+      check_faces(faces, m_items.points().size());
+      return;
+    }
+    Soup_edges soup = soup_edges(faces, m_items.points().size(), executor);
+    m_irregularity = std::move(soup.irregularity);
+    if (asks_for_graph && soup.has_lists)
+      m_graph = Graph_of_faces<FaceRange>(Lower_neighbor_graph(std::move(soup.lower)), faces);
   }
 
   // Refers to this object.
   auto input() const
   {
-    return Insertion_input{m_items.points(),    m_graph,         Identity_index_map(),
-                           m_soup.irregularity, Identity_name(), m_items.infos()};
+    return Insertion_input{m_items.points(), m_graph,         Identity_index_map(),
+                           m_irregularity,   Identity_name(), m_items.infos()};
   }
 
 private:
-  // Whether edges are used, or a visitor is told what the faces are like.
-  static bool is_looked_at(const std::vector<typename Triangulation::Point>& points)
-  {
-    return is_given<NamedParameters, internal_np::visitor_t> || !are_all_equal(points);
-  }
-
   const Read_items<Triangulation, PointRange, NamedParameters> m_items;
-  Soup_graph m_soup;
-  const Graph_of_faces<FaceRange> m_graph;
+  Graph_of_faces<FaceRange> m_graph;
+  std::optional<std::string> m_irregularity;
 };
 
 template <class FaceGraph>

@@ -226,8 +226,7 @@ template <class Plan>
 constexpr bool is_plan_of_core = std::is_same<Plan, detected_or_t<void, Plan_of_core, Plan>>::value;
 
 template <class Plan, class Points>
-std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points,
-                                           Edge_source& edges);
+std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points);
 
 // The order of a caller's plan, and then that of its fallback plan, if the budget is exceeded. An
 // order that no insertion could use is refused with a std::invalid_argument.
@@ -235,9 +234,8 @@ template <class Plan, class Points>
 class Order_of_plan final : public Order_source
 {
 public:
-  Order_of_plan(const Points& points, Edge_source& edges, const Plan& plan)
+  Order_of_plan(const Points& points, const Plan& plan)
     : m_points(points)
-    , m_edges(edges)
     , m_plan(plan)
   {
   }
@@ -260,19 +258,19 @@ public:
     else
       return any_number;
   }
+  bool is_spread() const override { return m_next && m_next->is_spread(); }
   bool go_on() override
   {
     if (m_next)
       return m_next->go_on();
     m_order = Insertion_order(); // frees the memory before another is made
     if constexpr (has_budget<Plan>)
-      m_next = order_source(m_plan.fallback_plan(), m_points, m_edges);
+      m_next = order_source(m_plan.fallback_plan(), m_points);
     return m_next != nullptr;
   }
 
 private:
   const Points& m_points;
-  Edge_source& m_edges;
   const Plan m_plan;
   Insertion_order m_order;
   std::unique_ptr<Order_source> m_next;
@@ -280,13 +278,12 @@ private:
 
 // Keeps a reference to the points.
 template <class Plan, class Points>
-std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points,
-                                           Edge_source& edges)
+std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points)
 {
   if constexpr (is_plan_of_core<Plan>)
-    return order_of_core(plan.order_request(), edges);
+    return order_of_core(plan.order_request());
   else
-    return std::make_unique<Order_of_plan<Plan, Points>>(points, edges, plan);
+    return std::make_unique<Order_of_plan<Plan, Points>>(points, plan);
 }
 
 // What is built aside takes the place of an empty triangulation: with its traits, its lock
@@ -383,8 +380,7 @@ public:
     , m_executor(executor)
     , m_doubles(input.points)
     , m_planned{input.points, tr.geom_traits(), input.graph, input.index_map}
-    , m_edges(input.graph, input.index_map, input.points.size())
-    , m_orders(order_source(traits.insertion_plan_object(options.seed), m_planned, m_edges))
+    , m_orders(order_source(traits.insertion_plan_object(options.seed), m_planned))
     , m_obstacle(obstacle_to_core(tr, m_doubles))
   {
   }
@@ -446,7 +442,6 @@ private:
   const Executor& m_executor;
   Doubles_of_points<Point> m_doubles;
   const Planned m_planned;
-  Edges_of_graph<Graph, Index_map> m_edges;
   const std::unique_ptr<Order_source> m_orders;
   std::string m_obstacle; // empty as long as there is none
   std::optional<Insertion_order> m_order;
@@ -482,19 +477,28 @@ constexpr bool goes_through_core()
     return false;
 }
 
+template <class Traits>
+using Plan_of = std::decay_t<decltype(std::declval<const Traits&>().insertion_plan_object(0u))>;
+
+// Whether the traits look at the graph, for a subgraph to trace or for a plan of their own.
+template <class Traits>
+constexpr bool asks_for_graph()
+{
+  if constexpr (goes_through_core<Traits>())
+    return !is_plan_of_core<Plan_of<Traits>>;
+  else
+    return true;
+}
+
 // With fewer points than this CGAL inserts them at once, where the caller cannot tell the
 // difference: not if there is a plan of the caller's or a visitor, nor if the order of the input is
 // preserved.
 template <class Traits, class Triangulation, class NamedParameters>
 std::size_t least_points_for_core(const Triangulation& tr, const NamedParameters& np)
 {
-  if constexpr (goes_through_core<Traits>() && !is_given<NamedParameters, internal_np::visitor_t>) {
-    using Plan = std::decay_t<decltype(std::declval<const Traits&>().insertion_plan_object(0u))>;
-    if (is_plan_of_core<Plan> && tr.number_of_vertices() == 0)
-      return order_options(np).creates_in_input_order ? 0 : few_points;
-  }
-  (void)tr, (void)np;
-  return 0;
+  const bool is_seen = is_given<NamedParameters, internal_np::visitor_t> ||
+                       asks_for_graph<Traits>() || order_options(np).creates_in_input_order;
+  return is_seen || tr.number_of_vertices() > 0 ? 0 : few_points;
 }
 
 // Hands the vertices over, by point. A vertex of several points gets that of the first.

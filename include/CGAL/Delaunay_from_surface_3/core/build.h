@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_H
 
-// The core: the Delaunay triangulation of points that are doubles, in an order that comes from a
-// surface or from the points alone. It knows no mesh and no triangulation of CGAL's; adapters lead
+// The core: the Delaunay triangulation of points that are doubles, in an order that is made from
+// them or given. It knows no mesh and no triangulation of CGAL's; adapters lead
 // into it (a triangulation's, that of arrays).
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
@@ -32,9 +32,9 @@ struct Request
   bool uses_starting_places;
 };
 
-// The order that the core makes itself: by nets of the edges or in spaced rounds, within a budget,
-// and then by random rounds; or by these at once. Keeps a reference.
-std::unique_ptr<Order_source> order_of_core(const Order_request& request, Edge_source& edges);
+// The order that the core makes itself: spaced rounds, within a budget, and then random rounds; or
+// these at once.
+std::unique_ptr<Order_source> order_of_core(const Order_request& request);
 
 // What keeps the core from being exact or fast: what its compiler does to operations on doubles, or a
 // mode without denormal numbers that Rounding_to_nearest cannot switch off; null if nothing is known.

@@ -139,9 +139,9 @@ void begin_to_build(Built_complex<Id>& built, Point_source& source, Order_source
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE std::unique_ptr<Order_source>
-order_of_core(const Order_request& request, Edge_source& edges)
+order_of_core(const Order_request& request)
 {
-  return std::make_unique<Order_of_core>(request, edges);
+  return std::make_unique<Order_of_core>(request);
 }
 
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE const char* obstacle_of_core()

@@ -92,7 +92,6 @@ public:
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
   std::size_t number_of_edges() const { return m_lists.items.size(); }
   const Lists<std::uint32_t>& lists() const { return m_lists; }
-  Lists<std::uint32_t> take_lists() { return std::move(m_lists); }
 
 private:
   Lists<std::uint32_t> m_lists; // empty if there are no edges
@@ -107,14 +106,14 @@ class Graph_of_faces : public Lower_neighbor_graph
 public:
   Graph_of_faces(Lower_neighbor_graph graph, const FaceRange& faces)
     : Lower_neighbor_graph(std::move(graph))
-    , m_faces(faces)
+    , m_faces(&faces)
   {
   }
 
-  const FaceRange& faces_of_soup() const { return m_faces; }
+  const FaceRange& faces_of_soup() const { return *m_faces; }
 
 private:
-  const FaceRange& m_faces;
+  const FaceRange* m_faces;
 };
 
 inline auto vertices(const Lower_neighbor_graph& graph)

@@ -12,7 +12,6 @@
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -105,20 +104,11 @@ Large_vector<double> rounded_coordinates(const std::vector<Point>& points)
 }
 
 template <class Point>
-Insertion_order order_by_core(const std::vector<Point>& points, const Order_request& request,
-                              Edge_source& edges, const Executor& executor = Alone())
+Insertion_order order_by_core(const std::vector<Point>& points, const Order_request& request)
 {
   const auto coordinates = rounded_coordinates(points);
   const Point_array array(coordinates.data(), points.size());
-  return copy_of(order_of_core(request, edges)->make(array, executor));
-}
-
-// Where there are no edges.
-template <class Point>
-Insertion_order order_by_core(const std::vector<Point>& points, const Order_request& request)
-{
-  Given_edges none;
-  return order_by_core(points, request, none);
+  return copy_of(order_of_core(request)->make(array, Alone()));
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
@@ -219,7 +209,7 @@ class Spaced_rounds
 {
 public:
   /// the budget (`InsertionPlan::cells_per_point`).
-  static constexpr std::size_t cells_per_point = internal::cells_per_point_of_nets;
+  static constexpr std::size_t cells_per_point = internal::cells_per_point_of_core;
 
   /// makes the plan. Only `fallback_plan()` uses the seed: this order has no random numbers.
   explicit Spaced_rounds(unsigned int seed = 0)
@@ -245,7 +235,6 @@ public:
   internal::Order_request order_request() const
   {
     internal::Order_request request;
-    request.kind = internal::Order_request::SPACED;
     request.seed = m_seed;
     return request;
   }

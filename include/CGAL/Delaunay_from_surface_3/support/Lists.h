@@ -21,7 +21,7 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Lists of numbers, one after the other, owned elsewhere: that of i is items[first[i]], …,
 // items[first[i+1] - 1].
@@ -32,20 +32,10 @@ struct Lists_view
   const Index* items;
   std::size_t number_of_lists, number_of_items;
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE std::size_t size() const { return number_of_lists; }
-  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE const Index* begin(std::size_t i) const
-  {
-    return items + first[i];
-  }
-  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE const Index* end(std::size_t i) const
-  {
-    return items + first[i + 1];
-  }
+  std::size_t size() const { return number_of_lists; }
+  const Index* begin(std::size_t i) const { return items + first[i]; }
+  const Index* end(std::size_t i) const { return items + first[i + 1]; }
 };
-
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
-
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Lists of numbers, one after the other: that of i is items[first[i]], …, items[first[i+1] - 1].
 template <class Index>

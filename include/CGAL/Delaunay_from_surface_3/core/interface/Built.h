@@ -20,7 +20,6 @@
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -155,50 +154,26 @@ public:
   std::size_t vertices_end = 0; // 0 and unused ones too
 };
 
-// Where the edges of a surface come from.
-class Edge_source
-{
-public:
-  virtual ~Edge_source() = default;
-
-  // Of each point those of its neighbours that have smaller numbers, every edge once; or no list at
-  // all, if there are no edges or too many for numbers of 32 bits.
-  virtual Lists_view<std::uint32_t> edges() = 0;
-
-  // The edges are no longer needed, unless for another order, which can then do without them.
-  virtual void give_up() {}
-};
-
-// What Surface_net_rounds says of its constants holds for these.
-constexpr double net_stall = 0.9;
-constexpr std::size_t coarsest_net = 64;
-constexpr std::size_t cells_per_point_of_nets = 64;
-constexpr std::size_t large_cluster = 32;
+// How many cells an order of the core may destroy for each point, before random rounds take its place.
+constexpr std::size_t cells_per_point_of_core = 64;
 
 // The order in which points are to be inserted.
 struct Order_request
 {
-  // The default: nets.
   // Not "= default", which may be a function of its own.
   // NOLINTNEXTLINE(modernize-use-equals-default)
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Order_request() {}
 
-  // By nets of their graph, as Surface_net_rounds; without a graph, as Spaced_rounds; or by random
-  // rounds, as Geometric_rounds, which take the place of the others when a budget is exceeded.
-  enum Kind { NETS, SPACED, GEOMETRIC } kind = NETS;
-
-  unsigned int seed = 0;
+  // Spaced rounds, or random rounds, which take their place when the budget is exceeded.
+  enum Kind { SPACED, GEOMETRIC } kind = SPACED;
 
   // Of random rounds: 0 < ratio < 1, first_round > 0.
+  unsigned int seed = 0;
   double ratio = 0.125;
   std::size_t first_round = 64;
-
-  // Of nets: so many successive vertices of very many are a block. See Random_blocks.
-  std::size_t block = 1024;
 };
 
-// Where the order of insertion comes from: from a surface, from the points alone, from a caller's
-// own plan. It is asked when it is needed, and need not do anything before.
+// Where the order of insertion comes from: from the points, or from a caller's own plan. It is asked when it is needed, and need not do anything before.
 class Order_source
 {
 public:
@@ -214,7 +189,7 @@ public:
   virtual std::size_t cells_per_point() const = 0;
 
   // Whether the first points are spread over all at any time, so that of the cells which are then many
-  // most must stay. Of an order by edges, which may begin with hubs, nobody knows.
+  // most must stay. Of a caller's own plan, which may begin with hubs, nobody knows.
   virtual bool is_spread() const { return false; }
 
   // Goes on to the order that takes its place if that was exceeded; false if there is none, as there

@@ -11,7 +11,6 @@
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
@@ -68,42 +67,35 @@ inline bool is_order(const Insertion_order& order, std::size_t n)
 }
 
 // The order requested. Rounds are random where there are too many points for numbers of 32 bits.
-inline Insertion_order order_of_points(const Point_array& points, Edge_source& edges,
-                                       const Order_request& request, const Executor& executor)
+inline Insertion_order order_of_points(const Point_array& points, const Order_request& request,
+                                       const Executor& executor)
 {
   const bool are_few = points.size() < (std::numeric_limits<std::uint32_t>::max)();
   Insertion_order order =
-      request.kind == Order_request::NETS && are_few
-          ? surface_net_rounds(points, edges, request, executor)
-      : request.kind == Order_request::SPACED && are_few
+      request.kind == Order_request::SPACED && are_few
           ? spaced_rounds(points, executor)
           : geometric_rounds(points, request.seed, request.ratio, request.first_round);
   CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(is_order(order, points.size()));
   return order;
 }
 
-// The order that the core makes itself: by nets of the edges or in spaced rounds, within a budget; then
-// by random rounds.
+// The order that the core makes itself: in spaced rounds, within a budget; then in random rounds.
 class Order_of_core final : public Order_source
 {
 public:
-  // Keeps a reference.
-  Order_of_core(const Order_request& request, Edge_source& edges)
+  explicit Order_of_core(const Order_request& request)
     : m_request(request)
-    , m_edges(edges)
   {
   }
 
   Order_view make(const Point_array& points, const Executor& executor) override
   {
-    if (m_request.kind == Order_request::NETS && m_edges.edges().number_of_items == 0)
-      m_request.kind = Order_request::SPACED; // there are points alone
-    m_order = order_of_points(points, m_edges, m_request, executor);
+    m_order = order_of_points(points, m_request, executor);
     return view_of(m_order);
   }
   std::size_t cells_per_point() const override
   {
-    return m_request.kind != Order_request::GEOMETRIC ? cells_per_point_of_nets : any_number;
+    return is_spread() ? cells_per_point_of_core : any_number;
   }
   bool is_spread() const override { return m_request.kind == Order_request::SPACED; }
   bool go_on() override
@@ -114,7 +106,6 @@ public:
 
 private:
   Order_request m_request;
-  Edge_source& m_edges;
   Insertion_order m_order;
 };
 
@@ -155,8 +146,8 @@ private:
   bool m_is_spent = false; // the given order costs too much
 };
 
-// How much work an order may cause before another takes its place. No order that only looks at the
-// surface bounds the cells that insertions destroy; a random one does (Amenta, Choi, Rote 2003). So
+// How much work an order may cause before another takes its place. No order but a random one
+// bounds the cells that insertions destroy (Amenta, Choi, Rote 2003). So
 // the whole costs no more than the budget, what is done between two looks at it, and one insertion
 // in that order. No order is to blame for what all do: where many cells must stay, as a quadratic
 // number does, about as many are destroyed. Of an order that is spread over the points this is allowed.

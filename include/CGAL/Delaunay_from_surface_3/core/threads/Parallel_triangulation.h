@@ -147,8 +147,8 @@ public:
   }
 
   // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker
-  // has a copy of `hints`. go_further(i) is asked by the caller's thread whenever it takes a chunk, of
-  // which point i is the first; returns false if it said no.
+  // has a copy of `hints`. go_further(i) is asked by the caller's thread whenever it takes a chunk, with
+  // a number of points inserted that never falls; returns false if it said no.
   template <class Hints, class GoFurther>
   bool insert_round(std::size_t first, std::size_t last, std::vector<Id>& vertex_of,
                     const Hints& hints, const GoFurther& go_further)
@@ -213,6 +213,7 @@ private:
     std::vector<Own> own;
     std::vector<Id>& vertex_of;
     const GoFurther& go_further;
+    std::size_t farthest = 0; // point that began a chunk of the caller's thread
     std::atomic<bool> is_stopped{false}, is_full{false}, has_error{false};
     std::exception_ptr error;
   };
@@ -250,11 +251,16 @@ private:
     }
   }
 
+  // The first worker is the caller's thread. It tells how far it has come, and never less than
+  // before, though the chunks that it takes from others may lie before its own.
   template <class Round>
   bool may_go_further(Round& round, std::size_t t, std::size_t i)
   {
-    if (t == 0 && !round.go_further(i))
-      round.is_stopped = true;
+    if (t == 0) {
+      round.farthest = (std::max)(round.farthest, i);
+      if (!round.go_further(round.farthest))
+        round.is_stopped = true;
+    }
     return !round.is_stopped;
   }
 

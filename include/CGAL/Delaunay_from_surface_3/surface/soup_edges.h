@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SOUP_EDGES_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SOUP_EDGES_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SOUP_EDGES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SOUP_EDGES_H
 
 // The edges of faces that are lists of points.
 
@@ -47,7 +47,7 @@ struct Numbered_edge
 class Edges_as_items
 {
 public:
-  Edges_as_items(const Large_vector<Numbered_edge>& edges)
+  explicit Edges_as_items(const Large_vector<Numbered_edge>& edges)
     : m_edges(&edges)
   {
   }
@@ -60,12 +60,10 @@ private:
   const Large_vector<Numbered_edge>* m_edges;
 };
 
-// The neighbours of each of n vertices that have smaller numbers; of edges in blocks.
-inline Lists<std::uint32_t> lower_neighbors(const std::vector<Large_vector<Numbered_edge>>& edges,
-                                            std::size_t n, const Executor& executor = Alone())
+// The neighbours of each of n vertices that have smaller numbers.
+inline Lists<std::uint32_t> lower_neighbors(const Large_vector<Numbered_edge>& edges, std::size_t n)
 {
-  return in_lists<std::uint32_t>(n, std::vector<Edges_as_items>(edges.begin(), edges.end()),
-                                 executor);
+  return in_lists<std::uint32_t>(n, Edges_as_items(edges));
 }
 
 struct Soup_edges
@@ -86,6 +84,14 @@ void check_face(const IndexRange& face, std::size_t f, std::size_t number_of_poi
       throw Surface_input_error("face " + std::to_string(f) + ": the index " +
                                 std::to_string(index) + " is not one of the " +
                                 std::to_string(number_of_points) + " points");
+}
+
+template <class FaceRange>
+void check_faces(const FaceRange& faces, std::size_t number_of_points)
+{
+  std::size_t f = 0;
+  for (const auto& face : faces)
+    check_face(face, f++, number_of_points);
 }
 
 template <class Range>
@@ -238,9 +244,7 @@ Soup_edges soup_edges(const FaceRange& faces, std::size_t number_of_points,
   using Index = std::uint32_t;
   const std::size_t too_many = (std::numeric_limits<Index>::max)();
   if (number_of_points >= too_many) {
-    std::size_t f = 0;
-    for (const auto& face : faces)
-      check_face(face, f++, number_of_points);
+    check_faces(faces, number_of_points);
     return {};
   }
   const auto begin = std::begin(faces);
@@ -281,4 +285,4 @@ Soup_edges soup_edges(const FaceRange& faces, std::size_t number_of_points,
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SOUP_EDGES_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SOUP_EDGES_H
