@@ -11,13 +11,13 @@
 #include "functions.h"
 #include "numpy_ranges.h"
 
-#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
-#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
+#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 
 #include <algorithm>
 #include <atomic>

@@ -15,8 +15,8 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
-#include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
 
 #include <algorithm>
 #include <array>

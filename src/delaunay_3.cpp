@@ -7,7 +7,7 @@
 #include "delaunay_3.h"
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
-#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>

@@ -11,8 +11,6 @@
 #include <Delaunay_from_surface_3_comparison/triangulations.h>
 #include <Delaunay_from_surface_3_sources/Source.h>
 
-#include <Delaunay_from_surface_3_meters/delaunay_share.h>
-#include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Surface_insertion_traits_3.h>
@@ -20,6 +18,7 @@
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <Delaunay_from_surface_3_meters/delaunay_share.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/program_options.hpp>

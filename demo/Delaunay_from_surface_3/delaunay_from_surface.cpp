@@ -23,9 +23,8 @@
 #include <Delaunay_from_surface_3_files/Remove_on_signal.h>
 #include <Delaunay_from_surface_3_files/one_line.h>
 
-#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 
 #include <algorithm>

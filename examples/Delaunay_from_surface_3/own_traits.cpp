@@ -13,7 +13,7 @@
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -5,17 +5,17 @@
 // A spanning subgraph of bounded degree, as a property map on the edges of a mesh, and as a
 // separate graph by boost::filtered_graph.
 
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 #include <CGAL/near_minimum_degree_spanning_tree.h>
 #include <CGAL/surface_of.h>
-#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Surface_component_topology.h>
 
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/filtered_graph.hpp>

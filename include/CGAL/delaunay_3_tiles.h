@@ -6,10 +6,7 @@
 #define CGAL_DELAUNAY_3_TILES_H
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_here.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>

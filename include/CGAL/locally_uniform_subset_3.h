@@ -13,8 +13,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
-#include <CGAL/Delaunay_from_surface_3/samples/read_distinct_points.h>
-#include <CGAL/Delaunay_from_surface_3/samples/make_lipschitz.h>
+#include <CGAL/Delaunay_from_surface_3/samples/Distinct_points.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Fuzzy_sphere.h>

@@ -6,7 +6,7 @@
 #define CGAL_NEIGHBOR_SPACING_3_H
 
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
-#include <CGAL/Delaunay_from_surface_3/samples/read_distinct_points.h>
+#include <CGAL/Delaunay_from_surface_3/samples/Distinct_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>

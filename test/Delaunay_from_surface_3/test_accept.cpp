@@ -10,13 +10,13 @@
 #include "core_traits.h"
 #include "input.h"
 
-#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/vertex_info.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/History_tracing_traits_3.h>
+#include <CGAL/Tracing_traits_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/insert_points_3.h>
 

@@ -17,7 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
-#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>

@@ -16,7 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Open_along_cut.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Surface_component_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 

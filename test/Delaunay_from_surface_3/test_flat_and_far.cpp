@@ -16,7 +16,7 @@
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>

@@ -12,11 +12,11 @@
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
-#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>

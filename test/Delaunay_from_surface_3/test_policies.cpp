@@ -22,8 +22,8 @@
 #include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/History_tracing_traits_3.h>
-#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Tracing_traits_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/spatial_sort.h>
 

@@ -13,11 +13,10 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/OFF.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/insert_surface_vertices_3.h>
-#include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Tracing_traits_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
 
 #include <string>
 #include <vector>

@@ -11,7 +11,8 @@
 #include "check_equal.h"
 #include "recording_kernel.h"
 
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,15 +20,13 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Tracing_traits_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/delaunay_3_arrays.h>
-#include <CGAL/insert_surface_vertices_3.h>
-#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
-#include <CGAL/Plain_insertion_traits_3.h>
-#include <CGAL/Tracing_traits_3.h>
 #include <CGAL/insert_points_3.h>
+#include <CGAL/insert_surface_vertices_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 
 #include <atomic>
 #include <cstddef>

@@ -9,20 +9,19 @@
 
 #include "all_headers.h"
 
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
-#include <CGAL/boost/graph/generators.h>
-#include <CGAL/version.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Plain_insertion_traits_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_traits_3.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Tracing_traits_3.h>
-#include <CGAL/insert_points_along_graph_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/insert_points_3.h>
+#include <CGAL/insert_points_along_graph_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/version.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

@@ -9,7 +9,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_folder.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 

@@ -6,6 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_INPUT_ERROR_H
 
 #include <stdexcept>
+#include <string>
 
 namespace CGAL {
 
@@ -25,6 +26,18 @@ public:
   using std::invalid_argument::invalid_argument;
 };
 
+namespace Delaunay_from_surface_3 {
+
+// Thrown where there are more cells than ids can number. Users know it as a std::length_error.
+struct Too_few_ids : std::length_error
+{
+  explicit Too_few_ids(int bits)
+    : std::length_error("ids of " + std::to_string(bits) + " bits are too few for its cells")
+  {
+  }
+};
+
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_INPUT_ERROR_H

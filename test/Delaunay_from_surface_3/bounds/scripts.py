@@ -174,7 +174,7 @@ def lengths_area(constant):
 
 
 def collinear(constant):
-    text = found(r"certified_sign\((s\.x \* t\.y - s\.y \* t\.x), bound\)", "exact_predicates.h")
+    text = found(r"certified_sign\((s\.x \* t\.y - s\.y \* t\.x), bound\)", "exact_signs.h")
     s, t, *_ = rows_of_products(1)
     roundings = formulas.evaluated(text, s=s, t=t).most()
     return by_lengths(roundings, "M", f"add(mul({binary(constant * U)}, 1), 0)", limit_of(constant),
@@ -182,7 +182,7 @@ def collinear(constant):
 
 
 def distances(constant):
-    found(r"(\d) \* Filter_bounds::unit \* \(v \+ w\) \+ Filter_bounds::tiny", "exact_predicates.h")
+    found(r"(\d) \* Filter_bounds::unit \* \(v \+ w\) \+ Filter_bounds::tiny", "exact_signs.h")
     return written(["Two squared lengths as computed sum up to 1; exactly they are v / (1 + dv) and w / (1 + dw). The difference has one",
                     "rounding."],
                    [RELATIVE, "w = 1 - v;", "error = v * (1 - 1 / (1 + dv)) - w * (1 - 1 / (1 + dw)) + (v - w) * d;",
@@ -354,8 +354,8 @@ SCRIPTS = {
     "columns_three": (columns_three, read(r"three = (\d+);", "Sphere_filter.h"), 47),
     "columns_circle": (columns_circle, read(r"(\d+) \* Filter_bounds::unit \* box \* m", "Compact_predicates.h"), 71),
     "columns_area": (columns_area, read(r"(\d+) \* Filter_bounds::unit \* box \+", "Compact_predicates.h"), 35),
-    "collinear": (collinear, read(r"bound = (\d+) \* Filter_bounds::unit \* m \+", "exact_predicates.h"), 5),
-    "distances": (distances, read(r"bound = (\d+) \* Filter_bounds::unit \* \(v \+ w\)", "exact_predicates.h"), 7),
+    "collinear": (collinear, read(r"bound = (\d+) \* Filter_bounds::unit \* m \+", "exact_signs.h"), 5),
+    "distances": (distances, read(r"bound = (\d+) \* Filter_bounds::unit \* \(v \+ w\)", "exact_signs.h"), 7),
     "double_double_product": (double_double_product, lambda: OF_PRODUCT, Fraction(1, 2**101)),
     "double_double_sum": (double_double_sum, lambda: OF_PRODUCT, Fraction(1, 2**102)),
     "double_double_sphere": (double_double_sphere, lambda: 1 / formulas.number(

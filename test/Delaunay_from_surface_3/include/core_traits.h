@@ -10,7 +10,7 @@
 #include <CGAL/Delaunay_from_surface_3/adapters/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
-#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 
 namespace tests {
 

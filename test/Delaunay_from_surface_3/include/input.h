@@ -16,10 +16,8 @@
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Plain_insertion_traits_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_insertion_policies_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tracing_traits_3.h>

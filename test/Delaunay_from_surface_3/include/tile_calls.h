@@ -7,7 +7,6 @@
 
 // What tests of all engines hand to delaunay_3_tiles().
 
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 
 #include <array>

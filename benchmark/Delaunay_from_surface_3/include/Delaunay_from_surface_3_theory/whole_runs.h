@@ -17,9 +17,7 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
-#include <CGAL/History_tracing_traits_3.h>
-#include <CGAL/Plain_insertion_traits_3.h>
-#include <CGAL/Surface_insertion_policies_3.h>
+#include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>

@@ -12,10 +12,6 @@
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
-#include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Visitor_watcher.h>
@@ -23,6 +19,9 @@
 #include <CGAL/Delaunay_from_surface_3/adapters/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>

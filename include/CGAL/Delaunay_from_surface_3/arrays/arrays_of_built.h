@@ -8,7 +8,7 @@
 // From the core's complex to arrays.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
-#include <CGAL/Delaunay_from_surface_3/Too_few_ids.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>

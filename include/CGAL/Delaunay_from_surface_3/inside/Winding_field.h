@@ -7,10 +7,9 @@
 
 // The faces of a soup as triangles in a box of size 1, and their winding numbers.
 
-#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/support/vector_products.h>
+#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 
 #include <algorithm>
 #include <array>

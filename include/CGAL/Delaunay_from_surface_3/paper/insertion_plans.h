@@ -11,7 +11,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/geometric_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -114,7 +114,7 @@ Insertion_order order_by_core(const std::vector<Point>& points, const Order_requ
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
-// The public face of core/order/geometric_rounds.h.
+// The public face of core/order/spaced_rounds.h.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans

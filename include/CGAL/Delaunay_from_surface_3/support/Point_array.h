@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -14,6 +15,28 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+template <class Number>
+Number dot(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class Number>
+std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class Number>
+std::array<Number, 3> minus(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 // n points as n × 3 doubles, owned elsewhere.

@@ -5,15 +5,333 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SURFACE_TOPOLOGY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SURFACE_TOPOLOGY_H
 
-#include <CGAL/Delaunay_from_surface_3/surface/Find_topology.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Surface_component_topology.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
-#include <CGAL/Delaunay_from_surface_3/surface/with_rotation_system.h>
+// Components of a surface, with their genus, boundaries and orientability: what is found, how, and the
+// function that users call.
 
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
+
+#include <algorithm>
+#include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+describes the topology of a connected component of a surface. Up to homeomorphism, it is determined
+by the number of boundary loops, the Euler characteristic, and orientability.
+*/
+struct Surface_component_topology
+{
+  std::size_t number_of_vertices = 0;       ///< of this component
+  std::size_t number_of_edges = 0;          ///< boundary edges included
+  std::size_t number_of_triangles = 0;      ///< of this component
+  std::size_t number_of_boundary_loops = 0; ///< b
+  bool is_orientable = true;                ///< whether its triangles can be oriented consistently
+
+  /// returns χ: vertices − edges + triangles.
+  std::ptrdiff_t euler_characteristic() const
+  {
+    return std::ptrdiff_t(number_of_vertices) - std::ptrdiff_t(number_of_edges) +
+           std::ptrdiff_t(number_of_triangles);
+  }
+
+  /// returns h = 2 − χ − b: twice the genus if it is orientable, otherwise the non-orientable
+  /// genus.
+  std::size_t euler_genus() const
+  {
+    return std::size_t(2 - euler_characteristic() - std::ptrdiff_t(number_of_boundary_loops));
+  }
+
+  /// returns the genus: the number of handles, or of cross-caps if the component is not orientable.
+  std::size_t genus() const { return is_orientable ? euler_genus() / 2 : euler_genus(); }
+
+  /// returns the bound on degrees in the subgraph of `bounded_degree_spanning_subgraph()`.
+  std::size_t subgraph_degree_bound() const
+  {
+    const std::size_t h = euler_genus(), b = number_of_boundary_loops;
+    if (h == 0 && b <= 1)
+      return 3;
+    return b == 0 ? 4 * h : 4 * h + 2 * b + 1;
+  }
+
+  /// returns the bound on degrees in the tree of `bounded_degree_spanning_tree()`.
+  std::size_t tree_degree_bound() const
+  {
+    const std::size_t h = euler_genus(), b = number_of_boundary_loops;
+    if (h == 1 && b == 0)
+      return 4; // the projective plane
+    return (std::max)(std::size_t(3), 3 * h + 2 * b);
+  }
+
+  /// returns the bound on degrees in the tree of `near_minimum_degree_spanning_tree()`. On a sphere
+  /// or a disc this is 3. Elsewhere it is the largest of 3 + ⌊(c(x) − 3) / x⌋ over all x, where
+  /// c(x) bounds the number of components that are left after removing x vertices: the smaller of
+  /// 2x − 2χ and ⌊x (x − 1) / 3⌋, or ⌊x (x + 1) / 3⌋ with boundary.
+  std::size_t near_minimum_tree_degree_bound() const
+  {
+    if (euler_genus() == 0 && number_of_boundary_loops <= 1)
+      return 3;
+    const std::ptrdiff_t chi = euler_characteristic(), side = number_of_boundary_loops > 0 ? 1 : -1;
+    std::ptrdiff_t bound = 4, by_edges = 0;
+    // Where 2x − 2χ is the smaller one the quotient falls, or is less than 2.
+    for (std::ptrdiff_t x = 2; by_edges < 2 * (x - 1 - chi); ++x) {
+      by_edges = x * (x + side) / 3;
+      const std::ptrdiff_t c = (std::min)(by_edges, 2 * (x - chi));
+      bound = (std::max)(bound, c < 3 ? 0 : 3 + (c - 3) / x);
+    }
+    return std::size_t(bound);
+  }
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+is the result of `surface_topology()`.
+*/
+struct Surface_topology
+{
+  /// the components that have edges, in the order of their smallest vertex index.
+  std::vector<Surface_component_topology> components;
+
+  /// for every vertex index the position of its component in `components`, or `components.size()`
+  /// if the vertex is isolated.
+  std::vector<std::size_t> component_of_vertex;
+
+  std::size_t number_of_isolated_vertices = 0; ///< vertices without edges, in no component
+
+  /// returns the sum over `components`.
+  std::ptrdiff_t euler_characteristic() const
+  {
+    std::ptrdiff_t sum = 0;
+    for (const Surface_component_topology& component : components)
+      sum += component.euler_characteristic();
+    return sum;
+  }
+
+  /// returns the sum over `components`.
+  std::size_t number_of_boundary_loops() const
+  {
+    std::size_t sum = 0;
+    for (const Surface_component_topology& component : components)
+      sum += component.number_of_boundary_loops;
+    return sum;
+  }
+
+  /// returns whether every component is orientable.
+  bool is_orientable() const
+  {
+    return std::all_of(components.begin(), components.end(),
+                       [](const Surface_component_topology& c) { return c.is_orientable; });
+  }
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+is the result of `certify_spanning_subgraph()` for a set of edges.
+*/
+struct Spanning_subgraph_certificate
+{
+  std::size_t number_of_edges = 0;               ///< repeated ones included
+  std::size_t number_of_repeated_edges = 0;      ///< edges that occurred before
+  std::size_t number_of_graph_components = 0;    ///< isolated vertices included
+  std::size_t number_of_subgraph_components = 0; ///< isolated vertices included
+  std::size_t number_of_independent_cycles = 0; ///< edges − vertices + components of the subgraph
+  std::size_t maximum_degree = 0;               ///< among all vertices
+  std::size_t vertex_of_maximum_degree = 0;     ///< its index
+  std::vector<std::size_t> number_of_vertices_of_degree; ///< a histogram of the degrees
+  std::size_t largest_degree_bound = 0;    ///< the largest of the components' own bounds
+  bool respects_degree_bounds = true;      ///< no degree exceeds the bound of its own component
+  bool respects_tree_degree_bounds = true; ///< the same with the bounds for trees
+  /// the same with the bounds for trees of nearly minimum degree
+  bool respects_near_minimum_tree_degree_bounds = true;
+
+  /// returns whether the vertices of every component of the surface are connected by the edges.
+  bool is_spanning() const { return number_of_subgraph_components == number_of_graph_components; }
+
+  /// returns whether the edges are a spanning tree of every component.
+  bool is_spanning_forest() const { return is_spanning() && number_of_independent_cycles == 0; }
+
+  /// returns whether everything holds that `bounded_degree_spanning_subgraph()` guarantees.
+  bool is_valid_subgraph() const
+  {
+    return is_spanning() && number_of_repeated_edges == 0 && respects_degree_bounds;
+  }
+
+  /// returns whether everything holds that `bounded_degree_spanning_tree()` guarantees.
+  bool is_valid_tree() const
+  {
+    return is_spanning_forest() && number_of_repeated_edges == 0 && respects_tree_degree_bounds;
+  }
+
+  /// returns whether everything holds that `near_minimum_degree_spanning_tree()` guarantees, except
+  /// what its witnesses prove.
+  bool is_valid_near_minimum_tree() const
+  {
+    return is_valid_tree() && respects_near_minimum_tree_degree_bounds;
+  }
+};
+
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// The topology of every component of a rotation system: Euler characteristic, boundary loops,
+// orientability.
+//
+// Vertices are visited from neighbour to neighbour. Each gets a turn: whether its list runs against
+// that of the component's first vertex. Where v's list goes from w to x, w's list goes from x to v
+// if the two run alike, from v to x if not; an edge at which the turns do not fit shows that the
+// surface is not orientable.
+// Cost: O(n); 28 bytes per vertex besides the lists, for the pairs of darts.
+
+// Links the two darts of every edge. The subgraph itself never needs this; to tell an orientable
+// surface from another, and to walk over the triangles in any order, it is the simplest way.
+//
+// Result: mate[dart] is the other dart of the same edge, for darts numbered as in the rotation
+// system.
+// Cost: O(n), two passes; 24 bytes per vertex and twice that again while it runs.
+
+template <class Index>
+std::vector<Index> pair_darts(const Rotation_system<Index>& surface)
+{
+  const Index n = surface.number_of_vertices();
+  struct Incoming
+  {
+    Index source;
+    Index dart;
+  };
+  // Grouped by target, as the lists are by source.
+  std::vector<Incoming> incoming(surface.number_of_darts());
+  std::vector<Index> next(surface.first);
+  for (Index v = 0; v < n; ++v)
+    for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
+      incoming[next[surface.neighbor[dart]]++] = {v, dart};
+  std::vector<Index> mate(surface.number_of_darts());
+  std::vector<Index>& dart_to = next; // for each u the dart from v to u, while v is looked at
+  for (Index v = 0; v < n; ++v) {
+    for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
+      dart_to[surface.neighbor[dart]] = dart;
+    for (Index i = surface.first[v]; i < surface.first[v + 1]; ++i)
+      mate[incoming[i].dart] = dart_to[incoming[i].source];
+  }
+  return mate;
+}
+
+template <class Index>
+class Find_topology
+{
+public:
+  explicit Find_topology(const Rotation_system<Index>& surface)
+    : m_surface(surface)
+    , m_mate(pair_darts(surface))
+    , m_is_seen(surface.number_of_vertices(), false)
+    , m_is_turned(surface.number_of_vertices(), false)
+    , m_is_on_loop(surface.number_of_vertices(), false)
+  {
+  }
+
+  Surface_topology operator()()
+  {
+    const Index n = m_surface.number_of_vertices();
+    m_topology.component_of_vertex.assign(n, 0);
+    for (Index v = 0; v < n; ++v) {
+      if (m_surface.degree(v) == 0)
+        ++m_topology.number_of_isolated_vertices;
+      else if (!m_is_seen[v])
+        visit_component(v);
+    }
+    for (Index v = 0; v < n; ++v)
+      if (m_surface.degree(v) == 0)
+        m_topology.component_of_vertex[v] = m_topology.components.size();
+    return std::move(m_topology);
+  }
+
+private:
+  void visit_component(Index root)
+  {
+    Surface_component_topology component;
+    Euler_count count;
+    m_is_seen[root] = true;
+    m_stack.assign(1, root);
+    while (!m_stack.empty()) {
+      const Index v = m_stack.back();
+      m_stack.pop_back();
+      count.add(m_surface, v);
+      m_topology.component_of_vertex[v] = m_topology.components.size();
+      if (m_surface.on_boundary[v] && !m_is_on_loop[v]) {
+        ++component.number_of_boundary_loops;
+        walk_loop(v);
+      }
+      if (!visit_neighbors(v))
+        component.is_orientable = false;
+    }
+    component.number_of_vertices = count.vertices;
+    component.number_of_edges = count.darts / 2;
+    component.number_of_triangles = count.corners / 3;
+    m_topology.components.push_back(component);
+  }
+
+  // Returns whether all turns at v are consistent.
+  bool visit_neighbors(Index v)
+  {
+    bool fits = true;
+    const Star<Index> star = m_surface.star(v);
+    for (Index i = 0; i < star.size(); ++i) {
+      const Index w = star[i];
+      const bool turn = m_is_turned[v] != lists_run_against(v, i);
+      if (!m_is_seen[w]) {
+        m_is_seen[w] = true;
+        m_is_turned[w] = turn;
+        m_stack.push_back(w);
+      } else if (m_is_turned[w] != turn)
+        fits = false;
+    }
+    return fits;
+  }
+
+  // Looks at one triangle at the edge from v to its i-th neighbour.
+  bool lists_run_against(Index v, Index i) const
+  {
+    const Star<Index> star = m_surface.star(v);
+    const Index w = star[i];
+    const bool is_last = m_surface.on_boundary[v] && i + 1 == star.size();
+    const Index third = is_last ? star[i - 1] : star[i + 1 < star.size() ? i + 1 : 0];
+    const Star<Index> other = m_surface.star(w);
+    const Index j = m_mate[m_surface.first[v] + i] - m_surface.first[w];
+    const bool is_other_last = m_surface.on_boundary[w] && j + 1 == other.size();
+    const bool third_follows = !is_other_last && other[j + 1 < other.size() ? j + 1 : 0] == third;
+    if (star.size() == 2 && !m_surface.on_boundary[v])
+      return false; // the sphere of two triangles
+    return third_follows != is_last;
+  }
+
+  void walk_loop(Index start)
+  {
+    for (Index v = start; !m_is_on_loop[v];) {
+      m_is_on_loop[v] = true;
+      const Star<Index> star = m_surface.star(v);
+      v = m_is_on_loop[star[0]] ? star[star.size() - 1] : star[0];
+    }
+  }
+
+  const Rotation_system<Index>& m_surface;
+  std::vector<Index> m_mate;
+  std::vector<bool> m_is_seen;
+  std::vector<bool> m_is_turned;
+  std::vector<bool> m_is_on_loop;
+  std::vector<Index> m_stack;
+  Surface_topology m_topology;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs

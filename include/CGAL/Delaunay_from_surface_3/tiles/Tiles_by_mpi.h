@@ -16,8 +16,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Packed_bytes.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Ranks_of_mpi.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
@@ -95,7 +94,7 @@ inline Input_of_rank agree_on_input(Ranks_of_mpi& ranks, const Tile_source_3& so
 #ifdef MPI_VERSION // MPI is there
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Packed_bytes.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Ranks_of_mpi.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
 
 #include <cstddef>
@@ -158,10 +157,8 @@ void compare_cells_by_mpi(Ranks_of_mpi& ranks, std::vector<Tile_certificate>& mi
 
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Packed_bytes.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Ranks_of_mpi.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>

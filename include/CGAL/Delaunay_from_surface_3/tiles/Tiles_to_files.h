@@ -13,10 +13,8 @@
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_3_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_folder.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_source_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>

@@ -11,8 +11,8 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_predicates.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/nearest_vertex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>

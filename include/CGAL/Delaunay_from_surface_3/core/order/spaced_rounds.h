@@ -5,7 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPACED_ROUNDS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPACED_ROUNDS_H
 
-// Rounds of well-spaced points, without a surface. The points are sorted once, by halves. Along that
+// The orders of the core: random rounds that grow geometrically, and rounds of well-spaced points.
+//
+// For the latter the points are sorted once, by halves. Along that
 // order a point is a centre unless one of the last few centres is near; the others are the last round.
 // The centres among the centres stay for the rounds before the one before, and so on. A point that is
 // crowded has a small Voronoi cell: it destroys few cells if it comes late. It starts at the centre
@@ -18,14 +20,17 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -161,6 +166,67 @@ inline Insertion_order spaced_rounds(const Point_array& points, const Executor& 
     result.starting_places[place] = of_center != place ? of_center : place - (place > 0);
   }
   return result;
+}
+
+// A biased randomised insertion order (Amenta, Choi, Rote 2003): rounds that grow geometrically,
+// each in a spatially coherent order.
+//
+// Cost: O(n log n) expected.
+
+// …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n; rounds are cut off until at most `first_round` points are left.
+inline std::vector<std::size_t> geometric_round_ends(std::size_t n, double ratio,
+                                                     std::size_t first_round)
+{
+  std::vector<std::size_t> ends;
+  for (std::size_t end = n; end > 0;) {
+    ends.push_back(end);
+    end = end <= first_round ? 0 : static_cast<std::size_t>(std::floor(double(end) * ratio));
+  }
+  std::reverse(ends.begin(), ends.end());
+  return ends;
+}
+
+// A random order, in these rounds, each sorted by halves.
+inline Insertion_order geometric_rounds(const Point_array& points, unsigned int seed, double ratio,
+                                        std::size_t first_round)
+{
+  Insertion_order result;
+  result.order.resize(points.size());
+  std::iota(result.order.begin(), result.order.end(), std::size_t(0));
+  Split_mix(seed).shuffle(result.order.begin(), result.order.end());
+  result.round_ends = geometric_round_ends(points.size(), ratio, first_round);
+  Sort_by_halves sort;
+  std::size_t first = 0;
+  for (const std::size_t end : result.round_ends) {
+    sort(points, result.order.data() + first, result.order.data() + end);
+    first = end;
+  }
+  return result;
+}
+
+// The order of points that lie on one line, along it: on the axis along which the first two that
+// differ are farthest from each other. In one round; O(n log n), O(n) if they come in that order.
+inline Insertion_order order_along_line(const Point_array& points)
+{
+  const std::size_t n = points.size();
+  std::size_t other = 1, axis = 0;
+  while (other < n && std::equal(points[0], points[0] + 3, points[other]))
+    ++other;
+  for (std::size_t c = 1; other < n && c < 3; ++c)
+    if (std::abs(points[other][c] - points[0][c]) > std::abs(points[other][axis] - points[0][axis]))
+      axis = c;
+  std::vector<std::pair<double, std::size_t>> places(n);
+  for (std::size_t i = 0; i < n; ++i)
+    places[i] = {points[i][axis], i};
+  if (!std::is_sorted(places.begin(), places.end()))
+    std::sort(places.begin(), places.end());
+  Insertion_order plan;
+  plan.order.reserve(n);
+  for (const auto& place : places)
+    plan.order.push_back(place.second);
+  if (n > 0)
+    plan.round_ends.push_back(n);
+  return plan;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
