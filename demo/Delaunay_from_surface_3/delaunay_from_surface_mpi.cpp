@@ -48,7 +48,6 @@ there is removed.
   --vtu                 write tile-T.vtu, too, and tiles.pvtu for ParaView
   --join FILE.npy       the first rank writes the cells of all tiles into a file;
                         nothing else is done if they are there already
-  --compare-cells       compare cells where tiles meet, not sums of hashes
   --json                print the results as JSON
   --quiet, --verbose    print nothing but errors; say what is done
 
@@ -72,10 +71,9 @@ Command parse_command_line(int argc, char* argv[])
   long long tiles = 0, threads = 1;
   po::options_description all;
   all.add_options()("help,h", po::bool_switch(&command.help))(
-      "output,o", po::value(&command.output))("tiles", po::value(&tiles))(
-      "threads", po::value(&threads))("vtu", po::bool_switch(&command.vtu))(
-      "join", po::value(&command.join))("compare-cells",
-                                        po::bool_switch(&command.options.compares_cells))(
+      "output,o", po::value(&command.output))("tiles", po::value(&tiles))("threads",
+                                                                          po::value(&threads))(
+      "vtu", po::bool_switch(&command.vtu))("join", po::value(&command.join))(
       "json", po::bool_switch(&command.json))("quiet", po::bool_switch(&command.quiet))(
       "verbose", po::bool_switch(&command.verbose))("input", po::value(&command.inputs));
   const auto positional = po::positional_options_description().add("input", -1);
@@ -104,7 +102,6 @@ std::vector<std::pair<const char*, std::string>> common_options(const Command& c
           {"join", command.join},
           {"tiles", std::to_string(command.options.number_of_tiles)},
           {"vtu", std::to_string(command.vtu)},
-          {"compare-cells", std::to_string(command.options.compares_cells)},
           {"json", std::to_string(command.json)}};
 }
 
@@ -179,7 +176,7 @@ void finish(const Command& command, const CGAL::Tiles_report& result,
   std::error_code ignored; // a mark too many costs nothing
   std::filesystem::remove(mark_of_run(command.output), ignored);
   Report report(std::cout, style_of(command));
-  report_tiles(command.output, result, command.options.compares_cells, report);
+  report_tiles(command.output, result, report);
   report("ranks", engine.number_of_ranks());
   report("bytes sent by rank 0", engine.bytes_sent());
   report("seconds of exchange", engine.seconds_of_exchange(), 3);

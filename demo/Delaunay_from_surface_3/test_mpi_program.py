@@ -52,7 +52,7 @@ class ByMpi(unittest.TestCase):
                         "--join", self.folder / "here.npy"], check=True)
         shape, cells = read_npy(self.folder / "here.npy")
         first = None
-        for ranks, extra in ((1, ()), (2, ("--threads", 2)), (2, ("--compare-cells", "--vtu"))):
+        for ranks, extra in ((1, ()), (2, ("--threads", 2)), (2, ("--vtu",))):
             output = self.folder / f"tiles-{ranks}-{len(extra)}-{'--vtu' in extra}"
             report = json.loads(self.works(ranks, self.points, "--tiles", 5, "--output", output, "--json",
                                            "--join", self.folder / "joined.npy", *extra))
@@ -78,7 +78,7 @@ class ByMpi(unittest.TestCase):
         other = self.folder / "other.raw"
         write_points(other, 6000, seed=2)
         self.fails(good, (BY_MPI, other, "--output", self.output), says="rank 1: .*other.raw: there are other points")
-        for options in (("--tiles", 7), ("--vtu",), ("--join", self.folder / "joined.npy"), ("--compare-cells",)):
+        for options in (("--tiles", 7), ("--vtu",), ("--join", self.folder / "joined.npy")):
             self.fails(good, (*good, *options), says=f"rank 1: .* other options than rank 0: {options[0]}")
         self.fails(good, (BY_MPI, self.points, "--output", self.folder / "there"), says="rank 1: .*: --output")
         self.assertEqual([], [*self.output.glob("*")])

@@ -117,7 +117,7 @@ class Tiles(unittest.TestCase):
         self.fails(*arguments, "--task", 5, says="there are tasks 0 to 4 only")
         here = self.folder / "here"
         self.works(points, "--tiles", 5, "--output", here, "--threads", 2, "--join", self.folder / "all.npy",
-                   "--compare-cells", "--quiet")
+                   "--quiet")
         self.assertEqual((here / "tiles.json").read_text(), (output / "tiles.json").read_text())
         shape, joined = read_npy(self.folder / "all.npy")
         cells = []

@@ -160,8 +160,8 @@ made for a single thread. `Parallel_tag` requires TBB.
 is guaranteed only if `Gt` has exact predicates.
 \tparam PointRange as in the overload without faces: points, pairs of points and infos, or items
 that `point_map` maps to points
-\tparam FaceRange a range of ranges of integers. With `Parallel_tag`, several threads read it at the
-same time if its iterators have random access.
+\tparam FaceRange a range of ranges of integers. If it has random access, several threads may read it
+at the same time with `Parallel_tag`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the points are inserted

@@ -256,24 +256,21 @@ BOOST_AUTO_TEST_CASE(points_of_many_ranks)
   BOOST_TEST((owned.of_all_ranks() == cells_of(CGAL::delaunay_3_arrays(points))));
 }
 
-BOOST_AUTO_TEST_CASE(small_ones_with_many_tiles_whose_cells_are_compared)
+BOOST_AUTO_TEST_CASE(small_ones_with_many_tiles)
 {
   for (unsigned seed = 0; seed < 30; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
-      CGAL::Tiles_options options = options_of(1 + seed % 23);
-      options.compares_cells = seed % 3 > 0;
-      check_tiles(random_points(5 + 2 * seed, seed, seed % 2 == 0 ? 4 : 1000), options);
+      check_tiles(random_points(5 + 2 * seed, seed, seed % 2 == 0 ? 4 : 1000),
+                  options_of(1 + seed % 23));
     }
 }
 
-// Those that are said to differ show each other what they have, and answer; and it is seen if a list of cells
-// differs.
+// Those that are said to differ show each other what they have, and answer.
 BOOST_AUTO_TEST_CASE(shown_and_compared)
 {
   const Points points = random_points(500, 1, 1000);
-  CGAL::Tiles_options options = options_of(6);
-  options.compares_cells = true;
+  const CGAL::Tiles_options options = options_of(6);
   CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD);
   CGAL::Tiles_here_3 here;
   const core::Tile_pairs pairs = {{0, 5}, {1, 2}};
@@ -292,18 +289,6 @@ BOOST_AUTO_TEST_CASE(shown_and_compared)
     return told;
   };
   BOOST_TEST(told_when_shown(engine) == told_when_shown(here));
-
-  core::Ranks_of_mpi ranks(MPI_COMM_WORLD);
-  std::vector<core::Tile_certificate> mine; // two of each rank
-  for (std::uint32_t t = 0; t < 2; ++t) {
-    mine.push_back({});
-    mine.back().tile = 2 * std::uint32_t(ranks.rank()) + t;
-  }
-  mine[0].cells[mine[0].tile + 1] = {{1, 2, 3, 4}, {1, 2, 3, 5}};
-  mine[1].cells[mine[0].tile] = {{1, 2, 3, 4}, {1, 2, 3, ranks.rank() == 0 ? 6u : 5u}};
-  core::compare_cells_by_mpi(ranks, mine, [](std::uint32_t t) { return t / 2; });
-  BOOST_TEST(mine[0].cells.size() == (ranks.rank() == 0 ? 1u : 0u));
-  BOOST_TEST(mine[1].cells.empty());
 }
 
 BOOST_AUTO_TEST_CASE(what_one_rank_throws)
@@ -352,8 +337,7 @@ BOOST_AUTO_TEST_CASE(what_one_rank_throws)
         [&] { run(keep, same, [](Broken_source& s) { s.missing = 5; }); }, bad,
         "sees 1995 points, and rank 0 2000");
     for (const auto& change : std::vector<std::function<void(CGAL::Tiles_options&)>>{
-             [](auto& o) { o.compares_cells = true; }, [](auto& o) { o.least_points = 2; },
-             [](auto& o) { o.number_of_tiles = 8; }})
+             [](auto& o) { o.least_points = 2; }, [](auto& o) { o.number_of_tiles = 8; }})
       check_thrown<std::runtime_error>([&] { run(keep, change, same); }, bad, "other options");
   }
   Points worse = points;

@@ -12,7 +12,7 @@
 #include <string>
 
 inline void report_tiles(const std::string& output, const CGAL::Tiles_report& result,
-                         bool cells_are_compared, Report& report)
+                         Report& report)
 {
   report("output", output);
   report("points", result.points);
@@ -22,12 +22,8 @@ inline void report_tiles(const std::string& output, const CGAL::Tiles_report& re
   report("points kept", result.kept);
   report("most points kept by a tile", result.most_kept);
   report("cells", result.cells);
-  report(
-      "certificate",
-      cells_are_compared
-          ? "holds: the tiles are the Delaunay triangulation of all points"
-          : "holds: the tiles are the Delaunay triangulation of all points, up to a collision of "
-            "hashes of 128 bits");
+  report("certificate", "holds: the tiles are the Delaunay triangulation of all points, up to a "
+                        "collision of hashes of 128 bits");
 }
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_REPORT_TILES_H

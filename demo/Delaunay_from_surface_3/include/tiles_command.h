@@ -66,9 +66,8 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[])
   all.add_options()("output,o", po::value(&command.output))("tiles", po::value(&tiles))(
       "memory", po::value(&memory))("threads", po::value(&threads))(
       "vtu", po::bool_switch(&command.vtu))("neighbors", po::bool_switch(&command.neighbors))(
-      "join", po::value(&command.join))("compare-cells",
-                                        po::bool_switch(&command.options.compares_cells))(
-      "next", po::bool_switch(&command.next))("task", po::value(&task))(
+      "join", po::value(&command.join))("next", po::bool_switch(&command.next))("task",
+                                                                                po::value(&task))(
       "json", po::bool_switch(&command.json))("quiet", po::bool_switch(&command.quiet))(
       "verbose", po::bool_switch(&command.verbose))("input", po::value(&command.inputs));
   const po::positional_options_description positional =
@@ -170,7 +169,7 @@ inline int run_tiles_command(Tiles_command& command)
   Report report(std::cout, command.json    ? Report::Style::JSON
                            : command.quiet ? Report::Style::NONE
                                            : Report::Style::TEXT);
-  report_tiles(command.output, result, command.options.compares_cells, report);
+  report_tiles(command.output, result, report);
   joined.write(command.output, report);
   report.finish();
   return EXIT_SUCCESS;

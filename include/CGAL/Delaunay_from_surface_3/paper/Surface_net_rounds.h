@@ -622,8 +622,8 @@ an earlier round (`Insertion_order::starting_places`).
 A net is chosen greedily in a random order of the vertices, which the seed determines. With more
 than 32768 vertices, blocks of `block` successive vertices (1024 by default) follow each other, and
 only the order inside each block is random. In the order of the indices a net would be as regular as
-the numbering. CAD programs number vertices along profiles and rings, and such nets destroyed 2.5
-times as many cells as random rounds on an airfoil of 200,000 points (`nets_200k.json`). Vertices
+the numbering. CAD programs number vertices along profiles and rings, and such nets destroyed 3.6
+times as many cells as random ones on an airfoil of 200,000 points (`nets_200k.json`). Vertices
 with more than three times as many edges as the average come first: it is better to insert the
 middle of a fan before the fan. The members of a cluster of more than `large_cluster` vertices come
 in the order of `Geometric_rounds`, and start at the previous point if that is nearer than the net

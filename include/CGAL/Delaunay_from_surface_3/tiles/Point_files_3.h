@@ -206,13 +206,13 @@ private:
 // What stands at the beginning of each file of a run.
 struct Record_head
 {
-  char what[32] = {}; // "dfs3 tiles 3 tiling"
+  char what[32] = {}; // "dfs3 tiles 4 tiling"
   std::uint64_t run;
 
   Record_head(const char* kind, std::uint64_t run_number)
     : run(run_number)
   {
-    std::snprintf(what, sizeof(what), "dfs3 tiles 3 %s", kind);
+    std::snprintf(what, sizeof(what), "dfs3 tiles 4 %s", kind);
   }
 };
 

@@ -121,7 +121,6 @@ inline Range_summary unpack_summary(Unpack& from)
   return summary;
 }
 
-// Of cells nothing but the partners with which they are to be compared.
 inline void pack(Packed_bytes& to, const Tile_certificate& c)
 {
   pack(to, c.tile);
@@ -132,7 +131,6 @@ inline void pack(Packed_bytes& to, const Tile_certificate& c)
   for (const auto& [partner, sum] : c.common) {
     pack(to, partner);
     pack(to, sum);
-    pack(to, c.cells.count(partner) != 0);
   }
 }
 inline Tile_certificate unpack_certificate(Unpack& from)
@@ -145,8 +143,6 @@ inline Tile_certificate unpack_certificate(Unpack& from)
   for (auto partners = from.get<std::uint64_t>(); partners > 0; --partners) {
     const auto partner = from.get<std::uint32_t>();
     from.get(c.common[partner]);
-    if (from.get<bool>())
-      c.cells[partner]; // none
   }
   return c;
 }

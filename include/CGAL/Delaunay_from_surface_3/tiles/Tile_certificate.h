@@ -28,7 +28,7 @@
 // of their ids, and one owner.
 //
 // Cells are compared by sums of hashes of 128 bits, keyed by a seed that is drawn when no cell
-// changes any more: "up to a collision" of probability 2^-128; or, if asked for, by their ids, too.
+// changes any more: "up to a collision" of probability 2^-128.
 // A vertex has a key of 128 bits, of its id and coordinates; a cell's hash is that of the sum of
 // four, in which their order is nothing.
 
@@ -68,10 +68,6 @@ struct Cell_sum
     return s.number == t.number && s.hash[0] == t.hash[0] && s.hash[1] == t.hash[1];
   }
 };
-
-// The ids of the cell's vertices in ascending order; that of the infinite vertex is the largest
-// number.
-using Sorted_cell = std::array<std::uint64_t, 4>;
 
 // Keyed hashes of cells: a cell's is that of the sum of the keys of its vertices.
 class Cell_hashes
@@ -133,10 +129,9 @@ private:
 struct Tile_certificate
 {
   std::uint32_t tile;
-  std::map<std::uint32_t, Cell_sum> common;                // by partner
-  std::map<std::uint32_t, std::vector<Sorted_cell>> cells; // the same, sorted, if asked for
-  std::uint64_t hull_vertices = 0;                         // its own
-  std::uint64_t hull_facets = 0;                           // whose smallest vertex is its own
+  std::map<std::uint32_t, Cell_sum> common; // by partner
+  std::uint64_t hull_vertices = 0;          // its own
+  std::uint64_t hull_facets = 0;            // whose smallest vertex is its own
   std::uint64_t own_points = 0, points_kept = 0;
   std::uint64_t owned_cells = 0, hash = 0; // whose smallest vertex is its own; of their ids
 };
@@ -151,12 +146,10 @@ inline bool has_own_points(const Delaunay_tile& tile)
 }
 
 // When nobody has anything to tell. Linear.
-inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t seed,
-                                       bool with_cells = false)
+inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t seed)
 {
   const Tile_triangulation& tr = tile.triangulation();
   Tile_certificate result{tile.number(),
-                          {},
                           {},
                           0,
                           0,
@@ -205,15 +198,8 @@ inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t 
       if (last == nullptr || last->first != owners[k]) // often the same one
         last = &*result.common.try_emplace(owners[k]).first;
       last->second += sum;
-      if (with_cells) {
-        auto& cells = result.cells[owners[k]];
-        cells.push_back(tr.ids_of(cell));
-        std::sort(cells.back().begin(), cells.back().end());
-      }
     }
   });
-  for (auto& [partner, cells] : result.cells)
-    std::sort(cells.begin(), cells.end());
   return result;
 }
 
@@ -224,17 +210,10 @@ inline Tile_pairs tiles_that_differ(const std::vector<Tile_certificate>& tiles)
 {
   Tile_pairs result;
   for (const Tile_certificate& a : tiles)
-    for (const auto& common : a.common) { // no binding: the lambda below cannot have one
-      const std::uint32_t partner = common.first;
-      const Cell_sum& sum = common.second;
+    for (const auto& [partner, sum] : a.common) {
       const Tile_certificate& b = tiles.at(partner);
       const auto found = b.common.find(a.tile); // it need not have listed this one
-      const bool is_same = found != b.common.end() && found->second == sum && [&] {
-        const auto ours = a.cells.find(partner), theirs = b.cells.find(a.tile);
-        return (ours == a.cells.end() && theirs == b.cells.end()) ||
-               (ours != a.cells.end() && theirs != b.cells.end() && ours->second == theirs->second);
-      }();
-      if (!is_same)
+      if (found == b.common.end() || !(found->second == sum))
         result.push_back({(std::min)(a.tile, partner), (std::max)(a.tile, partner)});
     }
   std::sort(result.begin(), result.end());

@@ -93,8 +93,7 @@ private:
 // What a run is of.
 struct Tiles_input
 {
-  std::uint64_t points, fingerprint, sample_share, points_at_once, most_points_kept;
-  std::uint32_t tiles, compares_cells;
+  std::uint64_t points, fingerprint, sample_share, points_at_once, most_points_kept, tiles;
 };
 
 // Where a message is in the file of its sender, and how many points it has.
@@ -248,24 +247,16 @@ public:
 
   void write_certificate(const Tile_certificate& c) const
   {
-    Record_writer to(file("certificate", c.tile), "certificate", m_run);
     Packed_bytes bytes;
     pack(bytes, c);
-    to.put(bytes);
-    for (const auto& [partner, cells] : c.cells)
-      to.put(cells);
-    to.finish();
+    write(file("certificate", c.tile), "certificate", bytes);
   }
   Tile_certificate read_certificate(std::uint32_t t) const
   {
-    Record_reader from(file("certificate", t), "certificate", m_run);
     Packed_bytes bytes;
-    from.get(bytes);
+    read(file("certificate", t), "certificate", bytes);
     Unpack packed(bytes);
-    Tile_certificate c = unpack_certificate(packed);
-    for (auto& partner : c.cells)
-      from.get(partner.second);
-    return c;
+    return unpack_certificate(packed);
   }
 
   void write_piece(const Piece_of_tile& piece) const

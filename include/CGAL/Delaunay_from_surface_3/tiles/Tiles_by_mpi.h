@@ -15,16 +15,21 @@
 #ifdef MPI_VERSION // MPI is there
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Ranks_of_mpi.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,7 +41,7 @@ struct Input_of_rank
 {
   std::uint64_t points, first, last; // it reads those from first to before last
   std::uint32_t tiles;
-  std::array<std::uint64_t, 5> options;
+  std::array<std::uint64_t, 4> options;
 };
 
 inline Input_of_rank input_of_rank(const Ranks_of_mpi& ranks, const Tile_source_3& source,
@@ -49,7 +54,7 @@ inline Input_of_rank input_of_rank(const Ranks_of_mpi& ranks, const Tile_source_
           source.first_of_part(part + 1, parts),
           number_of_tiles(options, n, 1),
           {options.sample_share, options.least_points, options.memory,
-           std::uint64_t(options.compares_cells), std::uint64_t(options.starts_again)}};
+           std::uint64_t(options.starts_again)}};
 }
 
 // All ranks see as many points and have the same options, of which the driver's decisions are made,
@@ -89,88 +94,6 @@ inline Input_of_rank agree_on_input(Ranks_of_mpi& ranks, const Tile_source_3& so
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // MPI_VERSION
-
-#ifdef MPI_VERSION // MPI is there
-
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Ranks_of_mpi.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-// The larger of two tiles shows its common cells to the smaller, which compares them: nobody has
-// those of all. If they are the same, neither keeps its list; else one alone has one, which
-// tiles_that_differ() sees. Those of this rank are consecutive; rank_of(tile) has the others.
-template <class Rank_of>
-void compare_cells_by_mpi(Ranks_of_mpi& ranks, std::vector<Tile_certificate>& mine,
-                          const Rank_of& rank_of)
-{
-  std::vector<Packed_bytes> to;
-  ranks.together([&] {
-    to = ranks.empty_by_rank();
-    for (Tile_certificate& certificate : mine)
-      for (auto pair = certificate.cells.begin(); pair != certificate.cells.end();)
-        if (pair->first < certificate.tile) {
-          Packed_bytes& bytes = to[rank_of(pair->first)];
-          pack(bytes, pair->first);
-          pack(bytes, certificate.tile);
-          pack(bytes, pair->second);
-          pair = certificate.cells.erase(pair);
-        } else {
-          ++pair;
-        }
-  });
-  const auto from = ranks.exchange(std::move(to));
-  ranks.together([&] {
-    for (const Packed_bytes& bytes : from)
-      for (Unpack cells(bytes); !cells.is_at_end();) {
-        auto& ours = mine[cells.get<std::uint32_t>() - mine.front().tile].cells;
-        const auto partner = cells.get<std::uint32_t>();
-        std::vector<Sorted_cell> theirs;
-        cells.get(theirs);
-        const auto found = ours.find(partner);
-        if (found != ours.end() && found->second == theirs)
-          ours.erase(found);
-        else
-          ours[partner].clear();
-      }
-  });
-}
-
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
-#endif // MPI_VERSION
-
-#ifdef MPI_VERSION // MPI is there
-
-#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Ranks_of_mpi.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
@@ -202,7 +125,6 @@ public:
     m_tiles.clear();
     m_rounds = 0;
     m_told = 0;
-    m_with_cells = options.compares_cells;
     together([&] { m_progress = options.progress; });
     const Input_of_rank input = agree_on_input(m_ranks, source, options);
     assign_tiles(input);
@@ -253,18 +175,15 @@ public:
     return engine.m_ranks.of_first(seed);
   }
 
-  // Of all tiles, on each rank; the seed is the same on all. Cells, if they are compared, are so by
-  // the ranks that have them.
+  // Of all tiles, on each rank; the seed is the same on all.
   std::vector<Tile_certificate> gather(std::uint64_t seed)
   {
     std::vector<Tile_certificate> mine, all;
     Packed_bytes bytes;
     together([&] {
       const Stage_progress progress(m_progress, "certificate", last_tile() - first_tile());
-      mine = m_tiles.certificates(seed, m_with_cells, [&](std::size_t) { progress.tell_next(); });
+      mine = m_tiles.certificates(seed, [&](std::size_t) { progress.tell_next(); });
     });
-    if (m_with_cells)
-      compare_cells_by_mpi(m_ranks, mine, [&](std::uint32_t t) { return rank_of(t); });
     together([&] {
       for (const Tile_certificate& certificate : mine)
         pack(bytes, certificate);
@@ -395,7 +314,6 @@ private:
   std::uint32_t m_number_of_tiles = 0;
   std::vector<std::uint32_t> m_rank_of_tile;
   std::optional<Tiling> m_tiling;
-  bool m_with_cells = false;
   std::size_t m_rounds = 0;
   std::uint64_t m_told = 0;
   Tiles_in_memory m_tiles;

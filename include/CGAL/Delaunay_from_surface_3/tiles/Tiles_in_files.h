@@ -72,7 +72,7 @@ struct Tile_tasks
     std::vector<Range_summary> ranges;
     for (std::size_t k = 0; k < number_of_ranges(); ++k)
       ranges.push_back(folder.read_summary(k));
-    return tiling_of(ranges, input.points, input.tiles, sampling());
+    return tiling_of(ranges, input.points, std::uint32_t(input.tiles), sampling());
   }
 
   // A range's points go to the tiles that own them.
@@ -141,7 +141,7 @@ struct Tile_tasks
     const Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit,
                              Thread_executor(threads));
     folder.write_piece(Piece_of_tile(tile));
-    folder.write_certificate(certificate_of(tile, last.seed, input.compares_cells != 0));
+    folder.write_certificate(certificate_of(tile, last.seed));
   }
 
 private:
@@ -353,8 +353,7 @@ private:
                options.sample_share,
                most_points_read(options, at_once),
                m_limit,
-               number_of_tiles(options, m_source->size(), at_once),
-               options.compares_cells};
+               number_of_tiles(options, m_source->size(), at_once)};
     std::random_device random;
     m_folder.set_run(std::uint64_t(random()) << 32 | random() | 1);
     m_folder.write_input(m_input);
@@ -368,9 +367,6 @@ private:
       throw Tile_files_error(place + ": holds the state of a run on another input, of " +
                              std::to_string(m_input.points) +
                              " points: remove it, or name another folder");
-    if (options.compares_cells && m_input.compares_cells == 0)
-      throw Tile_files_error(place + ": holds the state of a run that compares sums of hashes: "
-                                     "remove it to compare cells");
     if (options.number_of_tiles != 0 &&
         number_of_tiles(options, m_input.points, 1) != m_input.tiles)
       throw Tile_files_error(place + ": holds the state of a run with " +

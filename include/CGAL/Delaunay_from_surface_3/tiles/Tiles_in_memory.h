@@ -271,12 +271,11 @@ public:
   }
 
   template <class Done>
-  std::vector<Tile_certificate> certificates(std::uint64_t seed, bool with_cells,
-                                             const Done& done) const
+  std::vector<Tile_certificate> certificates(std::uint64_t seed, const Done& done) const
   {
     std::vector<Tile_certificate> certificates(m_tiles.size());
     for_each([&](std::size_t k) {
-      certificates[k] = certificate_of(*m_tiles[k], seed, with_cells);
+      certificates[k] = certificate_of(*m_tiles[k], seed);
       done(k);
     });
     return certificates;
@@ -345,7 +344,6 @@ public:
     m_tiles.clear();
     m_rounds = 0;
     m_told = 0;
-    m_with_cells = options.compares_cells;
     m_progress = options.progress;
     std::vector<std::vector<Tile_point>> own(tiles);
     const std::vector<double> coordinates = read_range(source, 0, n);
@@ -390,7 +388,7 @@ public:
   std::vector<Tile_certificate> gather(std::uint64_t seed) const
   {
     const Stage_progress progress(m_progress, "certificate", number_of_tiles());
-    return m_tiles.certificates(seed, m_with_cells, [&](std::size_t) { progress.tell_next(); });
+    return m_tiles.certificates(seed, [&](std::size_t) { progress.tell_next(); });
   }
 
   void show(const Tile_pairs& pairs)
@@ -420,7 +418,6 @@ public:
 
 private:
   std::optional<Tiling> m_tiling;
-  bool m_with_cells = false;
   std::size_t m_rounds = 0;
   std::uint64_t m_told = 0;
   Tiles_in_memory m_tiles;

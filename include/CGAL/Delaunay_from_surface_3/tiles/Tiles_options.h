@@ -54,9 +54,6 @@ struct Tiles_options
   /// not fewer than 16384.
   std::size_t points_at_once = 4000000;
 
-  /// whether the certificate compares cells instead of sums of their hashes.
-  bool compares_cells = false;
-
   /// whether the work begins again with more tiles if one becomes larger than `memory` allows.
   bool starts_again = true;
 
