@@ -34,7 +34,10 @@ SHOWS = {
     "orders": "CAD solids and surfaces that are hard for an order, 3,000 and 20,000 points",
     "orders_200k": "the same, 200,000 points",
     "orders_walks": "tori, tubes, boxes: where walks can go astray",
-    "nets_200k": "cells destroyed under other rules for nets",
+    "nets_200k": "cells destroyed by nets of the surface, under three rules, and by spaced rounds",
+    "nets_256k": "times of both, by the last revision whose default, with faces, was nets: `spaced` is today's default, `default` "
+                 "today's `compact-nets`",
+    "nets_4M": "the same for four million points, each call in a process of its own: faces (nets) and points",
     "flat_and_far": "points on thin sheets, far away, in a plane or on a line; which stage of the arithmetic decides",
     "consumers": "uses, from the points to the end; built with CGAL 6.0.1, which COLMAP's advancing front requires",
     "thinning": "points left out, compared with COLMAP and OpenMVS",

@@ -125,6 +125,7 @@ def gains(report):
     rows, shares, destroyed = [], [], {"plain-order": [], "compact-nets": []}
     for result in report["results"]:
         methods = {m["method"]: m for m in result["methods"] if "left_out" not in m}
+        methods.setdefault("compact-nets", methods["default"])  # which it was until spaced rounds took its place
         seconds = methods["plain-order"]["phases"]["seconds"]  # makes plain CGAL's insertions
         shares.append(100 * seconds["update"] / sum(seconds.values()))
         for name, cells in destroyed.items():
