@@ -13,8 +13,9 @@
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 
-#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>

@@ -18,9 +18,10 @@
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
-#include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>

@@ -13,8 +13,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 INCLUDE = HERE.parent.parent / "include"
 COMPILED = "-DCGAL_DELAUNAY_FROM_SURFACE_3_COMPILED"
-MOST, MOST_COMPILED = 331_000, 90_000  # bytes
-MOST_HEADERS = 74  # with the core compiled
+MOST, MOST_COMPILED = 280_000, 40_000  # bytes
+MOST_HEADERS = 40  # with the core compiled
 
 
 def bytes_of_code(name, folder, *options):
