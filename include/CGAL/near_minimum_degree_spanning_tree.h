@@ -5,9 +5,9 @@
 #ifndef CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 #define CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 
-#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/iterator.h>

@@ -15,8 +15,8 @@
 #include <Delaunay_from_surface_3_triangle_lists/stacked_complete_graph.h>
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 #include <CGAL/near_minimum_degree_spanning_tree.h>

@@ -16,7 +16,7 @@
 // Cost: O(n), and O(gn) to write the loops down; about 90 bytes per vertex besides the lists. For
 // comparison with the cut graph only.
 
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 

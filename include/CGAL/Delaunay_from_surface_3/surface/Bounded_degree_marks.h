@@ -22,9 +22,9 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Open_along_cut.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
 
 #include <algorithm>

@@ -5,19 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BOUNDED_DEGREE_SUBGRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BOUNDED_DEGREE_SUBGRAPH_H
 
-// A spanning subgraph T of bounded degree, as Choi 2002, §3.2 asks for, and a spanning tree of nearly
-// the least maximum degree: what writes them, and the functors that traits name.
+// A spanning subgraph T of bounded degree, as Choi 2002, §3.2 asks for.
 
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_marks.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Face_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Halfedge_graph_reader.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <type_traits>
 #include <vector>
 
@@ -25,87 +20,6 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-// What all public functions do: read, mark darts, write edges.
-
-template <class Reader, class Index, class OutputIterator>
-OutputIterator write_marked(const Reader& reader, const Rotation_system<Index>& surface,
-                            const Dart_marks& marks, OutputIterator out)
-{
-  reader.for_each_marked(surface, marks, [&](Index, const auto& edge) { *out++ = edge; });
-  return out;
-}
-
-template <class Reader, class OutputIterator>
-OutputIterator write_bounded_degree_subgraph(const Reader& reader, Subgraph_kind kind,
-                                             OutputIterator out)
-{
-  return with_rotation_system(reader, [&](auto& surface) {
-    using Index = typename std::decay_t<decltype(surface)>::Index;
-    return write_marked(reader, surface, Bounded_degree_marks<Index>(surface, kind)(), out);
-  });
-}
-
-// The cut graph without the boundary: each edge once.
-template <class Reader, class OutputIterator>
-OutputIterator write_cut_graph(const Reader& reader, OutputIterator out)
-{
-  return with_rotation_system(reader, [&](auto& surface) {
-    using Index = typename std::decay_t<decltype(surface)>::Index;
-    Cut_candidate<Index> cut = find_cut_graph(surface);
-    for (Index v = 0; v < surface.number_of_vertices(); ++v) {
-      const Index begin = surface.first[v], end = surface.first[v + 1];
-      for (Index dart = begin; dart < end; ++dart) {
-        const bool is_boundary = surface.on_boundary[v] && (dart == begin || dart + 1 == end);
-        if (cut.degree[v] == 0 || is_boundary || surface.neighbor[dart] < v)
-          cut.marks[dart] = false;
-      }
-    }
-    return write_marked(reader, surface, cut.marks, out);
-  });
-}
-
-// Read, mark the tree of bounded degree, exchange edges, write.
-
-// Whether no vertex has more than three of the edges that are marked at one of their darts.
-template <class Index>
-bool has_degree_of_3(const Rotation_system<Index>& surface, const Dart_marks& marks)
-{
-  std::vector<unsigned char> degree(surface.number_of_vertices(), 0);
-  bool result = true;
-  const auto count = [&](Index v) { result = result && ++degree[v] <= 3; };
-  for (Index v = 0; v < surface.number_of_vertices(); ++v)
-    for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
-      if (marks[dart]) {
-        count(v);
-        count(surface.neighbor[dart]);
-      }
-  return result;
-}
-
-template <class Index>
-Dart_marks near_minimum_degree_marks(Rotation_system<Index>& surface,
-                                     std::vector<Minimum_degree_witness>& witnesses)
-{
-  Dart_marks marks;
-  {
-    Bounded_degree_marks<Index> find_tree(surface, Subgraph_kind::TREE);
-    marks = find_tree();
-    find_tree.close();
-  }
-  if (!has_degree_of_3(surface, marks))
-    Reduce_degrees<Index>(surface, marks)(witnesses);
-  return marks;
-}
-
-template <class Reader, class OutputIterator>
-OutputIterator write_near_minimum_degree_tree(const Reader& reader, OutputIterator out,
-                                              std::vector<Minimum_degree_witness>& witnesses)
-{
-  return with_rotation_system(reader, [&](auto& surface) {
-    return write_marked(reader, surface, near_minimum_degree_marks(surface, witnesses), out);
-  });
-}
 
 // The reader for a mesh, and that for the graph that insert_points_3() makes of a soup.
 template <class Graph, class VertexIndexMap,

@@ -8,14 +8,14 @@
 // A Boost graph with the cyclic orders of its edges as a rotation system, and marked darts back as
 // edges.
 //
-// Invariant: as Rotation_system says; the lists are the user's, unchanged. What is outside the
+// Invariant: as Rotation_system.h says; the lists are the user's, unchanged. What is outside the
 // definition is refused by name: loops, doubled edges, edges that are missing from a list, boundary
 // edges that do not stand at the ends of a list, lists that disagree on a triangle
 // (Check_triangles).
 // Cost: two passes over the lists. Edges are not paired: in a simple graph the ends name the edge.
 
-#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -23,11 +23,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <limits>
-#include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,97 +32,6 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-// A triangulated surface as flat arrays: what every step of the subgraphs works on.
-//
-// Invariant: darts first[v] .. first[v+1]-1 are the edges at v in the order in which they stand
-// around v, in either direction; neighbor[dart] is the other end. The list of an interior vertex is
-// cyclic, that of a vertex on the boundary starts and ends with its boundary edges. The graph is
-// simple, so an edge is known by its two ends and the darts of an edge need no link to each other.
-// Cost: 4 bytes per dart and per vertex; 28 bytes per vertex on a closed surface.
-
-using Dart_marks = std::vector<bool>; // one bit per dart
-
-// The edges around one vertex, in order.
-template <class Index>
-struct Star
-{
-  const Index* first;
-  const Index* last;
-
-  const Index* begin() const { return first; }
-  const Index* end() const { return last; }
-  Index size() const { return static_cast<Index>(last - first); }
-  Index operator[](Index position) const { return first[position]; }
-};
-
-template <class Index_>
-struct Rotation_system
-{
-  using Index = Index_;
-
-  std::vector<Index> first;      // number_of_vertices() + 1 entries
-  std::vector<Index> neighbor;   // one per dart
-  std::vector<bool> on_boundary; // one bit per vertex
-
-  Index number_of_vertices() const { return static_cast<Index>(on_boundary.size()); }
-  std::size_t number_of_darts() const { return neighbor.size(); }
-  Index degree(Index v) const { return first[v + 1] - first[v]; }
-
-  Star<Index> star(Index v) const
-  {
-    return {neighbor.data() + first[v], neighbor.data() + first[v + 1]};
-  }
-
-  // Corners of triangles at v: one less than edges where the list is not cyclic.
-  Index number_of_corners(Index v) const
-  {
-    return degree(v) == 0 ? 0 : degree(v) - (on_boundary[v] ? 1 : 0);
-  }
-};
-
-// The messages with which the subgraph functions refuse their input: what is wrong, and at which
-// vertex or edge. Vertices are named by their index, edges by their two ends.
-
-[[noreturn]] inline void refuse(const std::string& what)
-{
-  throw Surface_input_error(what);
-}
-
-inline std::string vertex_name(std::size_t v)
-{
-  return "vertex " + std::to_string(v);
-}
-
-inline std::string edge_name(std::size_t v, std::size_t w)
-{
-  return "edge (" + std::to_string(v) + ", " + std::to_string(w) + ")";
-}
-
-[[noreturn]] inline void refuse_index(std::size_t n, std::size_t index)
-{
-  refuse("the vertex index map is no bijection onto 0 .. n-1: n is " + std::to_string(n) +
-         " and index " + std::to_string(index) + (index < n ? " is there twice" : " is too large"));
-}
-
-// Names two edges with the same ends by their positions in the range edges(g).
-template <class Graph, class VertexIndexMap>
-[[noreturn]] void refuse_multi_edge(const Graph& g, VertexIndexMap index, std::size_t v,
-                                    std::size_t w)
-{
-  std::string positions;
-  std::size_t position = 0, found = 0;
-  const auto range = edges(g);
-  for (auto e = range.first; e != range.second; ++e, ++position) {
-    const std::size_t a = get(index, source(*e, g)), b = get(index, target(*e, g));
-    if ((a == v && b == w) || (a == w && b == v))
-      positions += (found++ == 0 ? "" : found == 2 ? " and " : ", ") + std::to_string(position);
-  }
-  if (found < 2)
-    refuse(edge_name(v, w) + " stands twice in the list of " + vertex_name(v));
-  refuse("the graph is not simple: " + edge_name(v, w) + " is there " + std::to_string(found) +
-         " times, as edges number " + positions + " of edges(g)");
-}
 
 // Checks that lists which were given, not derived from faces, describe triangles: where v's list
 // has a next to b, a's list must have b next to v, and b's list v next to a.
@@ -374,26 +280,6 @@ private:
   VertexIndexMap m_index;
   EdgeIsBoundaryMap m_is_boundary;
 };
-
-// Chooses the index type: 32 bits wherever the numbers of edges and vertices allow.
-
-// Reads the surface and calls function(Rotation_system<Index>&). A reader (Halfedge_graph_reader,
-// Embedding_reader) turns one kind of graph into a rotation system, and marked darts back into its
-// edges.
-template <class Reader, class Function>
-auto with_rotation_system(const Reader& reader, const Function& function)
-{
-  // Vertices are copied where the surface is cut open, fewer than there are darts; so half of what
-  // 32 bits can number is left to them.
-  if ((std::max)(reader.number_of_darts(), reader.number_of_vertices()) < (std::size_t(1) << 31)) {
-    Rotation_system<std::uint32_t> surface;
-    reader.read(surface);
-    return function(surface);
-  }
-  Rotation_system<std::uint64_t> surface;
-  reader.read(surface);
-  return function(surface);
-}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

@@ -13,7 +13,7 @@
 // with d edges in the surface, if these are many, and 8 d bytes, to look up the dart to a neighbour.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,7 +7,7 @@
 
 // The triangles of a soup as a rotation system, and marked darts back as pairs of vertices.
 //
-// Invariant: as Rotation_system says. The list of v begins in the first face that has v, and goes
+// Invariant: as Rotation_system.h says. The list of v begins in the first face that has v, and goes
 // around as halfedges would that lead to v, if that face is oriented as it stands; how the others
 // are oriented does not matter. A boundary vertex begins at the end of its list that lies this way.
 // What is outside the definition is refused by name: faces that are not triangles, or have a vertex
@@ -16,7 +16,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <array>
 #include <cstddef>

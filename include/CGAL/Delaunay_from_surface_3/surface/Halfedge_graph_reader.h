@@ -14,7 +14,7 @@
 // Cost: one pass over the halfedges, one over the stars; nothing is kept of the halfedges.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -17,7 +17,7 @@
 // Cost: O(length of the lists of vertices on the cut), plus one pass over the vertices.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
 
 #include <cstddef>

@@ -20,7 +20,7 @@
 // Cost: one pass over the lists; 8 bytes per vertex, one bit per dart, and the front of the search.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <cstddef>
 #include <vector>

@@ -10,7 +10,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_CUT_GRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_CUT_GRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
+#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {

@@ -9,9 +9,10 @@
 // function that users call.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
+#include <CGAL/Delaunay_from_surface_3/surface/with_rotation_system.h>
 
 #include <algorithm>
 #include <cstddef>
