@@ -150,17 +150,19 @@ void check_lattice(int x, int y, int z, const char* where)
 
 int main()
 {
-  check(arrays_of({}, false, "nothing").dimension() == -1, "dimension", "nothing");
+  check(arrays_of({}, core::Order_request::SPACED, "nothing").dimension() == -1, "dimension",
+        "nothing");
   check_lattice(1, 1, 1, "a point");
   check_lattice(1, 9, 1, "a line");
   check_lattice(7, 1, 6, "a plane");
   check_lattice(5, 6, 7, "space");
-  const Arrays sheared = arrays_of(lattice(6, 7, 1, 1, true), true, "a sheared plane");
+  const Arrays sheared =
+      arrays_of(lattice(6, 7, 1, 1, true), core::Order_request::SPACED, "a sheared plane");
   check(sheared.dimension() == 2, "dimension", "a sheared plane");
   check(sheared.number_of_simplices() == 60, "number of simplices", "a sheared plane");
   std::vector<double> twice = lattice(4, 4, 4, 1);
   twice.insert(twice.end(), twice.begin(), twice.end());
-  const Arrays duplicates = arrays_of(twice, true, "every point twice");
+  const Arrays duplicates = arrays_of(twice, core::Order_request::SPACED, "every point twice");
   check(duplicates.number_of_points() == 128, "points", "every point twice");
   check(duplicates.number_of_vertices() == 64, "vertices", "every point twice");
   if (failures == 0)
