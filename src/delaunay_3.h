@@ -29,10 +29,10 @@ typedef struct delaunay_3 delaunay_3;
 
 typedef enum delaunay_3_status {
   DELAUNAY_3_OK = 0,
-  DELAUNAY_3_NOT_FINITE, /* a coordinate */
-  DELAUNAY_3_BAD_INDEX,  /* in a triangle */
+  DELAUNAY_3_NOT_FINITE,   /* a coordinate */
+  DELAUNAY_3_BAD_INDEX,    /* in a triangle */
   DELAUNAY_3_BAD_ARGUMENT, /* no thread, a level that there is not, null for an array that has entries */
-  DELAUNAY_3_TOO_MANY, /* more than 2^30 cells, or 2^31 - 2 points or triangles */
+  DELAUNAY_3_TOO_MANY,     /* more than 2^30 cells, or 2^31 - 2 points or triangles */
   DELAUNAY_3_NO_MEMORY,
   DELAUNAY_3_FAILED, /* a fault of the library */
   DELAUNAY_3_NOT_EXACT /* the library is compiled with -ffast-math, -Ofast or parts of them, or denormal

@@ -35,9 +35,9 @@ SHOWS = {
     "orders_200k": "the same, 200,000 points",
     "orders_walks": "tori, tubes, boxes: where walks can go astray",
     "nets_200k": "cells destroyed by nets of the surface, under three rules, and by spaced rounds",
-    "nets_256k": "times of both, by the last revision whose default, with faces, was nets: `spaced` is today's default, `default` "
-                 "today's `compact-nets`",
-    "nets_4M": "the same for four million points, each call in a process of its own: faces (nets) and points",
+    "nets_256k": "times of both: `default` and `compact-nets`",
+    "nets_4M": "the same for four million points, each call in a process of its own, by the last revision (9e2d602) whose `default` "
+               "was nets, with faces: `points` had spaced rounds",
     "flat_and_far": "points on thin sheets, far away, in a plane or on a line; which stage of the arithmetic decides",
     "consumers": "uses, from the points to the end; built with CGAL 6.0.1, which COLMAP's advancing front requires",
     "thinning": "points left out, compared with COLMAP and OpenMVS",

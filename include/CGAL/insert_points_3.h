@@ -144,11 +144,11 @@ insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr, InputIterator f
 \ingroup PkgDelaunayFromSurface3Soup
 
 inserts the points of a polygon soup into a Delaunay triangulation. By default the faces are checked
-and have no effect on the order; other traits use their edges. The faces may be any polygons, may overlap, may be oriented arbitrarily, and any number of
-them may share an edge. If the traits trace a `Bounded_degree_subgraph` and the faces are triangles
-that form a surface, this subgraph is found as for a mesh; otherwise a spanning forest takes its
-place. The result, and the state after a stop or an exception, are those of
-`insert_surface_vertices_3()`.
+and have no effect on the order; other traits use their edges. The faces may be any polygons, may
+overlap, may be oriented arbitrarily, and any number of them may share an edge. If the traits trace
+a `Bounded_degree_subgraph` and the faces are triangles that form a surface, this subgraph is found
+as for a mesh; otherwise a spanning forest takes its place. The result, and the state after a stop
+or an exception, are those of `insert_surface_vertices_3()`.
 
 <b>Complexity</b>: \f$O(n \log n + m)\f$ for the order of n points and the checks of m sides of
 faces, plus the insertions.
@@ -160,8 +160,8 @@ made for a single thread. `Parallel_tag` requires TBB.
 is guaranteed only if `Gt` has exact predicates.
 \tparam PointRange as in the overload without faces: points, pairs of points and infos, or items
 that `point_map` maps to points
-\tparam FaceRange a range of ranges of integers. If it has random access, several threads may read it
-at the same time with `Parallel_tag`.
+\tparam FaceRange a range of ranges of integers. If it has random access, several threads may read
+it at the same time with `Parallel_tag`.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the points are inserted

@@ -28,10 +28,10 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 inserts the vertices of a surface mesh into a Delaunay triangulation. The result equals that of
 `tr.insert(first, last)` for the same points.
 
-The default traits use the points of the mesh alone; others trace its surface, or make the order from
-its edges. Faces that are not triangles, several components, boundaries and isolated vertices are allowed with any traits.
-Equal points share one vertex; the first of them in the order of `vertices(mesh)` determines its
-point and info.
+The default traits use the points of the mesh alone; others trace its surface, or make the order
+from its edges. Faces that are not triangles, several components, boundaries and isolated vertices
+are allowed with any traits. Equal points share one vertex; the first of them in the order of
+`vertices(mesh)` determines its point and info.
 
 If `tr` is empty, the result is built in another triangulation and swapped in. Refused input, a stop
 by the visitor or an exception leave `tr` unchanged. After success, old handles to its infinite

@@ -17,6 +17,7 @@
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -238,6 +239,43 @@ BOOST_AUTO_TEST_CASE(points_in_a_cube)
   arrays.drop_neighbors();
   BOOST_TEST(memory("VmRSS") < kept - 90 * n);
 }
+
+#if defined(__linux__)
+// How many of the array's bytes are in memory.
+std::size_t bytes_there(Page_array<char>& array)
+{
+  const auto page = std::uintptr_t(sysconf(_SC_PAGESIZE));
+  const auto begin = (reinterpret_cast<std::uintptr_t>(array.data()) + page - 1) / page * page;
+  const auto end = reinterpret_cast<std::uintptr_t>(array.data() + array.capacity()) / page * page;
+  std::vector<unsigned char> is_there((end - begin) / page);
+  BOOST_TEST_REQUIRE(mincore(reinterpret_cast<void*>(begin), end - begin, is_there.data()) == 0);
+  std::size_t bytes = 0;
+  for (const unsigned char there : is_there)
+    bytes += (there & 1u) * page;
+  return bytes;
+}
+
+// What the next call would fault in again. Below 32 MB it is kept, unless a result gives it back.
+BOOST_AUTO_TEST_CASE(small_arrays_leave_their_pages_to_the_heap)
+{
+  for (const std::size_t size : {12 * large_page, 24 * large_page}) {
+    Page_array<char> array;
+    array.allocate(size);
+    std::fill_n(array.data(), size, 'x');
+    const std::size_t some = size / 3;
+    BOOST_TEST(bytes_there(array) > size - large_page);
+    array.release_before_end(0, some);
+    if (size < 16 * large_page)
+      BOOST_TEST(bytes_there(array) > size - large_page);
+    else
+      BOOST_TEST(bytes_there(array) < size - some + 2 * large_page);
+    array.release(0, some);
+    BOOST_TEST(bytes_there(array) < size - some + 2 * large_page);
+    BOOST_TEST(std::count(array.data() + some, array.data() + size, 'x') ==
+               std::ptrdiff_t(size - some));
+  }
+}
+#endif
 
 // One page at a time, just before it is used, and none any more after one that was dear.
 BOOST_AUTO_TEST_CASE(large_pages_are_touched_until_one_is_dear)

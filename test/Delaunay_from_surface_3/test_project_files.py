@@ -32,6 +32,13 @@ class ProjectFiles(unittest.TestCase):
                                                           "include/CGAL/Delaunay_from_surface_3/support/form.h"))
         self.assertEqual(version, found(r"^## ([\d.]+)$", "CHANGES.md"))
 
+    def test_size_of_the_house(self):
+        """What grows beyond these has its reason in the message of the commit that raises them."""
+        headers = [*ROOT.glob("include/CGAL/**/*.h")]
+        self.assertGreater(len(headers), 50)
+        self.assertLessEqual(len(headers), 126)
+        self.assertLessEqual(sum(len(path.read_text(encoding="utf-8").splitlines()) for path in headers), 29_860)
+
     def test_paper_is_cited_as_in_the_bibliography(self):
         entry = re.search(r"@inproceedings\{choi-dtsm-02,(.*?)^\}",
                           read("doc/Delaunay_from_surface_3/geom.bib"), re.MULTILINE | re.DOTALL).group(1)

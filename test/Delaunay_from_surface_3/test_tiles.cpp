@@ -60,7 +60,9 @@ Cells cells_of(const core::Tiles_here& engine)
     const core::Tile_triangulation& tr = tile->triangulation();
     tr.for_each_cell([&](const auto& cell) {
       if (tr.owner_of(cell) == tile->number())
-        append_sorted(tr.ids_of(cell), cells);
+        append_sorted(
+            std::array{tr.id(cell.v[0]), tr.id(cell.v[1]), tr.id(cell.v[2]), tr.id(cell.v[3])},
+            cells);
     });
   }
   std::sort(cells.begin(), cells.end());

@@ -121,8 +121,8 @@ public:
 
   /*!
   is optional. If it exists, the core calls it instead of the one without argument, with the number of
-  points inserted; with several threads this number is approximate. It falls only when the work begins anew. The one without
-  argument must exist too: a class derived from the default visitor says
+  points inserted; with several threads this number is approximate. It falls only when the work begins
+  anew. The one without argument must exist too: a class derived from the default visitor says
   `using CGAL::Default_surface_insertion_visitor_3::go_further;`.
 
   \return `false` to stop the work here

@@ -70,8 +70,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
         `inside_figures` how sure that is. The surface may have gaps, and parts that overlap; faces that disagree with
         those around them are turned. If much of the volume may be wrong, a `UserWarning` says so.
     seed
-        Of the random order of insertion that takes over where the usual one, which has no random numbers, turns out
-        to be bad. It changes the order of the simplices at most.
+        Seeds the random order of insertion, which takes over where the usual one turns out to be bad; that has no
+        random numbers. At most the order of the simplices depends on it.
     progress
         Is called about every 50 ms with the share of the points that are inserted, and at last with 1. If it
         returns False, the work stops and `Stopped` is raised; what it raises is passed on. It is called, and

@@ -158,8 +158,8 @@ using Index_in_face =
 template <class FaceRange>
 constexpr bool are_faces = is_detected<Index_in_face, FaceRange>;
 
-// The points and faces of a polygon soup, read and checked. The edges are kept only for a caller who
-// asks for the graph.
+// Reads and checks the points and faces of a polygon soup. Edges are kept only for a caller who asks
+// for the graph.
 template <class Triangulation, class PointRange, class FaceRange, class NamedParameters>
 class Read_soup
 {

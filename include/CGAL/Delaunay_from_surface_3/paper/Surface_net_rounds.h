@@ -49,14 +49,6 @@ constexpr double net_stall = 0.9;
 constexpr std::size_t coarsest_net = 64;
 constexpr std::size_t large_cluster = 32;
 
-// The squared distance of points i and j, up to rounding; infinite where it overflows.
-inline double squared_distance(const Point_array& points, std::size_t i, std::size_t j)
-{
-  const double *const p = points[i], *const q = points[j];
-  const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
-  return x * x + y * y + z * z;
-}
-
 // A net of a graph, that is a maximal independent set, with the cluster of every net vertex: itself
 // and neighbours of it; of several net vertices beside it a vertex belongs to the nearest, or,
 // where there are many vertices, to the first.
@@ -134,8 +126,9 @@ public:
 
   double squared_distance(std::size_t v, std::size_t u) const
   {
-    return m_names == nullptr ? internal::squared_distance(m_points, v, u)
-                              : internal::squared_distance(m_points, m_names[v], m_names[u]);
+    return m_names == nullptr
+               ? internal::squared_distance(m_points[v], m_points[u])
+               : internal::squared_distance(m_points[m_names[v]], m_points[m_names[u]]);
   }
 
 private:
@@ -367,8 +360,9 @@ struct Net_hierarchy
   std::vector<Large_vector<std::uint32_t>> names;
   std::size_t number_of_coarsest;
 
-  // Nets of the graph with these edges, of which there are some, until at most `coarsest_net` vertices are left,
-  // or a net keeps more than the share `net_stall` of them. `block`: see Random_blocks.
+  // Makes nets of the graph with these edges, of which there are some, until at most `coarsest_net`
+  // vertices are left, or a net keeps more than the share `net_stall` of them. `block`: see
+  // Random_blocks.
   Net_hierarchy(Lists_view<std::uint32_t> lower, const Point_array& points, unsigned int seed,
                 std::size_t block = Random_blocks::one_of_many)
     : names(1)
@@ -409,8 +403,8 @@ inline double median_of_distances(const Point_array& points, const Net_hierarchy
   std::vector<double> distances;
   for (std::size_t c = 0; c < clusters.size(); c += clusters.size() / 1024 + 1)
     if (const std::uint32_t* center = clusters.begin(c); clusters.end(c) - center > 1)
-      distances.push_back(
-          squared_distance(points, nets.point(level, *center), nets.point(level, center[1])));
+      distances.push_back(squared_distance(points[nets.point(level, *center)],
+                                           points[nets.point(level, center[1])]));
   if (distances.empty())
     return 0;
   const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
@@ -538,8 +532,8 @@ private:
     std::size_t previous = center, place_of_previous = place_of_center;
     for (const std::size_t k : random_rounds(fan).order) {
       const std::size_t point = m_nets.point(level, members[k]);
-      const bool previous_is_nearer =
-          squared_distance(m_points, point, previous) < squared_distance(m_points, point, center);
+      const bool previous_is_nearer = squared_distance(m_points[point], m_points[previous]) <
+                                      squared_distance(m_points[point], m_points[center]);
       const std::uint32_t place =
           append(level, members[k], previous_is_nearer ? place_of_previous : place_of_center);
       sequence.push_back({members[k], place});

@@ -31,9 +31,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 constexpr std::size_t large_page = std::size_t(1) << 21;
 
-// Whether an array of so many bytes begins at a large page. Others lie in the heap as any memory
-// does, whose pages the next call finds again: aligned, 600 points on a moment curve took twice as
-// long, all of it page faults.
+// Whether an array of so many bytes begins at a large page. Smaller ones lie in the heap as any
+// memory does, whose pages the next call finds again, without page faults.
 constexpr bool begins_at_large_page(std::size_t bytes)
 {
   return bytes >= 16 * large_page;
@@ -247,11 +246,14 @@ public:
     return (std::min)(m_capacity, i / size * size + size);
   }
 
-  // The elements first, …, last - 1 are not read any more; their whole pages go back to the system.
+  // The elements first, …, last - 1 are not read any more. Whole pages of theirs go back to the
+  // system: large ones where the array may have such, which would be torn otherwise. Small pages
+  // have 64 kB at most, nearly everywhere; where they have more, this may be refused.
   void release(std::size_t first, std::size_t last)
   {
 #if defined(__linux__)
-    constexpr std::uintptr_t page = 1 << 16; // of any system
+    const std::uintptr_t page =
+        begins_at_large_page(m_capacity * sizeof(T)) ? large_page : std::uintptr_t(1) << 16;
     const auto address = reinterpret_cast<std::uintptr_t>(m_data);
     const std::uintptr_t begin = (address + first * sizeof(T) + page - 1) / page * page;
     const std::uintptr_t end = (address + last * sizeof(T)) / page * page;
@@ -262,7 +264,7 @@ public:
 #endif
   }
 
-  // As release(), of an array that ends soon: the pages of small ones are left to the heap.
+  // As release(), for an array that ends soon: small ones leave their pages to the heap.
   void release_before_end(std::size_t first, std::size_t last)
   {
     if (begins_at_large_page(m_capacity * sizeof(T)))

@@ -35,6 +35,13 @@ std::array<Number, 3> minus(const std::array<Number, 3>& a, const std::array<Num
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+// The squared distance of two points, rounded; infinite where it overflows.
+inline double squared_distance(const double* p, const double* q)
+{
+  const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+  return x * x + y * y + z * z;
+}
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {

@@ -258,11 +258,6 @@ public:
     return {m_ids[v], {c[0], c[1], c[2]}};
   }
 
-  std::array<std::uint64_t, 4> ids_of(const Cell& cell) const
-  {
-    return {m_ids[cell.v[0]], m_ids[cell.v[1]], m_ids[cell.v[2]], m_ids[cell.v[3]]};
-  }
-
   // Whose vertex has the smallest id. Branches would be foreseen badly.
   std::uint32_t owner_of(const Cell& cell) const
   {

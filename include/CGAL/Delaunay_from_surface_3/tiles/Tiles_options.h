@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_OPTIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_OPTIONS_H
 
-// What a caller of tiles gives and gets: the options, the source of the points, and one tile.
+// The options of tiles, the source of their points, and a tile as the caller gets it.
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>

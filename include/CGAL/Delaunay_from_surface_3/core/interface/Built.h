@@ -173,7 +173,8 @@ struct Order_request
   std::size_t first_round = 64;
 };
 
-// Where the order of insertion comes from: from the points, or from a caller's own plan. It is asked when it is needed, and need not do anything before.
+// Where the order of insertion comes from: from the points, or from a caller's own plan. It is asked
+// when it is needed, and need not do anything before.
 class Order_source
 {
 public:
@@ -189,7 +190,7 @@ public:
   virtual std::size_t cells_per_point() const = 0;
 
   // Whether the first points are spread over all at any time, so that of the cells which are then many
-  // most must stay. Of a caller's own plan, which may begin with hubs, nobody knows.
+  // most must stay. Nothing is known of a caller's own plan, which may begin with hubs.
   virtual bool is_spread() const { return false; }
 
   // Goes on to the order that takes its place if that was exceeded; false if there is none, as there

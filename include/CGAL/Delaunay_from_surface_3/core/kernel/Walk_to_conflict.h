@@ -18,6 +18,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
+#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
@@ -88,12 +89,6 @@ struct Walk_to_conflict
     }
   }
 };
-
-// The square of the distance, rounded.
-inline double squared_distance(const double* p, const double* q)
-{
-  return row(p, q).w;
-}
 
 // Whether v is nearer to p than w, exactly. If both are equally near, the lexicographically smaller
 // one is.

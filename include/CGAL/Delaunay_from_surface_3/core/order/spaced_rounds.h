@@ -7,11 +7,10 @@
 
 // The orders of the core: random rounds that grow geometrically, and rounds of well-spaced points.
 //
-// For the latter the points are sorted once, by halves. Along that
-// order a point is a centre unless one of the last few centres is near; the others are the last round.
-// The centres among the centres stay for the rounds before the one before, and so on. A point that is
-// crowded has a small Voronoi cell: it destroys few cells if it comes late. It starts at the centre
-// that was near.
+// For the latter the points are sorted once, by halves. Along that order a point is a centre unless
+// one of the last few centres is near; the others are the last round. The centres among the centres
+// stay for the rounds before the one before, and so on. A point that is crowded has a small Voronoi
+// cell: it destroys few cells if it comes late. It starts at the centre that was near.
 //
 // What is near depends on the points: it is a share of the diagonals of the boxes of eight
 // successive points, so that neither the scale nor random numbers matter.
@@ -68,12 +67,6 @@ public:
 private:
   static constexpr std::size_t coarsest = 64, group = 8, window = 6;
   static constexpr double spacing = 0.35;
-
-  double squared_distance(const double* p, const double* q) const
-  {
-    const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
-    return x * x + y * y + z * z;
-  }
 
   // Of the box of the group of points that begins there.
   double squared_diagonal(std::size_t first) const
