@@ -24,6 +24,8 @@ else()
   find_package(CGAL REQUIRED)
 endif()
 
+find_package(Threads REQUIRED) # of the compiled library
+
 # Tests are made for the top project only, not for one that this package is a part of.
 set(DELAUNAY_FROM_SURFACE_3_TESTING OFF)
 if(PROJECT_IS_TOP_LEVEL AND BUILD_TESTING)
@@ -49,11 +51,13 @@ target_link_libraries(Delaunay_from_surface_3 INTERFACE "$<BUILD_INTERFACE:CGAL:
 target_include_directories(Delaunay_from_surface_3 INTERFACE
   "$<BUILD_INTERFACE:${DELAUNAY_FROM_SURFACE_3_ROOT}/include>")
 
-# The same with the core compiled once, in a static library: less to compile in every file that uses the package.
-# The core needs no CGAL, so that one library serves every version. What is said of arithmetic is added to the
+# The same with the core compiled once, in a static library: less to compile in every file that uses the package. It
+# also has the file side of tiles, which is only there. Neither needs CGAL, so that one library serves every version. What is said of arithmetic is added to the
 # project's own options; products may be fused into sums, as the proofs of the filters allow.
 add_library(Delaunay_from_surface_3_compiled STATIC EXCLUDE_FROM_ALL
-  "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/core.cpp")
+  "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/core.cpp"
+  "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/tiles/Point_files_3.cpp"
+  "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/tiles/Tiles_to_files.cpp")
 add_library(Delaunay_from_surface_3::compiled ALIAS Delaunay_from_surface_3_compiled)
 set_target_properties(Delaunay_from_surface_3_compiled PROPERTIES
   EXPORT_NAME compiled OUTPUT_NAME delaunay_from_surface_3
@@ -63,7 +67,7 @@ target_compile_options(Delaunay_from_surface_3_compiled PRIVATE
   "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O3;-fno-fast-math;-ffp-contract=fast>")
 target_include_directories(Delaunay_from_surface_3_compiled PRIVATE "${DELAUNAY_FROM_SURFACE_3_ROOT}/include")
 target_compile_definitions(Delaunay_from_surface_3_compiled INTERFACE CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
-target_link_libraries(Delaunay_from_surface_3_compiled INTERFACE Delaunay_from_surface_3)
+target_link_libraries(Delaunay_from_surface_3_compiled INTERFACE Delaunay_from_surface_3 PUBLIC Threads::Threads)
 
 # The generator of surfaces, readers and writers of files, and meters: headers that tests, benchmark, program and
 # figures share.

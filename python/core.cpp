@@ -2,7 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The compiled core, as a part of the extension: it says itself that it is compiled.
+// The compiled library, as a part of the extension: it says itself that it is compiled.
 
 #undef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
 #include <src/core.cpp>
+#include <src/tiles/Point_files_3.cpp>
+#include <src/tiles/Tiles_to_files.cpp>

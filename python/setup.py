@@ -49,7 +49,7 @@ class SourceDistribution(sdist):
         super().make_release_tree(base_dir, files)
         core = Path(base_dir) / "core"
         shutil.copytree(ROOT / "include/CGAL/Delaunay_from_surface_3", core / "include/CGAL/Delaunay_from_surface_3")
-        (core / "src").mkdir()
+        shutil.copytree(ROOT / "src/tiles", core / "src/tiles")
         for source, target in (("src/core.cpp", core / "src"), ("CMakeLists.txt", core), ("LICENSE", base_dir),
                                ("LICENSE.LGPL", base_dir)):
             shutil.copy(ROOT / source, target)

@@ -45,7 +45,7 @@ def check_files(index):
         problems = [f"{name} is not in it" for name in ("LICENSE", "LICENSE.LGPL", "py.typed", "_delaunay_from_surface.pyi", "cpp.py")
                     if not any(file.endswith("/" + name) for file in names)]
         problems += [f"{name} is not in the sources"
-                     for name in ("core/src/core.cpp", "LICENSE.LGPL", "include/functions.h")
+                     for name in ("core/src/core.cpp", "core/src/tiles/Records.h", "LICENSE.LGPL", "include/functions.h")
                      if not any(file.endswith("/" + name) for file in sources.getnames())]
     needed = re.findall(r"NEEDED +(\S+)", subprocess.run(["objdump", "-p", FOLDER / extension], check=True,
                                                          capture_output=True, text=True).stdout)

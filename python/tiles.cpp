@@ -8,9 +8,8 @@
 #include "interruptible.h"
 #include "functions.h"
 
-#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
 #include <pybind11/stl.h>
@@ -102,19 +101,11 @@ py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::strin
 py::tuple next_of_tiles(const std::vector<std::string>& files, const std::string& output,
                         std::uint32_t tiles, std::uint64_t memory, bool vtu)
 {
-  struct Next
-  {
-    std::size_t tasks;
-    std::string name;
-    std::uint32_t tiles;
-  };
-  const Next next = without_lock([&] {
+  const core::Tiles_to_files::Tasks next = without_lock([&] {
     const Run run(files, tiles, memory);
-    core::Tiles_to_files work(output, 1, vtu);
-    const std::size_t n = work.next(run.points, run.options);
-    return Next{n, work.name(), work.number_of_tiles()};
+    return core::Tiles_to_files(output, 1, vtu).next(run.points, run.options);
   });
-  return py::make_tuple(next.tasks, next.name, next.tiles);
+  return py::make_tuple(next.number, next.stage, next.tiles);
 }
 
 // Does one of these. Returns with how many tiles to begin again, if the caller would; 0: it is done.
@@ -125,7 +116,7 @@ std::uint32_t do_task_of_tiles(const std::vector<std::string>& files, const std:
   return without_lock([&]() -> std::uint32_t {
     Run run(files, tiles, memory);
     run.options.starts_again = starts_again;
-    core::Tiles_to_files work(output, 1, vtu);
+    const core::Tiles_to_files work(output, 1, vtu);
     try {
       work.do_task(run.points, run.options, task);
       return 0;

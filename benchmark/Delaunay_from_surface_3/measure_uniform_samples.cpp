@@ -12,6 +12,7 @@
 #include <Delaunay_from_surface_3_comparison/write_measured.h>
 #include <Delaunay_from_surface_3_uniform/Hilbert_sorted_nets.h>
 #include <Delaunay_from_surface_3_uniform/Uniform_rounds.h>
+#include <Delaunay_from_surface_3_uniform/locally_uniform_subset.h>
 #include <Delaunay_from_surface_3_uniform/samples.h>
 #include <Delaunay_from_surface_3_uniform/surface_degrees.h>
 
@@ -32,7 +33,6 @@
 #include <cstdint>
 #include <functional>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,14 +67,13 @@ Json measure_sample(const uniform::Sample& sample, const std::vector<double>& fa
   Json result = {{"sample", sample.name},
                  {"all", degrees_json(uniform::surface_degrees(sample.points, shape))},
                  {"subsets", Json::array()}};
-  const std::vector<double> spacing = CGAL::neighbor_spacing_3(sample.points);
+  const std::vector<double> spacing = uniform::neighbor_spacing(sample.points);
   for (const double factor : factors) {
-    std::vector<std::size_t> kept;
-    CGAL::locally_uniform_subset_3(
-        sample.points, [&](std::size_t i) { return factor * spacing[i]; },
-        std::back_inserter(kept));
+    std::vector<double> sizes = spacing;
+    for (double& size : sizes)
+      size *= factor;
     std::vector<Point> points;
-    for (const std::size_t i : kept)
+    for (const std::size_t i : uniform::locally_uniform_subset(sample.points, std::move(sizes)))
       points.push_back(sample.points[i]);
     Json subset = degrees_json(uniform::surface_degrees(points, shape));
     subset["factor"] = factor;

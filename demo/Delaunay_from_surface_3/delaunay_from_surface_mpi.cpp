@@ -9,9 +9,8 @@
 #include "Report.h"
 #include "checked_number.h"
 #include "report_tiles.h"
-#include "tiles_folder.h"
 
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Tiles_by_mpi_3.h>
 
 #include <boost/program_options.hpp>
@@ -168,48 +167,39 @@ void finish(Report& report)
 
 // What concerns all tiles: by one rank, when all are written.
 void finish(const Command& command, const CGAL::Tiles_report& result,
-            const CGAL::Tiles_by_mpi_3& engine, core::Bytes_writer* joined)
+            const CGAL::Tiles_by_mpi_3& engine, core::Joined_tiles* joined)
 {
-  if (command.vtu)
-    core::write_pvtu(command.output, result.tiles);
-  core::write_report(command.output, result);
-  std::error_code ignored; // a mark too many costs nothing
-  std::filesystem::remove(mark_of_run(command.output), ignored);
+  core::finish_tiles(command.output, result, command.vtu);
   Report report(std::cout, style_of(command));
   report_tiles(command.output, result, report);
   report("ranks", engine.number_of_ranks());
   report("bytes sent by rank 0", engine.bytes_sent());
   report("seconds of exchange", engine.seconds_of_exchange(), 3);
   if (joined != nullptr)
-    report("finite cells joined", core::join_tiles(command.output, result.tiles, *joined));
+    report("finite cells joined", joined->write());
   finish(report);
 }
 
 // All was done before, but that.
-void join_alone(const Command& command, core::Bytes_writer& joined)
+void join_alone(const Command& command, core::Joined_tiles& joined)
 {
-  const std::uint32_t tiles = core::number_of_tiles_in(command.output);
   Report report(std::cout, style_of(command));
   report("output", command.output);
-  report("tiles", tiles);
-  report("finite cells joined", core::join_tiles(command.output, tiles, joined));
+  report("tiles", core::number_of_tiles_in(command.output));
+  report("finite cells joined", joined.write());
   finish(report);
 }
 
 // By one rank. True: all that was asked for is done now.
 bool begin_output(const Command& command, const CGAL::Point_files_3& points,
-                  std::optional<core::Bytes_writer>& joined)
+                  std::optional<core::Joined_tiles>& joined)
 {
-  if (!command.join.empty()) { // before anything is removed
-    core::refuse_output(points, command.output, command.join);
-    std::error_code ignored; // it is said when the folder is made
-    std::filesystem::create_directories(command.output, ignored);
-    joined.emplace(command.join);
-  }
+  if (!command.join.empty())
+    joined.emplace(points, command.output, command.join); // before anything is removed
   const bool has_ended =
-      !command.join.empty() && !command.vtu && has_ended_with(command.output, points);
+      !command.join.empty() && !command.vtu && core::tiles_have_ended(command.output, points);
   if (!has_ended)
-    make_folder(command.output, command.inputs);
+    core::begin_tiles(command.output, points);
   if (has_ended)
     join_alone(command, *joined);
   return has_ended;
@@ -225,7 +215,7 @@ void run(Command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engi
     command.options.number_of_tiles =
         unsigned(engine.number_of_ranks()) * unsigned(ranks.of_first(command.threads));
   std::optional<CGAL::Point_files_3> points;
-  std::optional<core::Bytes_writer> joined; // opened before there is any work to lose
+  std::optional<core::Joined_tiles> joined; // opened before there is any work to lose
   ranks.together([&] {
     points.emplace(
         std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
@@ -236,9 +226,7 @@ void run(Command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engi
   if (ranks.sum(has_ended ? 1 : 0) > 0)
     return;
   const auto write = [&](const CGAL::Delaunay_3_tile& tile) {
-    if (command.vtu)
-      core::write_tile_as_vtu(command.output, tile);
-    core::write_tile_as_arrays(command.output, tile);
+    core::write_tile(command.output, tile, command.vtu);
   };
   const CGAL::Tiles_report result = CGAL::delaunay_3_tiles(engine, *points, write, command.options);
   messages.clear();

@@ -6,13 +6,14 @@
 #define CGAL_DELAUNAY_3_TILES_H
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 
 #include <cstdint>
 #include <random>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 /// \cond SKIP_IN_MANUAL
@@ -27,17 +28,6 @@ threads, by default 1. If there are fewer tiles to make than threads, several th
 points of one tile; the order of its cells then depends on chance.
 */
 using Tiles_here_3 = Delaunay_from_surface_3::internal::Tiles_here;
-
-/*!
-\ingroup PkgDelaunayFromSurface3Tiles
-
-is an engine of `delaunay_3_tiles()` that works out of core: the points that tiles keep are in
-files, and only one tile per thread is in memory. Its constructor takes a folder, which is created
-if necessary, and the number of threads, by default 1, which share tiles like those of
-`Tiles_here_3`. The process may be killed at any moment; the
-next call continues where it was.
-*/
-using Tiles_in_files_3 = Delaunay_from_surface_3::internal::Tiles_in_files;
 
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
@@ -82,14 +72,18 @@ Tiles_report delaunay_3_tiles(Engine& engine, const Tile_source_3& source, Sink&
                               const Tiles_options& options = Tiles_options())
 {
   using namespace Delaunay_from_surface_3::internal;
-  const auto draw = [] {
-    std::random_device random;
-    return std::uint64_t(random()) << 32 | random();
-  };
-  return run_until_certified(engine, source, options, draw, [&](const Tiles_report& report) {
-    engine.give(sink);
-    return report;
-  });
+  if constexpr (std::is_same<Engine, Tiles_in_files_3>::value) {
+    return engine.run(source, options, [&](Delaunay_3_tile&& tile) { sink(std::move(tile)); });
+  } else {
+    const auto draw = [] {
+      std::random_device random;
+      return std::uint64_t(random()) << 32 | random();
+    };
+    return run_until_certified(engine, source, options, draw, [&](const Tiles_report& report) {
+      engine.give(sink);
+      return report;
+    });
+  }
 }
 
 /// \cond SKIP_IN_MANUAL

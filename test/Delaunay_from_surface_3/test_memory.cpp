@@ -13,7 +13,8 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 
@@ -169,14 +170,15 @@ BOOST_AUTO_TEST_CASE(tile_out_of_core)
   CGAL::Tiles_options options;
   options.number_of_tiles = 1;
   options.points_at_once = 100000;
-  Tiles_to_files tiles(folder, 1, false);
-  while (const std::size_t n = tiles.next(source, options))
-    for (std::size_t k = 0; k < n; ++k) {
+  const Tiles_to_files tiles(folder, 1, false);
+  for (auto tasks = tiles.next(source, options); tasks.number > 0;
+       tasks = tiles.next(source, options))
+    for (std::size_t k = 0; k < tasks.number; ++k) {
       BOOST_TEST_REQUIRE(forget_peak());
       const double peak =
           bytes_per_point(surface.points.size(), [&] { tiles.do_task(source, options, k); });
       if (k == 0)
-        BOOST_TEST_MESSAGE(tiles.name() << ": peak " << peak << " bytes per point");
+        BOOST_TEST_MESSAGE(tasks.stage << ": peak " << peak << " bytes per point");
       BOOST_TEST(peak < 250);
     }
   std::filesystem::remove_all(folder);

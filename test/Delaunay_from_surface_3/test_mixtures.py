@@ -17,6 +17,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 COMPILED = "-DCGAL_DELAUNAY_FROM_SURFACE_3_COMPILED"
+LIBRARY = [Path("core.cpp"), Path("tiles/Point_files_3.cpp"), Path("tiles/Tiles_to_files.cpp")]
 UNITS = {
     "header_only": ["-DNDEBUG"],
     "compiled": ["-DNDEBUG", COMPILED],
@@ -49,7 +50,7 @@ class Mixtures(unittest.TestCase):
         text = form.read_text(encoding="utf-8")
         form.write_text(re.sub(r"VERSION v\w+", "VERSION v7_8_9", text), encoding="utf-8")
         running = [cls.start("main.cpp", "main", ROOT / "include", []),
-                   cls.start("../../../src/core.cpp", "core", ROOT / "include", ["-O1", "-DNDEBUG"])]
+                   *(cls.start(ROOT / "src" / source, source.stem, ROOT / "include", ["-O1", "-DNDEBUG"]) for source in LIBRARY)]
         running += [cls.start("unit.cpp", name, newer if name == "of_another_version" else ROOT / "include",
                               [f"-DUNIT={name}", *options]) for name, options in UNITS.items()]
         for process in running:
@@ -63,24 +64,33 @@ class Mixtures(unittest.TestCase):
                                  "-c", HERE / "mixtures" / source, "-o", cls.folder / f"{name}.o", *options])
 
     def test_one_program(self):
-        objects = [self.folder / f"{name}.o" for name in ("main", *UNITS, "core")]
+        objects = [self.folder / f"{name}.o" for name in ("main", *UNITS, *(source.stem for source in LIBRARY))]
         program = self.folder / "program"
-        subprocess.run([os.environ.get("CXX", "c++"), *objects, "-o", program, "-lmpfr", "-lgmp"], check=True)
+        subprocess.run([os.environ.get("CXX", "c++"), *objects, "-o", program, "-lmpfr", "-lgmp", "-pthread"], check=True)
         done = subprocess.run([program], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_no_bodies_in_common(self):
         """But for those of abstract classes, which do nothing."""
         trivial = re.compile(r"::(Watcher|Task|Executor|(Point|Edge|Order)_source|Built<[^>]*>)::")
-        names = {name: functions(self.folder / f"{name}.o") for name in (*UNITS, "core")}
+        names = {name: functions(self.folder / f"{name}.o") for name in (*UNITS, *(source.stem for source in LIBRARY))}
         for one in names:
             for other in names:
-                if one < other:
+                if one < other and not {one, other} <= {source.stem for source in LIBRARY}:
                     own = [name for name in names[one] & names[other]
                            if re.match("_ZNK?4CGAL(23Delaunay_from_surface_38internal|17delaunay_3_arrays)", name)]
                     common = [name for name in readable(sorted(own)) if name and not trivial.search(name)]
                     self.assertEqual(common, [], f"{one} and {other}")
         self.assertTrue(any("v7_8_9" in name for name in names["of_another_version"]))
+
+    def test_files_without_the_library(self):
+        """One error, which says what is missing."""
+        for line in ('CGAL::Point_files_3 points({"cloud.npy"});', 'CGAL::Tiles_in_files_3 engine("tiles");'):
+            done = subprocess.run([os.environ.get("CXX", "c++"), "-std=c++17", "-fsyntax-only", f"-I{ROOT / 'include'}",
+                                   "-x", "c++", "-"], input=f"#include <CGAL/delaunay_3_tiles.h>\nint main() {{ {line} }}\n",
+                                  capture_output=True, text=True, check=False)
+            error, = re.findall(r"error: (.*)", done.stderr)
+            self.assertIn("is compiled: link Delaunay_from_surface_3::compiled", error)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,6 @@
 #include "tile_calls.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
 
@@ -498,7 +497,7 @@ BOOST_AUTO_TEST_CASE(many_equal_points)
 
 BOOST_AUTO_TEST_CASE(so_many_tiles_are_no_number)
 {
-  const core::Tile_too_large error(0, std::size_t(1) << 40, 64, 0, 4, 1000000);
+  const auto error = core::tile_too_large(0, std::size_t(1) << 40, 64, 0, 4, 1000000);
   BOOST_TEST(error.number_of_tiles() == 4000000000u);
 }
 

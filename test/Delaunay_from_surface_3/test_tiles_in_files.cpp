@@ -10,10 +10,14 @@
 
 #include "tile_calls.h"
 
+#include <tiles/Records.h>
+#include <tiles/Tile_folder.h>
+
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
 
@@ -106,12 +110,17 @@ std::string bytes_of(const std::vector<T>& items)
 
 Cells cells_of_npy(const fs::path& file)
 {
-  const core::Rows_of_npy rows(file);
-  Cells cells(std::size_t(rows.number));
+  const std::uint64_t first = core::read_head_of_npy(file).end;
+  Cells cells(std::size_t(fs::file_size(file) - first) / sizeof(Cells::value_type));
   core::Bytes_reader from(file);
-  from.seek(rows.first);
+  from.seek(first);
   from.read(cells.data(), cells.size() * sizeof(cells[0]));
   return cells;
+}
+
+std::uint64_t join_tiles(const fs::path& folder, const fs::path& file, const char* kind = "cells")
+{
+  return core::Joined_tiles(source_of({{0, 0, 0}}), folder, file).write(kind);
 }
 
 Cells sorted(Cells cells)
@@ -235,7 +244,8 @@ BOOST_AUTO_TEST_CASE(task_by_task_in_any_order)
   const auto source = source_of(points);
   std::size_t stages = 0;
   for (;; ++stages) {
-    const std::size_t n = core::Tiles_to_files(folder.path, 1, true).next(source, options_of(6));
+    const std::size_t n =
+        core::Tiles_to_files(folder.path, 1, true).next(source, options_of(6)).number;
     if (n == 0)
       break;
     std::vector<std::size_t> tasks(n);
@@ -251,7 +261,7 @@ BOOST_AUTO_TEST_CASE(task_by_task_in_any_order)
   check_same(core::Tiles_to_files(folder.path, 1, true).run(source, options_of(6)),
              report_of_here(points, 6));
   BOOST_TEST(fs::exists(folder.path / "tiles.pvtu"));
-  BOOST_TEST(core::join_tiles(folder.path, folder.path / "all.npy") == finite_cells(points).size());
+  BOOST_TEST(join_tiles(folder.path, folder.path / "all.npy") == finite_cells(points).size());
   BOOST_TEST((sorted(cells_of_npy(folder.path / "all.npy")) == finite_cells(points)));
 }
 
@@ -271,12 +281,12 @@ BOOST_AUTO_TEST_CASE(inputs_that_change)
   };
   BOOST_CHECK_THROW(run(flat), CGAL::Surface_input_error);
   BOOST_TEST(run(points).is_certified);
-  BOOST_TEST(core::join_tiles(output, folder.path / "all.npy") == finite_cells(points).size());
+  BOOST_TEST(join_tiles(output, folder.path / "all.npy") == finite_cells(points).size());
   Points other = points;
   other[500][0] += .25; // none of those that a glance would see
   check_refused([&] { run(other); }, "another input", "another folder");
   fs::remove(output / "cells-00002.npy");
-  check_refused([&] { core::join_tiles(output, folder.path / "all.npy"); }, "cells-00002.npy",
+  check_refused([&] { join_tiles(output, folder.path / "all.npy"); }, "cells-00002.npy",
                 "cannot be read");
 }
 
@@ -307,7 +317,7 @@ BOOST_AUTO_TEST_CASE(input_that_changes_while_it_is_read)
   });
   BOOST_TEST(has_changed);
   BOOST_TEST(run().is_certified); // nothing is left of it
-  BOOST_TEST(core::join_tiles(output, folder.path / "all.npy") == finite_cells(other).size());
+  BOOST_TEST(join_tiles(output, folder.path / "all.npy") == finite_cells(other).size());
 }
 
 // Task by task, too, nothing is left of a refused input.
@@ -319,8 +329,8 @@ BOOST_AUTO_TEST_CASE(flat_input_task_by_task)
     write_bytes(file, bytes_of(input));
     for (;;) {
       const CGAL::Point_files_3 source({file});
-      core::Tiles_to_files work(output, 1, false);
-      const std::size_t n = work.next(source, options_of(3));
+      const core::Tiles_to_files work(output, 1, false);
+      const std::size_t n = work.next(source, options_of(3)).number;
       for (std::size_t k = 0; k < n; ++k)
         work.do_task(source, options_of(3), k);
       if (n == 0)
@@ -333,7 +343,7 @@ BOOST_AUTO_TEST_CASE(flat_input_task_by_task)
     p[2] = 0;
   BOOST_CHECK_THROW(run(flat), CGAL::Surface_input_error);
   run(points);
-  BOOST_TEST(core::join_tiles(output, folder.path / "all.npy") == finite_cells(points).size());
+  BOOST_TEST(join_tiles(output, folder.path / "all.npy") == finite_cells(points).size());
 }
 
 BOOST_AUTO_TEST_CASE(neighbors_by_global_numbers)
@@ -342,8 +352,8 @@ BOOST_AUTO_TEST_CASE(neighbors_by_global_numbers)
   const Folder folder;
   core::Tiles_to_files tiles(folder.path, 2, false, true);
   tiles.run(source_of(points), options_of(6));
-  core::join_tiles(folder.path, folder.path / "cells.npy");
-  core::join_tiles(folder.path, folder.path / "links.npy", "neighbors");
+  join_tiles(folder.path, folder.path / "cells.npy");
+  join_tiles(folder.path, folder.path / "links.npy", "neighbors");
   const Cells cells = cells_of_npy(folder.path / "cells.npy");
   const Cells links = cells_of_npy(folder.path / "links.npy");
   BOOST_TEST(links.size() == cells.size());
@@ -364,7 +374,7 @@ BOOST_AUTO_TEST_CASE(neighbors_by_global_numbers)
   BOOST_TEST(outside == arrays.number_of_cells() - arrays.number_of_simplices());
   fs::remove(folder.path / "neighbors-00003.npy");
   tiles.run(source_of(points), options_of(6)); // which makes it again
-  core::join_tiles(folder.path, folder.path / "again.npy", "neighbors");
+  join_tiles(folder.path, folder.path / "again.npy", "neighbors");
   BOOST_TEST((cells_of_npy(folder.path / "again.npy") == links));
 }
 
@@ -452,9 +462,9 @@ BOOST_AUTO_TEST_CASE(bad_files)
   refused("other.ply", "solid part\n", "no .ply: the first line is another");
   refused("type.ply", ply + "element vertex 1\nproperty half w\n" + xyz, "'half' is no type");
   refused("head.npy", std::string("\x93NUMPY\x02\x00\x00\x00\x00\x40", 12), "head has no end");
-  check_refused([&] { core::join_tiles(folder.path, folder.path / "all.npy"); },
-                folder.path.string(), "has no tiles.json");
-  const auto join = [&] { core::join_tiles(folder.path, folder.path / "all.npy"); };
+  check_refused([&] { join_tiles(folder.path, folder.path / "all.npy"); }, folder.path.string(),
+                "has no tiles.json");
+  const auto join = [&] { join_tiles(folder.path, folder.path / "all.npy"); };
   write_bytes(folder.path / "tiles.json", "{}");
   check_refused(join, "tiles.json", "does not say how many tiles there are");
   write_bytes(folder.path / "tiles.json", "{\"tiles\": 1}");
@@ -490,11 +500,10 @@ BOOST_AUTO_TEST_CASE(states_of_others)
   check_refused([&] { run(points, 5); }, place, "4 tiles");
   check_same(run(points, 4), report);
   const Folder another;
-  core::Tiles_in_files tiles(another.path);
-  tiles.stages().begin(source_of(points), options_of(4), 1);
-  check_refused([&] { tiles.stages().close(); }, another.path.string(), "task 0 of");
+  const core::Tiles_to_files tiles(another.path, 1, false);
+  BOOST_TEST(tiles.next(source_of(points), options_of(4)).stage == "reading");
   fs::copy_file(folder.path / "state" / "tiling", another.path / "state" / "tiling");
-  check_refused([&] { tiles.begin(source_of(points), options_of(4)); }, another.path.string(),
+  check_refused([&] { tiles.next(source_of(points), options_of(4)); }, another.path.string(),
                 "belongs to another run");
 
   const fs::path tiling = folder.path / "state" / "tiling";
@@ -704,7 +713,7 @@ BOOST_AUTO_TEST_CASE(leftovers_of_killed_processes)
   work().run(source_of(points), options_of(3));
   BOOST_TEST(is_clean());
   litter();
-  BOOST_TEST(work().next(source_of(points), options_of(3)) == 0u);
+  BOOST_TEST(work().next(source_of(points), options_of(3)).number == 0u);
   BOOST_TEST(is_clean());
 
   const fs::path inside = state / "inside";
@@ -723,9 +732,10 @@ BOOST_AUTO_TEST_CASE(memory_of_tasks_done_one_by_one)
   options.memory = core::bytes_per_point_kept * 2000;
   for (const std::size_t threads : {1, 4}) {
     const Folder folder;
-    core::Tiles_to_files work(folder.path, threads, false);
-    work.next(source_of(points), options);
-    BOOST_TEST(work.number_of_tiles() == core::number_of_tiles(options, 2000, 1));
+    const core::Tiles_to_files work(folder.path, threads, false);
+    const std::uint32_t tiles = work.next(source_of(points), options).tiles;
+    BOOST_TEST(tiles == core::number_of_tiles(options, 2000, 1));
+    BOOST_TEST(work.number_of_tiles() == tiles);
   }
 }
 
@@ -736,7 +746,9 @@ BOOST_AUTO_TEST_CASE(stages_are_closed_in_turn)
   const Folder folder;
   const Points points = some_points(800);
   const auto next = [&] {
-    return core::Tiles_to_files(folder.path, 1, false).next(source_of(points), options_of(3));
+    return core::Tiles_to_files(folder.path, 1, false)
+        .next(source_of(points), options_of(3))
+        .number;
   };
   const std::size_t n = next();
   std::future<std::size_t> other;

@@ -10,9 +10,9 @@
 #include "checked_number.h"
 #include "report_tiles.h"
 
-#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_to_files.h>
 
 #include <boost/program_options.hpp>
 
@@ -99,43 +99,6 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[])
   return command;
 }
 
-// The files of --join, which are opened before there is any work to lose, and written at its end.
-class Joined
-{
-public:
-  Joined(const Tiles_command& command, const CGAL::Tile_source_3& points)
-  {
-    if (command.join.empty())
-      return;
-    const std::filesystem::path file = command.join;
-    open(m_cells, command, points, file);
-    if (command.neighbors)
-      open(m_neighbors, command, points,
-           file.parent_path() / (file.stem().string() + "-neighbors.npy"));
-  }
-
-  void write(const std::string& folder, Report& report)
-  {
-    const std::uint32_t tiles = m_cells ? core::number_of_tiles_in(folder) : 0;
-    if (m_cells)
-      report("finite cells joined", core::join_tiles(folder, tiles, *m_cells));
-    if (m_neighbors)
-      core::join_tiles(folder, tiles, *m_neighbors, "neighbors");
-  }
-
-private:
-  static void open(std::optional<core::Bytes_writer>& file, const Tiles_command& command,
-                   const CGAL::Tile_source_3& points, const std::filesystem::path& name)
-  {
-    core::refuse_output(points, command.output, name);
-    std::error_code ignored; // it may be where the file is; who locks it says what is wrong with it
-    std::filesystem::create_directories(command.output, ignored);
-    file.emplace(name);
-  }
-
-  std::optional<core::Bytes_writer> m_cells, m_neighbors;
-};
-
 inline int run_tiles_command(Tiles_command& command)
 {
   Messages messages(command.quiet     ? Messages::Volume::QUIET
@@ -143,8 +106,15 @@ inline int run_tiles_command(Tiles_command& command)
                                       : Messages::Volume::NORMAL);
   const CGAL::Point_files_3 points(
       std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
-  Joined joined(command, points);
-  core::Tiles_to_files tiles(command.output, command.threads, command.vtu, command.neighbors);
+  std::optional<core::Joined_tiles> cells, neighbors; // opened before there is any work to lose
+  if (!command.join.empty()) {
+    const std::filesystem::path file = command.join;
+    cells.emplace(points, command.output, file);
+    if (command.neighbors)
+      neighbors.emplace(points, command.output,
+                        file.parent_path() / (file.stem().string() + "-neighbors.npy"));
+  }
+  const core::Tiles_to_files tiles(command.output, command.threads, command.vtu, command.neighbors);
   // What is read at once is a part of the memory, too: 24 bytes of input and 36 of what it becomes.
   // Of tasks that are done one by one there is one in memory.
   const std::uint64_t at_once = command.next || command.task ? 1 : command.threads;
@@ -157,7 +127,7 @@ inline int run_tiles_command(Tiles_command& command)
     return true;
   };
   if (command.next) {
-    std::cout << tiles.next(points, command.options) << '\n';
+    std::cout << tiles.next(points, command.options).number << '\n';
     return EXIT_SUCCESS;
   }
   if (command.task) {
@@ -170,7 +140,10 @@ inline int run_tiles_command(Tiles_command& command)
                            : command.quiet ? Report::Style::NONE
                                            : Report::Style::TEXT);
   report_tiles(command.output, result, report);
-  joined.write(command.output, report);
+  if (cells)
+    report("finite cells joined", cells->write());
+  if (neighbors)
+    neighbors->write("neighbors");
   report.finish();
   return EXIT_SUCCESS;
 }

@@ -7,13 +7,12 @@
 
 // Nested locally uniform subsets as rounds: a model of InsertionPlan to be compared with nets.
 
+#include "locally_uniform_subset.h"
+
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
-#include <CGAL/locally_uniform_subset_3.h>
-#include <CGAL/neighbor_spacing_3.h>
 
 #include <cstddef>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -36,7 +35,7 @@ public:
                                                             VertexIndexMap) const
   {
     using namespace CGAL::Delaunay_from_surface_3;
-    const std::vector<double> spacing = CGAL::neighbor_spacing_3(points);
+    const std::vector<double> spacing = neighbor_spacing(points);
     std::vector<std::size_t> left = internal::random_order(points.size(), m_seed);
     std::vector<std::vector<std::size_t>> rounds; // from the last to the first
     for (double factor = 1; left.size() > 64; factor *= 2) {
@@ -68,9 +67,11 @@ private:
     std::vector<Point> here;
     for (const std::size_t i : from)
       here.push_back(points[i]);
-    Indices kept, left_out, places;
-    CGAL::locally_uniform_subset_3(
-        here, [&](std::size_t k) { return factor * spacing[from[k]]; }, std::back_inserter(places));
+    std::vector<double> sizes;
+    for (const std::size_t i : from)
+      sizes.push_back(factor * spacing[i]);
+    Indices kept, left_out;
+    const Indices places = locally_uniform_subset(here, std::move(sizes));
     auto next = places.begin();
     for (std::size_t k = 0; k < from.size(); ++k) {
       const bool is_kept = next != places.end() && *next == k;

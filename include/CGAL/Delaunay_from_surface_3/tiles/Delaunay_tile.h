@@ -644,7 +644,7 @@ private:
         ++cells[v];
     });
     const auto hub = Id(std::max_element(cells.begin() + 1, cells.end()) - cells.begin());
-    return Tile_too_large(m_number, m_number_of_own_points - m_equal.size(), limit,
+    return tile_too_large(m_number, m_number_of_own_points - m_equal.size(), limit,
                           m_triangulation.id(hub), cells[hub] / 2 + 2,
                           m_tiling.tree.number_of_tiles());
   }

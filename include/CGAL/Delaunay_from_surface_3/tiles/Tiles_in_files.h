@@ -5,550 +5,202 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_FILES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_FILES_H
 
-// An engine out of core: the state of a round is in a folder, and what is to be done at a time are
-// tasks, one for a range of the input or a tile. A task reads files and writes others, the same
-// whenever it is done; so it may be killed at any moment and done again, by any process. When all
-// tasks of a stage are done, the stage is closed by one more file.
-//
-// In memory there is one tile for each thread: it is made again from the points that it keeps when
-// its turn comes.
+// The file side of tiles, which is compiled (src/tiles): points in files, the engine out of core, and
+// what the programs and Python do with a folder of tiles.
 
-#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
-#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_folder.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <iterator>
-#include <numeric>
-#include <optional>
-#include <random>
-#include <set>
+#include <functional>
+#include <memory>
 #include <string>
-#include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+/// \endcond
+
+/*!
+\ingroup PkgDelaunayFromSurface3Tiles
+
+is a source of the points of one or several files, one after the other, which are read by ranges.
+The extension determines the format: `.npy` is NumPy's, with n × 3 numbers of type `float64` or
+`float32`, row by row; `.ply` is binary, with `x`, `y` and `z` of any type; `.raw`, `.bin` and
+`.f64` contain only little-endian floating-point numbers of 64 bits.
+
+It is part of the compiled library: link `Delaunay_from_surface_3::compiled`.
+*/
+class Point_files_3 : public Tile_source_3
+{
+public:
+  /// reads the headers of the files.
+  ///
+  /// \throws Tile_files_error if a file cannot be read, has none of these formats, or does not have
+  /// the size that its header says
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED) || defined(DOXYGEN_RUNNING)
+  explicit Point_files_3(const std::vector<std::filesystem::path>& files);
+#else
+  template <class Files = void>
+  explicit Point_files_3(const std::vector<std::filesystem::path>&)
+  {
+    static_assert(!std::is_void<Files>::value,
+                  "CGAL::Point_files_3 is compiled: link Delaunay_from_surface_3::compiled");
+  }
+#endif
+
+  /// returns the number of points of all files.
+  std::uint64_t size() const override;
+
+  /// reads a range of points, which may extend over several files.
+  void read(std::uint64_t first, std::size_t n, double* coordinates) const override;
+
+  /// returns a number derived from the sizes of the files and their times of last modification. A file
+  /// that has been changed and has both as before is only recognized if one of 64 points, which are
+  /// compared as well, has changed.
+  std::uint64_t stamp() const override;
+
+  /// returns the files.
+  std::vector<std::filesystem::path> files() const override;
+
+  /// returns the file of point `i`, and its position in this file.
+  std::string name_of(std::uint64_t i) const override;
+
+private:
+  struct File;
+  const File& file_of(std::uint64_t i) const;
+
+  std::shared_ptr<const std::vector<File>> m_files;
+  std::uint64_t m_size = 0;
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Tiles
+
+is an engine of `delaunay_3_tiles()` that works out of core: the points that tiles keep are in
+files, and only one tile per thread is in memory. The process may be killed at any moment; the next
+call continues where it was. Threads share tiles like those of `Tiles_here_3`.
+
+It is part of the compiled library: link `Delaunay_from_surface_3::compiled`.
+*/
+class Tiles_in_files_3
+{
+public:
+  /// keeps the name of the folder, which `delaunay_3_tiles()` creates if necessary, and the number of
+  /// threads.
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED) || defined(DOXYGEN_RUNNING)
+  explicit Tiles_in_files_3(std::filesystem::path folder, std::size_t number_of_threads = 1);
+#else
+  template <class Folder = void>
+  explicit Tiles_in_files_3(const std::filesystem::path&, std::size_t = 1)
+  {
+    static_assert(!std::is_void<Folder>::value,
+                  "CGAL::Tiles_in_files_3 is compiled: link Delaunay_from_surface_3::compiled");
+  }
+#endif
+
+  /// \cond SKIP_IN_MANUAL
+  // All of delaunay_3_tiles().
+  Tiles_report run(const Tile_source_3& source, const Tiles_options& options,
+                   const std::function<void(Delaunay_3_tile&&)>& sink) const;
+  /// \endcond
+
+private:
+  std::filesystem::path m_folder;
+  std::size_t m_number_of_threads;
+};
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+/// \endcond
+
 namespace Delaunay_from_surface_3 {
 namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// The tasks of a run in a folder: what each reads and writes. The same is written whenever it is
-// done, but for the order of a tile's cells if several threads make it.
-
-// Of a run: references.
-struct Tile_tasks
-{
-  const Tile_folder& folder;
-  const Tile_source_3& source;
-  const Tiles_input& input;
-  std::size_t limit;   // how many points a tile may keep
-  std::size_t threads; // for one task
-
-  std::size_t number_of_ranges() const
-  {
-    return std::size_t((input.points + input.points_at_once - 1) / input.points_at_once);
-  }
-
-  void summarize(std::size_t k) const
-  {
-    const std::uint64_t first = first_of_range(k);
-    folder.write_summary(
-        k, summary_of(read_range(source, first, first_of_range(k + 1)), first, sampling()));
-  }
-
-  Tiling make_tiling() const
-  {
-    std::vector<Range_summary> ranges;
-    for (std::size_t k = 0; k < number_of_ranges(); ++k)
-      ranges.push_back(folder.read_summary(k));
-    return tiling_of(ranges, input.points, std::uint32_t(input.tiles), sampling());
-  }
-
-  // A range's points go to the tiles that own them.
-  void bring_home(std::size_t k, const Tiling& tiling) const
-  {
-    const std::uint64_t first = first_of_range(k);
-    const std::vector<double> coordinates = read_range(source, first, first_of_range(k + 1));
-    const std::size_t n = coordinates.size() / 3;
-    std::vector<std::uint32_t> owners(n);
-    std::vector<std::uint64_t> ends(input.tiles + 1);
-    for (std::size_t i = 0; i < n; ++i) {
-      owners[i] = tiling.tree.owner(&coordinates[3 * i]);
-      ++ends[owners[i] + 1];
-    }
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<std::uint64_t> next = ends;
-    std::vector<Tile_point> points(n);
-    for (std::size_t i = 0; i < n; ++i)
-      points[next[owners[i]]++] = tile_point(first + i, &coordinates[3 * i]);
-    folder.write_home(k, ends, points);
-  }
-
-  // A tile hears what it was told in the round before, and tells; it also shows those that differ
-  // from it why.
-  void do_round(std::uint32_t t, const Tiling& tiling, std::size_t round,
-                const Closed_round& before, const Tile_pairs& shown) const
-  {
-    Tile_state state;
-    if (round > 0)
-      state = folder.read_state(t, before.last_rounds[t]);
-    std::optional<Delaunay_tile> tile; // made when something is new
-    const auto make = [&] {
-      if (!tile)
-        tile.emplace(tiling, t, own_points(t), std::move(state), limit, Thread_executor(threads));
-    };
-    std::vector<Tile_message> questions;
-    const auto hear = [&](std::vector<Tile_message> messages) {
-      Tile_news news = news_of(std::move(messages), tiling, t, tile ? tile->known() : state.known);
-      if (news.empty())
-        return;
-      make();
-      tile->offer(std::move(news.offers));
-      std::move(news.questions.begin(), news.questions.end(), std::back_inserter(questions));
-    };
-    if (round == 0)
-      hear({{t, t, tiling.sample}});
-    else
-      hear_messages(t, round - 1, before, hear);
-    const std::vector<std::uint32_t> partners = partners_of(t, shown);
-    if (round > 0 && !tile && partners.empty()) // nothing is new
-      return folder.write_state(t, round, state);
-    make();
-    std::vector<Tile_message> messages = tile->tell_and_answer(questions);
-    for (Tile_message& message : tile->witnesses(partners))
-      messages.push_back(std::move(message));
-    if (!messages.empty())
-      folder.write_post(t, round, messages);
-    std::vector<Tile_message>().swap(messages);
-    folder.write_state(t, round, std::move(*tile).state());
-  }
-
-  // What a tile has when all is done.
-  void finish_tile(std::uint32_t t, const Tiling& tiling, const Closed_round& last) const
-  {
-    Tile_state state{folder.read_state(t, last.last_rounds[t]).kept, {}, {}}; // nothing is told now
-    const Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit,
-                             Thread_executor(threads));
-    folder.write_piece(Piece_of_tile(tile));
-    folder.write_certificate(certificate_of(tile, last.seed));
-  }
-
-private:
-  std::uint64_t first_of_range(std::size_t k) const
-  {
-    return (std::min)(input.points, k * input.points_at_once);
-  }
-  Sampling sampling() const
-  {
-    return Sampling(input.points, input.tiles, std::size_t(input.sample_share));
-  }
-
-  std::vector<Tile_point> own_points(std::uint32_t t) const
-  {
-    std::vector<Tile_point> own;
-    for (std::size_t k = 0; k < number_of_ranges(); ++k)
-      folder.append_home(k, t, own);
-    return own;
-  }
-
-  // Calls hear(messages) with what the tile was told in a round, in portions of about as many points as it
-  // may keep.
-  template <class Hear>
-  void hear_messages(std::uint32_t t, std::size_t round, const Closed_round& closed,
-                     const Hear& hear) const
-  {
-    std::vector<Tile_message> messages;
-    std::size_t waiting = 0;
-    for (const Posted& posted : closed.posts)
-      if (posted.to == t) {
-        messages.push_back({posted.from, t, {}});
-        folder.append_message(posted, round, messages.back().points);
-        waiting += messages.back().points.size();
-        if (waiting > limit) {
-          hear(std::exchange(messages, {}));
-          waiting = 0;
-        }
-      }
-    hear(std::move(messages));
-  }
-
-  static std::vector<std::uint32_t> partners_of(std::uint32_t t, const Tile_pairs& pairs)
-  {
-    std::vector<std::uint32_t> partners;
-    for (const auto& [a, b] : pairs)
-      if (a == t || b == t)
-        partners.push_back(a == t ? b : a);
-    return partners;
-  }
-};
-
-// The stages of a run in a folder (Tile_folder.h), and their tasks: to read the ranges of the
-// input, to bring their points home, rounds, and what all is for.
-
-class Tiles_stages
+// From files of points to files of tiles, in one call or task by task. In the folder: state/, which
+// Tiles_in_files_3 has as well, and what is written beside it.
+class Tiles_to_files
 {
 public:
-  enum Stage { SAMPLE, HOME, ROUND, PIECES, DONE };
-
-  explicit Tiles_stages(const std::filesystem::path& place)
-    : m_folder(place)
+  Tiles_to_files(std::filesystem::path folder, std::size_t number_of_threads, bool with_vtu,
+                 bool with_neighbors = false)
+    : m_folder(std::move(folder))
+    , m_number_of_threads(number_of_threads)
+    , m_with_vtu(with_vtu)
+    , m_with_neighbors(with_neighbors)
   {
   }
 
-  // Begins, or finds out what there is. At once: how many tiles are in memory.
-  void begin(const Tile_source_3& source, const Tiles_options& options, std::size_t at_once)
+  // Begins or goes on, to the end.
+  Tiles_report run(const Tile_source_3& source, const Tiles_options& options) const;
+
+  // Tasks that can be done in any order, by any process; number 0: all is done, but neighbors.
+  struct Tasks
   {
-    m_source = &source;
-    m_tiling.reset(); // of another call
-    m_closed = {};
-    m_limit = most_points_kept(options, at_once);
-    std::error_code error;
-    std::filesystem::create_directories(m_folder.place(), error);
-    if (error)
-      fail_to_write(m_folder.place(), error.value());
-    if (std::filesystem::exists(m_folder.file("input")))
-      go_on(options);
-    else
-      begin_anew(options, at_once);
-    find_stage();
-  }
+    std::size_t number;
+    std::string stage; // what they are for
+    std::uint32_t tiles;
+  };
 
-  const Tile_folder& folder() const { return m_folder; }
-  const Tiles_input& input() const { return m_input; }
-  Stage stage() const { return m_stage; }
-  std::size_t rounds() const { return m_round; } // that are closed
-  std::uint64_t told() const { return m_told; }
+  // Begins, or closes what is done, and returns what there is to do now.
+  Tasks next(const Tile_source_3& source, const Tiles_options& options) const;
 
-  std::string name() const
-  {
-    return m_stage == SAMPLE  ? "reading"
-           : m_stage == HOME  ? "sorting"
-           : m_stage == ROUND ? "round " + std::to_string(m_round)
-                              : "certificate";
-  }
+  // Does one of those that next() has counted, by all threads.
+  void do_task(const Tile_source_3& source, const Tiles_options& options, std::size_t k) const;
 
-  std::size_t number_of_tasks() const
-  {
-    return m_stage <= HOME ? tasks().number_of_ranges() : m_tasks.size();
-  }
+  // Returns the number of tiles of a run that has begun.
+  std::uint32_t number_of_tiles() const;
 
-  bool is_done(std::size_t k) const { return std::filesystem::exists(result_of(k)); }
-
-  // By n threads. Of several tasks at once each is done by any thread or process.
-  void do_task(std::size_t k, std::size_t n) const
-  {
-    if (is_done(k))
-      return;
-    const Rounding_to_nearest rounding;
-    try {
-      do_task_of_stage(k, n);
-    } catch (const Tile_too_large& error) {
-      if (m_limit >= m_input.most_points_kept)
-        throw;
-      throw Tile_files_error(m_folder.place().string() +
-                             ": holds the state of a run whose tiles may " +
-                             "be larger than memory and threads allow now: " + error.what() +
-                             "; allow as much as then, or remove it");
-    }
-  }
-
-  // When all tasks are done, and nobody does any.
-  void close()
-  {
-    for (std::size_t k = 0; k < number_of_tasks(); ++k)
-      if (!is_done(k))
-        throw Tile_files_error(m_folder.place().string() + ": task " + std::to_string(k) + " of " +
-                               name() + " is not done");
-    const Rounding_to_nearest rounding;
-    if (m_stage == SAMPLE)
-      m_folder.write_tiling(tasks().make_tiling());
-    else if (m_stage == HOME) {
-      if (m_input.fingerprint != fingerprint_of(*m_source))
-        throw Surface_input_error("the input has changed while it was read");
-      m_folder.write_mark("homes");
-    } else if (m_stage == ROUND)
-      close_round();
-    else if (m_stage == PIECES && is_certified(certificates(), m_input.tiles, m_input.points))
-      m_folder.write_mark("certified"); // else the driver goes on, by show()
-    find_stage();
-    clean();
-  }
-
-  std::vector<Tile_certificate> certificates() const
-  {
-    std::vector<Tile_certificate> certificates;
-    for (std::uint32_t t = 0; t < m_input.tiles; ++t)
-      certificates.push_back(m_folder.read_certificate(t));
-    return certificates;
-  }
-
-  // Rounds go on, in which these show each other why they differ.
-  void show(const Tile_pairs& pairs)
-  {
-    m_folder.write_show(m_round, pairs);
-    find_stage();
-  }
-
-  // Removes what is not read any more, and what killed processes left. When nobody does any task.
-  void clean() const
-  {
-    std::set<std::string> kept;
-    for (std::uint32_t t = 0; m_stage != DONE && m_round > 0 && t < m_input.tiles; ++t) {
-      kept.insert(m_folder.file("tile", t, m_closed.last_rounds[t]).filename().string());
-      kept.insert(m_folder.file("post", t, m_round - 1).filename().string());
-    }
-    std::vector<std::filesystem::path> gone;
-    for (const auto& entry : std::filesystem::directory_iterator(m_folder.place())) {
-      const std::string name = entry.path().filename().string();
-      const std::string kind = name.substr(0, name.find('-'));
-      const bool is_unfinished = entry.path().extension() == unfinished;
-      const bool is_old = (kind == "tile" || kind == "post") && kept.count(name) == 0;
-      const bool is_read =
-          (kind == "range" && m_stage > SAMPLE) || (kind == "home" && m_stage == DONE);
-      if (is_unfinished || is_old || is_read)
-        gone.push_back(entry.path());
-    }
-    std::error_code ignored;
-    for (const auto& path : gone)
-      std::filesystem::remove(path, ignored);
-  }
-
-  void forget() const { forget_folder(m_folder.place()); }
+  // Removes the state, so that the work can begin again with other options.
+  void forget() const;
 
 private:
-  void do_task_of_stage(std::size_t k, std::size_t n) const
-  {
-    switch (m_stage) {
-    case SAMPLE:
-      return tasks().summarize(k);
-    case HOME:
-      return tasks().bring_home(k, *m_tiling);
-    case ROUND:
-      return tasks(n).do_round(m_tasks[k], *m_tiling, m_round, m_closed, m_shown);
-    case PIECES:
-      return tasks(n).finish_tile(m_tasks[k], *m_tiling, m_closed);
-    case DONE:
-      return;
-    }
-  }
-
-  Tile_tasks tasks(std::size_t n = 1) const { return {m_folder, *m_source, m_input, m_limit, n}; }
-
-  void begin_anew(const Tiles_options& options, std::size_t at_once)
-  {
-    remove_forgotten(m_folder.place());
-    m_input = {m_source->size(),
-               fingerprint_of(*m_source),
-               options.sample_share,
-               most_points_read(options, at_once),
-               m_limit,
-               number_of_tiles(options, m_source->size(), at_once)};
-    std::random_device random;
-    m_folder.set_run(std::uint64_t(random()) << 32 | random() | 1);
-    m_folder.write_input(m_input);
-  }
-
-  void go_on(const Tiles_options& options)
-  {
-    m_input = m_folder.read_input();
-    const std::string place = m_folder.place().string();
-    if (m_input.points != m_source->size() || m_input.fingerprint != fingerprint_of(*m_source))
-      throw Tile_files_error(place + ": holds the state of a run on another input, of " +
-                             std::to_string(m_input.points) +
-                             " points: remove it, or name another folder");
-    if (options.number_of_tiles != 0 &&
-        number_of_tiles(options, m_input.points, 1) != m_input.tiles)
-      throw Tile_files_error(place + ": holds the state of a run with " +
-                             std::to_string(m_input.tiles) +
-                             " tiles: remove it, or ask for as many");
-  }
-
-  void find_stage()
-  {
-    const auto is_there = [&](const auto&... name) {
-      return std::filesystem::exists(m_folder.file(name...));
-    };
-    m_stage = !is_there("tiling") ? SAMPLE : !is_there("homes") ? HOME : ROUND;
-    if (m_stage >= HOME && !m_tiling)
-      m_tiling.emplace(m_folder.read_tiling());
-    m_round = 0;
-    m_told = 0;
-    m_shown.clear();
-    for (; m_stage == ROUND && is_there("closed", m_round); ++m_round) {
-      m_closed = m_folder.read_closed(m_round);
-      m_told += m_closed.told;
-    }
-    if (m_stage == ROUND && is_there("show", m_round))
-      m_shown = m_folder.read_show(m_round);
-    else if (m_round > 0 && m_closed.told == 0)
-      m_stage = is_there("certified") ? DONE : PIECES;
-    find_tasks();
-  }
-
-  void find_tasks()
-  {
-    std::set<std::uint32_t> tiles;
-    if (m_stage == PIECES || (m_stage == ROUND && m_round == 0)) {
-      for (std::uint32_t t = 0; t < m_input.tiles; ++t)
-        tiles.insert(t);
-    } else if (m_stage == ROUND) {
-      for (const Posted& posted : m_closed.posts)
-        tiles.insert(posted.to);
-      for (const auto& [a, b] : m_shown)
-        tiles.insert({a, b});
-    }
-    m_tasks.assign(tiles.begin(), tiles.end());
-  }
-
-  std::filesystem::path result_of(std::size_t k) const
-  {
-    switch (m_stage) {
-    case SAMPLE:
-      return m_folder.file("range", k);
-    case HOME:
-      return m_folder.file("home", k);
-    case ROUND:
-      return m_folder.file("tile", m_tasks[k], m_round);
-    default:
-      return m_folder.file("certificate", m_tasks[k]);
-    }
-  }
-
-  void close_round()
-  {
-    Closed_round closed;
-    closed.last_rounds = m_closed.last_rounds;
-    closed.last_rounds.resize(m_input.tiles);
-    for (const std::uint32_t t : m_tasks) {
-      closed.last_rounds[t] = std::uint32_t(m_round);
-      if (std::filesystem::exists(m_folder.file("post", t, m_round)))
-        for (const Posted& posted : m_folder.read_posts(t, m_round)) {
-          closed.told += posted.number;
-          closed.posts.push_back(posted);
-        }
-    }
-    for (std::uint32_t t = 0; t < m_input.tiles && closed.told == 0; ++t)
-      for (const char* kind : {"certificate", "piece"}) // before rounds went on
-        std::filesystem::remove(m_folder.file(kind, t));
-    std::random_device random;
-    closed.seed = std::uint64_t(random()) << 32 | random();
-    m_folder.write_closed(m_round, closed);
-  }
-
-  Tile_folder m_folder;
-  const Tile_source_3* m_source = nullptr;
-  std::size_t m_limit = 0;
-  Tiles_input m_input{};
-  Stage m_stage = SAMPLE;
-  std::optional<Tiling> m_tiling;
-  std::size_t m_round = 0;
-  std::uint64_t m_told = 0;
-  Closed_round m_closed; // the last one
-  Tile_pairs m_shown;
-  std::vector<std::uint32_t> m_tasks; // tiles
+  std::filesystem::path m_folder;
+  std::size_t m_number_of_threads;
+  bool m_with_vtu, m_with_neighbors;
 };
 
-class Tiles_in_files
+// A folder of tiles without a state, as that of a run by several processes. One of these calls
+// begin_tiles(), all write tiles, and one calls finish_tiles(). A mark in the folder, tiles.begun, says
+// that a run has not ended there.
+
+// Makes the folder, or refuses one with tiles of another run. With the mark, what a run has left that did
+// not end is removed, as it may have had more tiles; without it, the files are somebody else's.
+void begin_tiles(const std::filesystem::path& folder, const Tile_source_3& source);
+void write_tile(const std::filesystem::path& folder, const Delaunay_3_tile& tile, bool with_vtu);
+void finish_tiles(const std::filesystem::path& folder, const Tiles_report& report, bool with_vtu);
+
+// Returns whether a run of these points has ended there, as eight vertices of each tile tell.
+bool tiles_have_ended(const std::filesystem::path& folder, const Tile_source_3& source);
+
+// Returns the number of tiles of a run that has ended.
+std::uint32_t number_of_tiles_in(const std::filesystem::path& folder);
+
+// A file that the cells of all tiles, or their neighbors, are joined in: it is opened before there is any
+// work to lose, and written at its end. It must be none that the run reads or writes.
+class Joined_tiles
 {
 public:
-  explicit Tiles_in_files(const std::filesystem::path& folder, std::size_t number_of_threads = 1)
-    : m_executor(number_of_threads)
-    , m_stages(folder / "state")
-  {
-  }
+  Joined_tiles(const Tile_source_3& source, const std::filesystem::path& folder,
+               const std::filesystem::path& file);
+  ~Joined_tiles();
 
-  // Begins, or goes on where the folder's state is.
-  void begin(const Tile_source_3& source, const Tiles_options& options)
-  {
-    m_progress = options.progress;
-    m_stages.begin(source, options, m_executor.number_of_workers());
-    if (m_stages.stage() == Tiles_stages::DONE) // it may have been killed before it had cleaned
-      m_stages.clean();
-    while (m_stages.stage() < Tiles_stages::ROUND)
-      do_stage();
-  }
-
-  std::uint64_t number_of_points() const { return m_stages.input().points; }
-  std::uint32_t number_of_tiles() const { return m_stages.input().tiles; }
-  std::size_t rounds() const { return m_stages.rounds(); }
-  std::uint64_t told() const { return m_stages.told(); }
-
-  std::uint64_t exchange()
-  {
-    if (m_stages.stage() != Tiles_stages::ROUND)
-      return 0;
-    const std::uint64_t before = told();
-    do_stage();
-    return told() - before;
-  }
-
-  // The seed was drawn when the last round was closed.
-  std::vector<Tile_certificate> gather(std::uint64_t)
-  {
-    if (m_stages.stage() == Tiles_stages::PIECES)
-      do_stage();
-    return m_stages.certificates();
-  }
-
-  std::vector<Tile_certificate> certificates() const { return m_stages.certificates(); }
-
-  void show(const Tile_pairs& pairs) { m_stages.show(pairs); }
-
-  // What tile t has; and that nobody will ask for it again.
-  Delaunay_3_tile tile(std::uint32_t t) const { return m_stages.folder().read_piece(t); }
-  template <class Sink>
-  void give(Sink& sink) const
-  {
-    for (std::uint32_t t = 0; t < number_of_tiles(); ++t)
-      sink(tile(t));
-  }
-  void drop_tile(std::uint32_t t) const
-  {
-    std::error_code ignored;
-    std::filesystem::remove(m_stages.folder().file("piece", t), ignored);
-  }
-
-  // Removes all that there is.
-  void forget() { m_stages.forget(); }
-
-  template <class F>
-  void together(const F& f) const
-  {
-    f();
-  }
-
-  // For who does tasks one by one: the stage, its tasks, and its closing.
-  Tiles_stages& stages() { return m_stages; }
+  // Writes "cells" or "neighbors" in the order of the tiles, as one .npy; returns how many there are.
+  std::uint64_t write(const char* kind = "cells");
 
 private:
-  void do_stage()
-  {
-    const std::size_t n = m_stages.number_of_tasks();
-    const Stage_progress progress(m_progress, m_stages.name(), n);
-    run_tasks(m_executor, n, [&](std::size_t k) {
-      m_stages.do_task(k, threads_of_task(k, n, m_executor.number_of_workers()));
-      progress.tell_next();
-    });
-    m_stages.close();
-  }
-
-  Thread_executor m_executor;
-  Tiles_stages m_stages;
-  Stage_progress::Function m_progress;
+  class File;
+  std::filesystem::path m_folder;
+  std::unique_ptr<File> m_file;
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

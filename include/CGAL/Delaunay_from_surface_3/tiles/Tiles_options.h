@@ -23,7 +23,7 @@
 
 namespace CGAL {
 /// \cond SKIP_IN_MANUAL
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 /// \endcond
 
 /*!
@@ -96,66 +96,6 @@ struct Tiles_report
   bool is_certified = false;   ///< whether the certificate holds.
 };
 
-/// \cond SKIP_IN_MANUAL
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-/// \endcond
-namespace Delaunay_from_surface_3 {
-namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-// Thrown when a tile keeps more points than it may. More tiles help, unless one vertex has too many
-// neighbours: its owner must have them all.
-class Tile_too_large : public std::runtime_error
-{
-public:
-  Tile_too_large(std::uint32_t tile, std::size_t own_points, std::size_t limit, std::uint64_t hub,
-                 std::size_t neighbors_of_hub, std::uint32_t tiles)
-    : std::runtime_error(
-          "tile " + std::to_string(tile) + " of " + std::to_string(own_points) +
-          " points keeps more than the " + std::to_string(limit) + " that it may; point " +
-          std::to_string(hub) + " alone has " + std::to_string(neighbors_of_hub) + " neighbors; " +
-          advice(neighbors_of_hub, limit, tiles_that_would_do(own_points, limit, tiles)))
-    , m_tiles(has_hub(neighbors_of_hub, limit) ? 0 : tiles_that_would_do(own_points, limit, tiles))
-  {
-  }
-
-  // As another process has thrown it.
-  Tile_too_large(const std::string& what, std::uint32_t tiles)
-    : std::runtime_error(what)
-    , m_tiles(tiles)
-  {
-  }
-
-  // How many tiles would do; 0: no number does.
-  std::uint32_t number_of_tiles() const { return m_tiles; }
-
-private:
-  // When it is thrown, the hub may not have all its neighbors yet.
-  static bool has_hub(std::size_t neighbors, std::size_t limit) { return neighbors > limit / 2; }
-  static std::uint32_t tiles_that_would_do(std::size_t own_points, std::size_t limit,
-                                           std::uint32_t tiles)
-  {
-    const double share = 6. * double(own_points) / double(limit); // kept by the worst tile measured
-    const double enough = double(tiles) * (share > 2 ? share : 2) + 1;
-    return std::uint32_t(enough < 4e9 ? enough : 4e9); // more than there may be
-  }
-  static std::string advice(std::size_t neighbors, std::size_t limit, std::uint32_t tiles)
-  {
-    return has_hub(neighbors, limit) ? "no number of tiles will do, only more memory"
-                                     : std::to_string(tiles) + " tiles would do";
-  }
-
-  std::uint32_t m_tiles;
-};
-
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
-} // namespace Delaunay_from_surface_3
-
-/// \cond SKIP_IN_MANUAL
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-/// \endcond
-
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
@@ -168,13 +108,6 @@ public:
   /// inherits the constructors, which take the message.
   using std::runtime_error::runtime_error;
 };
-
-/// \cond SKIP_IN_MANUAL
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-/// \endcond
-/// \cond SKIP_IN_MANUAL
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-/// \endcond
 
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
@@ -217,13 +150,6 @@ struct Delaunay_3_tile
   std::vector<std::array<std::uint64_t, 2>> equal_points;
 };
 
-/// \cond SKIP_IN_MANUAL
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-/// \endcond
-/// \cond SKIP_IN_MANUAL
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-/// \endcond
-
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
 
@@ -261,6 +187,14 @@ public:
   /// returns a name of point `i`, for messages.
   virtual std::string name_of(std::uint64_t i) const { return "point " + std::to_string(i); }
 };
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+/// \endcond
+
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
 
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
@@ -307,6 +241,31 @@ private:
 /// \cond SKIP_IN_MANUAL
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 /// \endcond
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+// Thrown when a tile keeps more points than it may. More tiles help, unless one vertex has too many
+// neighbours: its owner must have them all.
+class Tile_too_large : public std::runtime_error
+{
+public:
+  Tile_too_large(const std::string& what, std::uint32_t tiles)
+    : std::runtime_error(what)
+    , m_tiles(tiles)
+  {
+  }
+
+  // How many tiles would do; 0: no number does.
+  std::uint32_t number_of_tiles() const { return m_tiles; }
+
+private:
+  std::uint32_t m_tiles;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace internal
+} // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_OPTIONS_H

@@ -366,6 +366,25 @@ inline std::uint32_t number_of_tiles(const Tiles_options& options, std::uint64_t
   return std::uint32_t((std::min)(double(most), (std::min)(tiles, 1e6)));
 }
 
+// Returns what is thrown when a tile keeps more points than it may. When it is thrown, the hub may not have
+// all its neighbors yet.
+inline Tile_too_large tile_too_large(std::uint32_t tile, std::size_t own_points, std::size_t limit,
+                                     std::uint64_t hub, std::size_t neighbors_of_hub,
+                                     std::uint32_t tiles)
+{
+  const bool has_hub = neighbors_of_hub > limit / 2;
+  const double share = 6. * double(own_points) / double(limit); // kept by the worst tile measured
+  const double enough = double(tiles) * (share > 2 ? share : 2) + 1;
+  const auto more = std::uint32_t(enough < 4e9 ? enough : 4e9); // than there may be
+  return {"tile " + std::to_string(tile) + " of " + std::to_string(own_points) +
+              " points keeps more than the " + std::to_string(limit) + " that it may; point " +
+              std::to_string(hub) + " alone has " + std::to_string(neighbors_of_hub) +
+              " neighbors; " +
+              (has_hub ? "no number of tiles will do, only more memory"
+                       : std::to_string(more) + " tiles would do"),
+          has_hub ? 0 : more};
+}
+
 // After a tile of n points in all was too large: asks for as many as would do. False if there are
 // none, or not to be asked for. Throws if there may not be so many.
 inline bool ask_for_more_tiles(Tiles_options& options, const Tile_too_large& error, std::uint64_t n,

@@ -2,30 +2,36 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_TO_FILES_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_TO_FILES_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
+#define CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY
 
-// All of it: from files of points to files of tiles, in one call or task by task. In the folder:
-// state/, and what is written beside it.
+// Tiles as files that other programs read, the neighbors of their cells, one file from all of them; and
+// runs in a folder, in one call or task by task.
+
+#include "Records.h"
+#include "Tile_folder.h"
+#include "Tiles_stages.h"
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_folder.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
@@ -39,12 +45,13 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+namespace {
 
 // The tiles as files that other programs read: for each NumPy's arrays and, if asked for, a piece
 // for ParaView. Each appears when it is complete.
 
-inline std::filesystem::path file_of_tile(const std::filesystem::path& folder, const char* kind,
-                                          std::uint32_t tile, const char* extension)
+std::filesystem::path file_of_tile(const std::filesystem::path& folder, const char* kind,
+                                   std::uint32_t tile, const char* extension)
 {
   char number[16];
   std::snprintf(number, sizeof(number), "-%05u.", unsigned(tile));
@@ -52,7 +59,7 @@ inline std::filesystem::path file_of_tile(const std::filesystem::path& folder, c
 }
 
 // The head of an array with so many rows, of so many columns if there is more than one.
-inline std::string head_of_npy(const std::string& type, std::uint64_t rows, std::size_t columns)
+std::string head_of_npy(const std::string& type, std::uint64_t rows, std::size_t columns)
 {
   std::string head = "{'descr': '" + std::string(machine_is_little_endian() ? "<" : ">") + type +
                      "', 'fortran_order': False, 'shape': (" + std::to_string(rows) + "," +
@@ -79,7 +86,7 @@ void write_npy(const std::filesystem::path& file, const std::string& type, std::
 using Global_cell = std::array<std::int64_t, 4>;
 
 // The finite cells that the tile owns, by ids; a few at a time.
-inline void write_cells(const std::filesystem::path& file, const Delaunay_3_tile& tile)
+void write_cells(const std::filesystem::path& file, const Delaunay_3_tile& tile)
 {
   const std::size_t n = tile.number_of_owned_finite_cells;
   Bytes_writer to(file);
@@ -98,7 +105,7 @@ inline void write_cells(const std::filesystem::path& file, const Delaunay_3_tile
 
 // cells-T.npy: the finite cells that the tile owns, by ids; ids-T.npy and points-T.npy: of the
 // vertices of these cells, and of its own; cells last.
-inline void write_tile_as_arrays(const std::filesystem::path& folder, const Delaunay_3_tile& tile)
+void write_tile_as_arrays(const std::filesystem::path& folder, const Delaunay_3_tile& tile)
 {
   write_npy(file_of_tile(folder, "ids", tile.number, "npy"), "i8", 1, tile.ids);
   write_npy(file_of_tile(folder, "points", tile.number, "npy"), "f8", 3, tile.points);
@@ -106,7 +113,7 @@ inline void write_tile_as_arrays(const std::filesystem::path& folder, const Dela
 }
 
 // tile-T.vtu: the same cells, for VTK and ParaView.
-inline void write_tile_as_vtu(const std::filesystem::path& folder, const Delaunay_3_tile& tile)
+void write_tile_as_vtu(const std::filesystem::path& folder, const Delaunay_3_tile& tile)
 {
   const std::size_t n = tile.ids.size(), m = tile.number_of_owned_finite_cells;
   std::vector<std::int64_t> offsets(m);
@@ -145,7 +152,7 @@ inline void write_tile_as_vtu(const std::filesystem::path& folder, const Delauna
   to.finish();
 }
 
-inline void write_text(const std::filesystem::path& file, const std::string& text)
+void write_text(const std::filesystem::path& file, const std::string& text)
 {
   Bytes_writer to(file);
   to.write(text.data(), text.size());
@@ -153,7 +160,7 @@ inline void write_text(const std::filesystem::path& file, const std::string& tex
 }
 
 // tiles.pvtu: all of these.
-inline void write_pvtu(const std::filesystem::path& folder, std::uint32_t number_of_tiles)
+void write_pvtu(const std::filesystem::path& folder, std::uint32_t number_of_tiles)
 {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\">\n"
@@ -166,7 +173,7 @@ inline void write_pvtu(const std::filesystem::path& folder, std::uint32_t number
 }
 
 // tiles.json: what was done. That it is there says that all is done.
-inline void write_report(const std::filesystem::path& folder, const Tiles_report& report)
+void write_report(const std::filesystem::path& folder, const Tiles_report& report)
 {
   char hash[20];
   std::snprintf(hash, sizeof(hash), "%016llx", static_cast<unsigned long long>(report.hash));
@@ -187,29 +194,24 @@ inline void write_report(const std::filesystem::path& folder, const Tiles_report
 
 // One array from those of all tiles.
 
-// How many rows the array of a tile has; they begin at byte 128 of the file, or where its head
-// says.
+// How many rows the array of a tile has, and where they begin.
 struct Rows_of_npy
 {
-  std::uint64_t number = 0, first = 0;
+  std::uint64_t number, first;
 
   explicit Rows_of_npy(const std::filesystem::path& file,
                        std::size_t bytes_of_row = sizeof(Global_cell))
   {
-    Bytes_reader from(file);
-    unsigned char start[10] = {};
-    from.read(start, 10);
-    std::string head(start[8] + 256u * start[9], ' ');
-    from.read(head.data(), head.size());
-    first = 10 + head.size();
-    number = std::strtoull(value_of_key(head, "shape", ",").c_str(), nullptr, 10);
+    const Npy_head head = read_head_of_npy(file);
+    first = head.end;
+    number = std::strtoull(value_of_key(head.text, "shape", ",").c_str(), nullptr, 10);
     if (size_of_file(file) != first + number * bytes_of_row)
       refuse_file(file, "has another size than its head says");
   }
 };
 
 // A number of the report of a run that has ended.
-inline std::uint64_t value_in_report(const std::filesystem::path& folder, const std::string& name)
+std::uint64_t value_in_report(const std::filesystem::path& folder, const std::string& name)
 {
   const auto place = folder / "tiles.json";
   if (!std::filesystem::exists(place))
@@ -223,15 +225,10 @@ inline std::uint64_t value_in_report(const std::filesystem::path& folder, const 
   return std::strtoull(text.c_str() + at + key.size(), nullptr, 10);
 }
 
-inline std::uint32_t number_of_tiles_in(const std::filesystem::path& folder)
-{
-  return std::uint32_t(value_in_report(folder, "tiles"));
-}
-
 // Writes the cells of so many tiles, or their neighbors, in the order of the tiles, as one .npy.
 // Returns how many cells there are.
-inline std::uint64_t join_tiles(const std::filesystem::path& folder, std::uint32_t tiles,
-                                Bytes_writer& to, const char* kind = "cells")
+std::uint64_t join_tiles(const std::filesystem::path& folder, std::uint32_t tiles, const char* kind,
+                         Bytes_writer& to)
 {
   std::uint64_t rows = 0;
   for (std::uint32_t t = 0; t < tiles; ++t)
@@ -253,15 +250,6 @@ inline std::uint64_t join_tiles(const std::filesystem::path& folder, std::uint32
   }
   to.finish();
   return rows;
-}
-
-// Of a run that has ended.
-inline std::uint64_t join_tiles(const std::filesystem::path& folder,
-                                const std::filesystem::path& output, const char* kind = "cells")
-{
-  const std::uint32_t tiles = number_of_tiles_in(folder);
-  Bytes_writer to(output);
-  return join_tiles(folder, tiles, to, kind);
 }
 
 // The neighbours of the cells of all tiles, by global numbers: those that the cells have one after
@@ -472,11 +460,18 @@ private:
   std::vector<std::uint64_t> m_first; // by tile: the number of its first cell
 };
 
-class Tiles_to_files
+// A seed is drawn when a round is closed, and stands in the state.
+std::uint64_t no_seed()
+{
+  return 0;
+}
+
+// What one call does in a folder.
+class Folder_work
 {
 public:
-  Tiles_to_files(std::filesystem::path folder, std::size_t number_of_threads, bool with_vtu,
-                 bool with_neighbors = false)
+  Folder_work(std::filesystem::path folder, std::size_t number_of_threads, bool with_vtu,
+              bool with_neighbors)
     : m_folder(std::move(folder))
     , m_executor(number_of_threads)
     , m_engine(m_folder, number_of_threads)
@@ -490,7 +485,6 @@ public:
   {
     const Folder_lock lock(m_folder, Folder_lock::ALONE);
     refuse_other_tiles(source);
-    const auto no_seed = [] { return std::uint64_t(0); }; // it is in the state
     const auto write = [&](const Tiles_report& report) {
       write_all(options);
       if (m_with_neighbors)
@@ -500,32 +494,20 @@ public:
     return run_until_certified(m_engine, source, options, no_seed, write);
   }
 
-  // Begins, or closes what is done, and returns how many tasks there are now; 0: all is done, but
-  // neighbors.
-  std::size_t next(const Tile_source_3& source, const Tiles_options& options)
+  Tiles_to_files::Tasks next(const Tile_source_3& source, const Tiles_options& options)
   {
     const Folder_lock lock(m_folder, Folder_lock::SHARED);
     refuse_other_tiles(source);
     const Folder_lock turn = my_turn(); // another would close the same stage
     try {
-      return close_and_count(source, options);
+      const std::size_t n = close_and_count(source, options);
+      return {n, name(), m_engine.number_of_tiles()};
     } catch (const Surface_input_error&) {
-      forget(); // the next one is another
+      m_engine.forget(); // the next one is another
       throw;
     }
   }
 
-  // After next(): what the tasks are for, and how many tiles there are.
-  std::string name()
-  {
-    return m_engine.stages().stage() == Tiles_stages::DONE ? "writing" : m_engine.stages().name();
-  }
-  std::uint32_t number_of_tiles() const { return m_engine.number_of_tiles(); }
-
-  // Removes the state, so that the work can begin again with other options.
-  void forget() { m_engine.forget(); }
-
-  // Of those that next() has counted, by all threads.
   void do_task(const Tile_source_3& source, const Tiles_options& options, std::size_t k)
   {
     const Folder_lock lock(m_folder, Folder_lock::SHARED);
@@ -543,12 +525,17 @@ public:
   }
 
 private:
+  std::string name()
+  {
+    return m_engine.stages().stage() == Tiles_stages::DONE ? "writing" : m_engine.stages().name();
+  }
+
   Folder_lock my_turn() const { return Folder_lock(m_folder / "state", Folder_lock::IN_TURN); }
 
   std::size_t close_and_count(const Tile_source_3& source, const Tiles_options& options)
   {
     Tiles_stages& stages = begin(source, options);
-    if (stages.stage() != Tiles_stages::DONE && is_all_done(stages)) {
+    if (stages.stage() != Tiles_stages::DONE && stages.is_all_done()) {
       const bool was_pieces = stages.stage() == Tiles_stages::PIECES;
       stages.close();
       if (was_pieces && stages.stage() == Tiles_stages::PIECES)
@@ -574,14 +561,6 @@ private:
   {
     const Folder_lock turn = my_turn();
     return begin(source, options);
-  }
-
-  static bool is_all_done(const Tiles_stages& stages)
-  {
-    for (std::size_t k = 0; k < stages.number_of_tasks(); ++k)
-      if (!stages.is_done(k))
-        return false;
-    return true;
   }
 
   static void repair(Tiles_stages& stages)
@@ -623,10 +602,7 @@ private:
         throw Tile_files_error(m_folder.string() +
                                ": a tile has been removed, or tiles are written "
                                "without .vtu: remove it, or name another folder");
-      const Delaunay_3_tile tile = m_engine.tile(t);
-      if (m_with_vtu)
-        write_tile_as_vtu(m_folder, tile);
-      write_tile_as_arrays(m_folder, tile);
+      write_tile(m_folder, m_engine.tile(t), m_with_vtu);
     }
     m_engine.drop_tile(t);
   }
@@ -677,9 +653,172 @@ private:
   std::mutex m_mutex;
 };
 
+// The file that stands in a folder without a state as long as a run has not ended there.
+std::filesystem::path mark_of_run(const std::filesystem::path& folder)
+{
+  return folder / "tiles.begun";
+}
+
+} // namespace
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+Tiles_report Tiles_to_files::run(const Tile_source_3& source, const Tiles_options& options) const
+{
+  return Folder_work(m_folder, m_number_of_threads, m_with_vtu, m_with_neighbors)
+      .run(source, options);
+}
+
+Tiles_to_files::Tasks Tiles_to_files::next(const Tile_source_3& source,
+                                           const Tiles_options& options) const
+{
+  return Folder_work(m_folder, m_number_of_threads, m_with_vtu, m_with_neighbors)
+      .next(source, options);
+}
+
+void Tiles_to_files::do_task(const Tile_source_3& source, const Tiles_options& options,
+                             std::size_t k) const
+{
+  Folder_work(m_folder, m_number_of_threads, m_with_vtu, m_with_neighbors)
+      .do_task(source, options, k);
+}
+
+std::uint32_t Tiles_to_files::number_of_tiles() const
+{
+  return std::uint32_t(Tile_folder(m_folder / "state").read_input().tiles);
+}
+
+void Tiles_to_files::forget() const
+{
+  forget_folder(m_folder / "state");
+}
+
+void begin_tiles(const std::filesystem::path& folder, const Tile_source_3& source)
+{
+  for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
+    if (std::filesystem::exists(file))
+      throw Tile_files_error(file.string() +
+                             ": is of another run: remove it, or name another folder");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    fail_to_write(folder, error.value());
+  std::vector<std::filesystem::path> files = files_of_tiles(folder);
+  const std::vector<std::filesystem::path> left = left_files(folder);
+  files.insert(files.end(), left.begin(), left.end());
+  for (const auto& file : files)
+    for (const std::filesystem::path& input : source.files())
+      if (std::filesystem::equivalent(file, input, error))
+        throw Tile_files_error(file.string() +
+                               ": would be overwritten: name another folder for the tiles");
+  if (!files.empty() && !std::filesystem::exists(mark_of_run(folder)))
+    throw Tile_files_error(files.front().string() +
+                           ": is not of a run that was stopped here: remove all files of "
+                           "tiles, or name another folder");
+  for (const auto& file : files)
+    if (!std::filesystem::remove(file, error) && error)
+      fail_to_write(file, error.value());
+  errno = 0;
+  if (!std::ofstream(mark_of_run(folder)).flush())
+    fail_to_write(mark_of_run(folder), errno);
+}
+
+void write_tile(const std::filesystem::path& folder, const Delaunay_3_tile& tile, bool with_vtu)
+{
+  if (with_vtu)
+    write_tile_as_vtu(folder, tile);
+  write_tile_as_arrays(folder, tile);
+}
+
+void finish_tiles(const std::filesystem::path& folder, const Tiles_report& report, bool with_vtu)
+{
+  if (with_vtu)
+    write_pvtu(folder, report.tiles);
+  write_report(folder, report);
+  std::error_code ignored; // a mark too many costs nothing
+  std::filesystem::remove(mark_of_run(folder), ignored);
+}
+
+bool tiles_have_ended(const std::filesystem::path& folder, const Tile_source_3& source)
+{
+  if (!std::filesystem::exists(folder / "tiles.json"))
+    return false;
+  const std::uint32_t tiles = number_of_tiles_in(folder);
+  for (std::uint32_t t = 0; t < tiles; ++t) {
+    const auto file_of_ids = file_of_tile(folder, "ids", t, "npy");
+    const auto file_of_points = file_of_tile(folder, "points", t, "npy");
+    const Rows_of_npy ids(file_of_ids, 8), points(file_of_points, 24);
+    Bytes_reader from_ids(file_of_ids), from_points(file_of_points);
+    for (std::uint64_t k = 0; k < 8 && ids.number > 0; ++k) {
+      const std::uint64_t row = (ids.number - 1) * k / 7;
+      std::int64_t id = 0;
+      std::array<double, 3> point, expected;
+      from_ids.seek(ids.first + 8 * row);
+      from_ids.read(&id, 8);
+      from_points.seek(points.first + 24 * row);
+      from_points.read(point.data(), 24);
+      if (std::uint64_t(id) >= source.size())
+        return false;
+      source.read(std::uint64_t(id), 1, expected.data());
+      if (point != expected)
+        return false;
+    }
+  }
+  return value_in_report(folder, "points") == source.size();
+}
+
+std::uint32_t number_of_tiles_in(const std::filesystem::path& folder)
+{
+  return std::uint32_t(value_in_report(folder, "tiles"));
+}
+
+class Joined_tiles::File : public Bytes_writer
+{
+public:
+  using Bytes_writer::Bytes_writer;
+};
+
+Joined_tiles::Joined_tiles(const Tile_source_3& source, const std::filesystem::path& folder,
+                           const std::filesystem::path& file)
+  : m_folder(folder)
+{
+  refuse_output(source, folder, file);
+  std::error_code ignored; // it may be where the file is; who locks it says what is wrong with it
+  std::filesystem::create_directories(folder, ignored);
+  m_file = std::make_unique<File>(file);
+}
+
+Joined_tiles::~Joined_tiles() = default;
+
+std::uint64_t Joined_tiles::write(const char* kind)
+{
+  return join_tiles(m_folder, number_of_tiles_in(m_folder), kind, *m_file);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 } // namespace internal
 } // namespace Delaunay_from_surface_3
-} // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_TO_FILES_H
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+Tiles_in_files_3::Tiles_in_files_3(std::filesystem::path folder, std::size_t number_of_threads)
+  : m_folder(std::move(folder))
+  , m_number_of_threads(number_of_threads)
+{
+}
+
+Tiles_report Tiles_in_files_3::run(const Tile_source_3& source, const Tiles_options& options,
+                                   const std::function<void(Delaunay_3_tile&&)>& sink) const
+{
+  using namespace Delaunay_from_surface_3::internal;
+  Tiles_in_files engine(m_folder, m_number_of_threads);
+  return run_until_certified(engine, source, options, no_seed, [&](const Tiles_report& report) {
+    for (std::uint32_t t = 0; t < report.tiles; ++t)
+      sink(engine.tile(t));
+    return report;
+  });
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace CGAL

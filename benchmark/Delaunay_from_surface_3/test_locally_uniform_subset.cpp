@@ -2,31 +2,26 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Locally uniform subsets against all pairs of points: the sizing field, who is kept, how far the
-// points kept are from each other and the others from them; and input that is degenerate or refused.
+// Locally uniform subsets against all pairs of points: the sizing field, who is kept, and how far the
+// points kept are from each other and the others from them.
 
 #define BOOST_TEST_MODULE test_locally_uniform_subset
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <Delaunay_from_surface_3_uniform/locally_uniform_subset.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/locally_uniform_subset_3.h>
-#include <CGAL/neighbor_spacing_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iterator>
-#include <limits>
 #include <numeric>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace {
 
-namespace DFS = CGAL::Delaunay_from_surface_3;
 using Point = CGAL::Epick::Point_3;
 using Points = std::vector<Point>;
 using Indices = std::vector<std::size_t>;
@@ -99,9 +94,7 @@ Indices subset_by_all_pairs(const Points& points, const Sizes& sizes)
 
 Indices subset(const Points& points, const Sizing& sizing)
 {
-  Indices kept;
-  CGAL::locally_uniform_subset_3(points, sizing, std::back_inserter(kept));
-  return kept;
+  return uniform::locally_uniform_subset(points, all_sizes(points, sizing));
 }
 
 void check_distances(const Points& points, const Sizes& sizes, const Indices& kept)
@@ -133,23 +126,13 @@ std::size_t check_subset(const Points& points, const Sizing& sizing)
   return kept.size();
 }
 
-template <class Range>
-void check_refused(const Range& points, const Sizing& sizing)
-{
-  Indices kept;
-  BOOST_CHECK_THROW(CGAL::locally_uniform_subset_3(points, sizing, std::back_inserter(kept)),
-                    CGAL::Surface_input_error);
-  BOOST_TEST(kept.empty());
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(spacing_is_that_of_all_pairs)
 {
-  Points points = sheet(300, 1);
-  points.insert(points.end(), points.begin(), points.begin() + 50); // equal ones count as one
-  for (const std::size_t k : {std::size_t(1), std::size_t(6), std::size_t(299), std::size_t(-1)}) {
-    const Sizes spacing = CGAL::neighbor_spacing_3(points, k);
+  const Points points = sheet(300, 1);
+  for (const std::size_t k : {std::size_t(1), std::size_t(6), std::size_t(299), std::size_t(400)}) {
+    const Sizes spacing = uniform::neighbor_spacing(points, k);
     BOOST_REQUIRE_EQUAL(spacing.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       Sizes others;
@@ -164,15 +147,12 @@ BOOST_AUTO_TEST_CASE(spacing_is_that_of_all_pairs)
 BOOST_AUTO_TEST_CASE(sizing_is_made_lipschitz)
 {
   const Points points = sheet(400, 2);
-  std::vector<DFS::internal::Plain_point> plain;
-  for (const Point& p : points)
-    plain.emplace_back(p.x(), p.y(), p.z());
-  const Sizes spacing = CGAL::neighbor_spacing_3(points);
+  const Sizes spacing = uniform::neighbor_spacing(points);
   std::size_t lowered = 0, steep = 0;
   for (const double factor : {1., 3., 30.}) {
     Sizes sizes = all_sizes(points, [&](std::size_t i) { return factor * spacing[i]; });
     const Sizes expected = lipschitz_by_all_pairs(points, sizes), before = sizes;
-    DFS::internal::make_lipschitz(plain, sizes);
+    uniform::make_lipschitz(points, sizes);
     for (std::size_t i = 0; i < points.size(); ++i) {
       BOOST_REQUIRE_CLOSE(sizes[i], expected[i], 1e-10);
       lowered += sizes[i] < before[i] * (1 - rounding);
@@ -190,7 +170,7 @@ BOOST_AUTO_TEST_CASE(sizing_is_made_lipschitz)
 BOOST_AUTO_TEST_CASE(packed_and_covered)
 {
   const Points points = sheet(500, 3);
-  const Sizes spacing = CGAL::neighbor_spacing_3(points, 6);
+  const Sizes spacing = uniform::neighbor_spacing(points, 6);
   std::size_t last = points.size();
   for (const double factor : {0.5, 1., 2., 8., 100.}) {
     const std::size_t kept =
@@ -221,66 +201,7 @@ BOOST_AUTO_TEST_CASE(ties_on_lattices)
   BOOST_TEST(all_of_size(3) < all_of_size(2));
   BOOST_TEST(all_of_size(std::nextafter(1., 2.)) < points.size());
   for (const std::size_t k : {1, 6, 12, 26}) {
-    const Sizes spacing = CGAL::neighbor_spacing_3(points, k);
+    const Sizes spacing = uniform::neighbor_spacing(points, k);
     check_subset(points, [&](std::size_t i) { return spacing[i]; });
   }
-}
-
-BOOST_AUTO_TEST_CASE(degenerate_input)
-{
-  const auto one = [](std::size_t) { return 1.; };
-  BOOST_TEST(subset({}, one).empty());
-  BOOST_TEST(CGAL::neighbor_spacing_3(Points()).empty());
-  BOOST_TEST(subset({Point(1, 2, 3)}, one) == Indices{0});
-  BOOST_TEST(CGAL::neighbor_spacing_3(Points{Point(1, 2, 3)}) == Sizes{0});
-
-  // Of equal points the first, whatever its size; the smallest size counts.
-  const Points equal(5, Point(1, 2, 3));
-  BOOST_TEST(subset(equal, one) == Indices{0});
-  BOOST_TEST(subset(equal, [](std::size_t) { return 0.; }) == Indices{0});
-  BOOST_TEST(CGAL::neighbor_spacing_3(equal) == Sizes(5, 0));
-  Points twice = sheet(200, 4);
-  twice.insert(twice.end(), twice.rbegin(), twice.rend());
-  check_subset(twice, [](std::size_t i) { return i < 200 ? 0.2 : 0.1; });
-
-  Points line;
-  for (int i = 0; i < 100; ++i)
-    line.emplace_back(i, 0, 0);
-  BOOST_TEST(check_subset(line, [](std::size_t) { return 10; }) == 10);
-}
-
-BOOST_AUTO_TEST_CASE(refused_before_anything_is_written)
-{
-  const Points points = sheet(50, 5);
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {-1., -1e-300, infinity, -infinity, std::nan("")})
-    check_refused(points, [&](std::size_t i) { return i == 49 ? bad : 0.1; });
-  for (const double bad : {infinity, std::nan(""), 1e200}) {
-    Points with_bad = points;
-    with_bad.emplace_back(0, bad, 0);
-    check_refused(with_bad, [](std::size_t) { return 1.; });
-    BOOST_CHECK_THROW(CGAL::neighbor_spacing_3(with_bad), CGAL::Surface_input_error);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(other_points)
-{
-  const Points points = sheet(200, 6);
-  const Sizing sizing = [](std::size_t) { return 0.2; };
-  const Indices expected = subset(points, sizing);
-  std::vector<CGAL::Epeck::Point_3> exact;
-  std::vector<std::pair<int, Point>> pairs;
-  for (const Point& p : points) {
-    exact.emplace_back(p.x(), p.y(), p.z());
-    pairs.emplace_back(int(pairs.size()), p);
-  }
-  Indices kept;
-  CGAL::locally_uniform_subset_3(exact, sizing, std::back_inserter(kept));
-  BOOST_TEST(kept == expected);
-  kept.clear();
-  const auto np =
-      CGAL::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Point>>());
-  CGAL::locally_uniform_subset_3(pairs, sizing, std::back_inserter(kept), np);
-  BOOST_TEST(kept == expected);
-  BOOST_TEST(CGAL::neighbor_spacing_3(pairs, 5, np) == CGAL::neighbor_spacing_3(points, 5));
 }

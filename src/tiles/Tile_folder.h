@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_FOLDER_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_FOLDER_H
+#ifndef DELAUNAY_FROM_SURFACE_3_SRC_TILES_TILE_FOLDER_H
+#define DELAUNAY_FROM_SURFACE_3_SRC_TILES_TILE_FOLDER_H
 
 // A folder with the state of a run of tiles: what each kind of file is called and holds. Ranges of
 // the input are numbered as tiles are.
@@ -16,9 +16,10 @@
 //   show-R           which tiles show each other why they differ, before round R
 //   piece-T, certificate-T    what it has when all is done; then: certified
 
+#include "Records.h"
+
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Point_files_3.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Ranks_of_mpi.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
@@ -443,4 +444,4 @@ inline void remove_forgotten(const std::filesystem::path& place)
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_FOLDER_H
+#endif // DELAUNAY_FROM_SURFACE_3_SRC_TILES_TILE_FOLDER_H
