@@ -52,7 +52,6 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "hard", ["orders", "orders_200k", "orders_walks", "flat_and_far"], hard_tables.hard),
     (HOW_FAST, "boxes", ["orders_walks"], hard_tables.boxes),
     (HOW_FAST, "uses", ["consumers"], use_tables.uses),
-    (HOW_FAST, "thinning", ["thinning"], use_tables.thinning),
     (HOW_FAST, "sources", ["sources"], use_tables.sources),
     (HOW_FAST, "memory", ["calls_256k", "calls_1M", "single_calls", "threads_memory"], speed_tables.memory),
     (HOW_FAST, "compile_time", ["compile_time"], use_tables.compile_time),

@@ -40,7 +40,6 @@ SHOWS = {
                "was nets, with faces: `points` had spaced rounds",
     "flat_and_far": "points on thin sheets, far away, in a plane or on a line; which stage of the arithmetic decides",
     "consumers": "uses, from the points to the end; built with CGAL 6.0.1, which COLMAP's advancing front requires",
-    "thinning": "points left out, compared with COLMAP and OpenMVS",
     "sources": "surfaces of CGAL's packages: how much is Delaunay, EMST, cells, times",
     "python": "the Python module against SciPy and VTK",
     "python_threads": "its times on one and two threads, by the number of points; import, wheel",

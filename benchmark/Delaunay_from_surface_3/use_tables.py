@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What uses gain, from what measure_consumers, measure_thinning, measure_sources, measure_gaussians, measure_moved,
+"""What uses gain, from what measure_consumers, measure_sources, measure_gaussians, measure_moved,
 measure_python.py, measure_tiles_peers.py and measure_compile_time.py wrote; and which parts have an inside, by
 inside_of_parts.py."""
 
@@ -31,19 +31,6 @@ def uses(report):
     rows = [[title, seconds(found[name]["median_plain_cpu"]), f'{found[name]["median_ratio"]:.2f}']
             for name, title in USES.items() if name in found]
     return "\n\n".join([measured(report), table(["use", "plain %CGAL, s", "gain"], rows)])
-
-
-THINNED = {"by distance": "points nearer than a distance", "by 2.5 pixels, loop of OpenMVS": "as OpenMVS does",
-           "by 20 pixels, loop of COLMAP": "as COLMAP does, by the corners of the cell",
-           "by 20 pixels, loop of COLMAP, nearest vertex": "in COLMAP's order, by the nearest vertex"}
-
-
-def thinning(report):
-    """Where both leave out by the same rule."""
-    found = {r["consumer"]: r for r in report["results"]}
-    rows = [[title, thousands(found[name]["plain_vertices"]), thousands(found[name]["ours_vertices"]),
-             f'{found[name]["median_ratio"]:.2f}'] for name, title in THINNED.items()]
-    return "\n\n".join([measured(report), table(["left out", "vertices, plain %CGAL", "this package", "gain"], rows)])
 
 
 def sources(report):

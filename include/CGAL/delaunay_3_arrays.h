@@ -64,14 +64,11 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
                                          get_parameter(np, internal_np::visitor)),
                                      points.points().size());
   using Visitor = std::remove_reference_t<decltype(visitor)>;
-  static_assert(!accepts_points<Visitor, Point_of_doubles>(),
-                "delaunay_3_arrays() leaves no point out: its visitor has no accept()");
   const Rounding_to_nearest rounding;
   if (const char* const obstacle = obstacle_of_core())
     throw std::runtime_error(std::string("arrays would be slow to make, or not exact: ") +
                              obstacle);
-  const std::vector<Point_of_doubles> not_asked_for;
-  Visitor_watcher<Visitor, Point_of_doubles> watcher(visitor, rounding, not_asked_for);
+  Visitor_watcher<Visitor> watcher(visitor, rounding);
   if (irregularity)
     watcher.surface_is_irregular(*irregularity);
   const Request request = {true, true};
@@ -141,7 +138,7 @@ below; any other does not compile
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told about the progress, and can stop the work; the arrays are then
       empty. It is copied unless it is passed by `std::ref()`.}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3` without `accept()`, or a callable as for
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable as for
       `insert_points_3()`}
     \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd

@@ -79,8 +79,8 @@ below; any other does not compile
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told about the progress, and can stop the work. If it has a function
-      `accept()`, it can leave points out. It is copied unless it is passed by `std::ref()`.}
+    \cgalParamDescription{is told about the progress, and can stop the work. It is copied unless it
+      is passed by `std::ref()`.}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that receives from time to
       time the fraction of the points that are inserted, a `double` from 0 to 1, and stops the work
       by returning `false`}
@@ -104,7 +104,7 @@ The infos of the vertices can be given by `Delaunay_from_surface_3::vertex_info_
 \throws Surface_input_error if a coordinate is not a finite number, the numbers of infos and points
 differ, or the input order cannot be preserved as requested; `tr` is then unchanged
 
-Example: \ref Delaunay_from_surface_3/thin_points.cpp
+Example: \ref Delaunay_from_surface_3/insert_polygon_soup.cpp
 
 \sa `insert_points_along_graph_3()`
 \sa `Surface_insertion_traits_3`

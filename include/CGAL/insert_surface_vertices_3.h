@@ -90,8 +90,8 @@ below; any other does not compile
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told about the progress, and can stop the work. If it has a function
-      `accept()`, it can leave points out. It is copied unless it is passed by `std::ref()`.}
+    \cgalParamDescription{is told about the progress, and can stop the work. It is copied unless it
+      is passed by `std::ref()`.}
     \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that receives from time to
       time the fraction of the points that are inserted, a `double` from 0 to 1, and stops the work
       by returning `false`}

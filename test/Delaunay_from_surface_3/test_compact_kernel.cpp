@@ -242,8 +242,10 @@ BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
   const auto level_of = [&](const std::function<void(Complex&)>& spoil) {
     Complex complex(points.size(), [&](std::size_t i) { return points[i]; });
     complex.start({1, 2, 3, 4});
-    DFS::internal::Compact_triangulation<std::uint32_t> triangulation(complex);
-    triangulation.insert(5, triangulation.locate(5, 0).cell);
+    using namespace DFS::internal;
+    Inserter<Alone_with_complex<std::uint32_t>> inserter(complex);
+    inserter.dig(5, inserter.walk(5, 0, Read_alone()).cell);
+    inserter.fill(5);
     spoil(complex);
     BOOST_TEST((complex.is_valid() && DFS::internal::is_delaunay(complex)) ==
                DFS::internal::is_valid(complex, Level(3)));

@@ -529,8 +529,6 @@ BOOST_AUTO_TEST_CASE(any_width)
       wrong += orientation(a, b, c, d) != side;
       zeros += side == 0;
       wrong += are_collinear(a, b, c) != CGAL::collinear(exact(f[0]), exact(f[1]), exact(f[2]));
-      wrong += compare_distance(p, a, b) !=
-               int(CGAL::compare_distance_to_point(exact(f[4]), exact(f[0]), exact(f[1])));
       const auto is_vertex = [&](int n) {
         return std::any_of(v, v + n, [&](const double* q) { return is_same_place(q, p); });
       };

@@ -269,31 +269,6 @@ BOOST_AUTO_TEST_CASE(hints_that_are_not_concurrent)
   });
 }
 
-// What is left out depends on the order: one thread inserts, and what comes out is what comes out
-// of one thread.
-BOOST_AUTO_TEST_CASE(points_left_out)
-{
-  const Indexed_surface surface = surfaces::genus_surface(1, 12000, 0.1);
-  struct Thinning_visitor : Counting_visitor
-  {
-    const std::vector<Point>* points;
-    bool accept(std::size_t i, std::size_t, const Point& nearest) const
-    {
-      return CGAL::squared_distance((*points)[i], nearest) >= .01;
-    }
-  } visitor;
-  visitor.points = &surface.points;
-  const auto np = CGAL::parameters::visitor(std::ref(visitor));
-  Triangulation alone, tr;
-  CGAL::insert_points_3(alone, surface.points, surface.faces, np);
-  visitor.threads = 0;
-  with_eight_threads(
-      [&] { CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces, np); });
-  BOOST_TEST(visitor.threads == 1u);
-  BOOST_TEST(tr.number_of_vertices() < surface.points.size());
-  BOOST_TEST((tr == alone));
-}
-
 BOOST_AUTO_TEST_CASE(stops_and_exceptions_leave_an_empty_triangulation)
 {
   const Indexed_surface surface = surfaces::genus_surface(1, 12000, 0.1);

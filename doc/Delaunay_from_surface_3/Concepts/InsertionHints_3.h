@@ -58,8 +58,7 @@ public:
 
   /*!
   returns the cell from which the location of point `i` starts (line 2b). It is called just before
-  that location, for `i` = 0, 1, and so on. If a visitor leaves points out, points before `i` may
-  have no vertex.
+  that location, for `i` = 0, 1, and so on.
 
   \return a cell that exists now. `target.cell(v)` returns one for every vertex `v`, and also if `v`
   is none.

@@ -3,7 +3,7 @@
 \cgalConcept
 
 A `SurfaceInsertionVisitor_3` is told about the progress of the insertion of a surface, and can stop
-it. It may have an additional function `accept()`, which leaves points out.
+it.
 
 Visitors are copied; pass one by `std::ref()` to keep its state. A visitor may throw. An empty
 triangulation is then unchanged; a non-empty one is the triangulation of its old points and
@@ -27,9 +27,6 @@ For points p, q, …, in two rounds, the calls come in this order:
 | `phase_begins(DONE)` | |
 
 In the core, `go_further()` is called at the beginning of each round, and then for every 256th point.
-
-`accept()`, if there is one, is called after `phase_begins(UPDATE)`. For the first points, until
-those accepted do not lie in one plane, it is called before `insertion_begins()`.
 
 If the order is too costly, `order_is_replaced(reason)` is called after an insertion, and all calls
 from `phase_begins(PLAN)` on are repeated.
@@ -128,54 +125,4 @@ public:
   \return `false` to stop the work here
   */
   bool go_further(std::size_t inserted);
-
-  /*!
-  decides whether a point is inserted. This function is optional, and the default visitor has none:
-  everything is then inserted, and no nearest vertices are computed.
-
-  It is called once for each point, in the order of insertion. It is not called for the very first
-  point in an empty triangulation, nor for a point at which there is already a vertex, which then
-  becomes the point's vertex. Which points are left out depends on the order: on the traits, the seed,
-  and the order of the input. So a single thread inserts the points one by one, whatever the
-  concurrency tag says, and `insertion_begins()` receives 1. If another order takes over
-  (`order_is_replaced()`), the function is called anew for all points; if %CGAL's insertion continues
-  in the same order, it is not called again.
-
-  A point that is left out gets no vertex. It is not written to `vertex_to_vertex_output_iterator`,
-  its info is not used, and it has no effect on later points. The result is the triangulation of the
-  points that are inserted.
-
-  The nearest vertex is exactly the nearest of the whole triangulation; of several at the same
-  distance it is the lexicographically smallest. So only the order and the answers decide which points
-  are left out. In the core, this costs the search for the cells in conflict with the point, which
-  every insertion needs anyway; a point that is left out costs this search besides its location. If
-  %CGAL inserts, the stars on the way to the nearest vertex are visited.
-
-  A visitor with this function does not compile with `delaunay_3_arrays()`.
-
-  \tparam Point the points of the triangulation
-
-  \param i the index of the point in the input; for a mesh, its place in `vertices(mesh)`
-  \param nearest the index of the first point inserted at the nearest vertex; `std::size_t(-1)` if
-  the vertex was in the triangulation before the call
-  \param point the point of the nearest vertex
-
-  \return `false` to leave the point out
-  */
-  bool accept(std::size_t i, std::size_t nearest, const Point& point);
-
-  /*!
-  is called instead of the one above, if it exists.
-
-  \param i as above
-  \param nearest as above
-  \param point as above
-  \param corners for each vertex of a cell that contains the point, what `nearest` is for the nearest
-  vertex. `std::size_t(-1)` also stands for the infinite vertex, if the point lies beyond the
-  facet of the others, and for all four vertices while the dimension is below 3.
-
-  \return `false` to leave the point out
-  */
-  bool accept(std::size_t i, std::size_t nearest, const Point& point,
-              const std::array<std::size_t, 4>& corners);
 };

@@ -33,12 +33,11 @@ public:
   void before_update(std::size_t i, CellIterator first, CellIterator last);
 
   /*!
-  is called after point `i` was inserted, or left out.
+  is called after point `i` was inserted.
 
   \tparam Vertex the type `Vertex` of the target
   \param i the number of the point
-  \param v its vertex: a new one, or the existing one if the point is a duplicate; for a
-  point that was left out, the vertex nearest to it
+  \param v its vertex: a new one, or the existing one if the point is a duplicate
   */
   template <class Vertex>
   void after_update(std::size_t i, Vertex v);

@@ -122,16 +122,18 @@ struct Subject
 inline std::vector<std::array<Id, 4>> cells_by_one(const std::vector<Coordinates>& points)
 {
   Subject subject(points);
-  DFS::internal::Compact_triangulation<Id> triangulation(subject.complex);
+  DFS::internal::Inserter<DFS::internal::Alone_with_complex<Id>> inserter(subject.complex);
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (subject.vertex_of[i] != 0)
       continue;
     const Id p = Complex::vertex_of_point(i);
-    const auto location = triangulation.locate(p, hints.start(i));
+    const auto location = inserter.walk(p, hints.start(i), DFS::internal::Read_alone());
     subject.vertex_of[i] = location.vertex != 0 ? location.vertex : p;
-    if (location.vertex == 0)
-      triangulation.insert(p, location.cell);
+    if (location.vertex == 0) {
+      inserter.dig(p, location.cell);
+      inserter.fill(p);
+    }
   }
   return subject.cells();
 }

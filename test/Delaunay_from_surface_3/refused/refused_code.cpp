@@ -39,15 +39,6 @@ using Without_info = CGAL::Delaunay_triangulation_3<K>;
 using With_info = CGAL::Delaunay_triangulation_3<K, Tds>;
 namespace parameters = CGAL::parameters;
 
-struct Wrong_visitor : CGAL::Default_surface_insertion_visitor_3
-{
-  bool accept(std::size_t, const Point&) { return false; }
-};
-struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
-{
-  bool accept(std::size_t, std::size_t, const Point&) { return false; }
-};
-
 // As traits were before there was a core.
 struct Old_traits
 {
@@ -90,8 +81,6 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   CGAL::insert_points_3(without_info, points, parameters::visitor(1));
   // expected: a visitor is a model of SurfaceInsertionVisitor_3
   CGAL::insert_points_3(without_info, points, parameters::visitor(std::ref(text)));
-  // expected: the accept() of a visitor takes the numbers of two points and a point
-  CGAL::insert_points_3(without_info, points, parameters::visitor(Wrong_visitor()));
   // expected: traits say by through_core who inserts
   CGAL::insert_points_3(without_info, points, std::vector<std::vector<int>>(), Old_traits());
   // expected: weighted and periodic points are not served
@@ -113,6 +102,4 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   // expected: faces have indices of vertices, which are integers
   CGAL::bounded_degree_spanning_subgraph(CGAL::surface_of(8, std::vector<std::array<double, 3>>()),
                                          std::back_inserter(edges));
-  // expected: delaunay_3_arrays() leaves no point out
-  CGAL::delaunay_3_arrays(points, parameters::visitor(Thinning_visitor()));
 }

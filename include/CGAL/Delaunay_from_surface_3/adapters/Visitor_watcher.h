@@ -108,34 +108,6 @@ decltype(auto) visitor_of_caller(const std::reference_wrapper<Visitor>& visitor,
     return Default_surface_insertion_visitor_3();
 }
 
-template <class Visitor, class Point>
-using Accept = decltype(std::declval<Visitor&>().accept(std::size_t(), std::size_t(),
-                                                        std::declval<const Point&>()));
-template <class Visitor, class Point>
-using Accept_with_corners =
-    decltype(std::declval<Visitor&>().accept(std::size_t(), std::size_t(),
-                                             std::declval<const Point&>(),
-                                             std::declval<const std::array<std::size_t, 4>&>()));
-template <class Visitor>
-using Accept_of_any_arguments =
-    decltype(&Visitor::accept); // only if it is no template and not overloaded
-
-// Whether accept() takes the corners, too.
-template <class Visitor, class Point>
-constexpr bool has_accept_with_corners = is_detected<Accept_with_corners, Visitor, Point>;
-
-// Whether a visitor leaves points out: its accept() is asked, in the order of insertion, about each
-// point and the vertex nearest to it.
-template <class Visitor, class Point>
-constexpr bool accepts_points()
-{
-  constexpr bool has_accept =
-      is_detected<Accept, Visitor, Point> || has_accept_with_corners<Visitor, Point>;
-  static_assert(has_accept || !is_detected<Accept_of_any_arguments, Visitor>,
-                "the accept() of a visitor takes the numbers of two points and a point");
-  return has_accept;
-}
-
 // Whether the visitor has a phase_begins() of its own: it is then told of every point.
 template <class Visitor>
 using Phase_begins = decltype(&Visitor::phase_begins);
@@ -164,20 +136,16 @@ struct Core_hints
 
 // Tells a caller's visitor what the core, or the loop of the paper, is doing, in the floating-point
 // mode of whoever called the package.
-template <class Visitor, class Point>
+template <class Visitor>
 class Visitor_watcher final : public Watcher
 {
   using Phase = Surface_insertion_phase;
 
 public:
-  static constexpr bool is_asked = accepts_points<Visitor, Point>();
-
   // Keeps references.
-  Visitor_watcher(Visitor& visitor, const Rounding_to_nearest& rounding,
-                  const std::vector<Point>& points)
+  Visitor_watcher(Visitor& visitor, const Rounding_to_nearest& rounding)
     : m_visitor(visitor)
     , m_rounding(rounding)
-    , m_points(points)
   {
   }
 
@@ -187,7 +155,6 @@ public:
   }
   void order_is_replaced(const char* reason) override
   {
-    m_answers.clear();
     m_rounding.in_mode_of_caller([&] { m_visitor.order_is_replaced(std::string(reason)); });
   }
   void insertion_begins(std::size_t number_of_threads) override
@@ -210,12 +177,6 @@ public:
       return go_further();
   }
   bool follows_points() const override { return follows_all_points<Visitor>; }
-  bool leaves_points_out() const override { return is_asked; }
-  bool looks_at_corners() const override { return has_accept_with_corners<Visitor, Point>; }
-  bool accepts(std::size_t i, std::size_t nearest, const Corners& corners) override
-  {
-    return accepts(i, nearest, m_points[nearest], corners);
-  }
 
   // What only the paper's way, or CGAL's insertion in place of the core's, reports.
 
@@ -245,35 +206,9 @@ public:
     return m_rounding.in_mode_of_caller([&] { return m_visitor.go_further(); });
   }
 
-  // In each order a visitor is asked about a point once, whoever inserts it.
-  bool accepts(std::size_t i, std::size_t nearest, const Point& point, const Corners& corners)
-  {
-    if constexpr (is_asked) {
-      m_answers.resize(m_points.size(), NOT_ASKED);
-      if (m_answers[i] == NOT_ASKED)
-        m_answers[i] = m_rounding.in_mode_of_caller(
-            [&] { return static_cast<bool>(answer(i, nearest, point, corners)); });
-      return m_answers[i] != 0;
-    } else {
-      return true;
-    }
-  }
-
 private:
-  static constexpr char NOT_ASKED = 2;
-
-  auto answer(std::size_t i, std::size_t nearest, const Point& point, const Corners& corners)
-  {
-    if constexpr (has_accept_with_corners<Visitor, Point>)
-      return m_visitor.accept(i, nearest, point, corners);
-    else
-      return m_visitor.accept(i, nearest, point);
-  }
-
   Visitor& m_visitor;
   const Rounding_to_nearest& m_rounding;
-  const std::vector<Point>& m_points;
-  std::vector<char> m_answers; // by point
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

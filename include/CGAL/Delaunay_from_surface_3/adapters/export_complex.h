@@ -335,7 +335,7 @@ void fill_upper_levels(Triangulation& tr,
 // From the core's complex to the caller's triangulation.
 
 // Fills `tr`, which is empty, with what was built of the points, and gives up its memory. Returns the
-// vertices by point, none for those that were left out. They are made in the order of insertion or in
+// vertices by point. They are made in the order of insertion or in
 // that of the input. Linear.
 template <class Triangulation, class Id>
 std::vector<typename Triangulation::Vertex_handle>
@@ -354,7 +354,7 @@ export_built(Built<Id>& built, const std::vector<typename Triangulation::Point>&
   const Creation_order<Id> in_order = {creates_in_input_order ? &places : nullptr, built.vertex_of};
   auto handles = export_complex(tr, built, point, in_order, executor);
   fill_upper_levels(tr, handles);
-  handles.front() = {}; // points that were left out have no vertex, nor that at infinity
+  handles.front() = {}; // the infinite vertex is no point's
 
   std::vector<Vertex_handle> vertices(n);
   for_each_block(executor, n, number_of_blocks(executor, n, 4096),

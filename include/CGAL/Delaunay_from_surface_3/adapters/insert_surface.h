@@ -176,8 +176,7 @@ std::string obstacle_found(const Built<Id>& built)
 {
   switch (built.outcome) {
   case Insertion_outcome::FLAT:
-    return built.dimension < 3 ? "the points lie in one plane"
-                               : "the points that are accepted first lie in one plane";
+    return "the points lie in one plane";
   case Insertion_outcome::TOO_FEW_IDS:
     return Too_few_ids(std::numeric_limits<Id>::digits).what();
   default:
@@ -524,7 +523,6 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
   using namespace internal_np;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using Point = typename Triangulation::Point;
   check_named_parameters<Known..., visitor_t, random_seed_t, preserve_order_t,
                          vertex_to_vertex_output_iterator_t, Vertex_info_map_tag,
                          Vertex_info_range_tag>(np);
@@ -537,7 +535,7 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
                                      input.points.size());
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   const Rounding_to_nearest rounding;
-  Visitor_watcher<Visitor, Point> watcher(visitor, rounding, input.points);
+  Visitor_watcher<Visitor> watcher(visitor, rounding);
   if (input.irregularity)
     watcher.surface_is_irregular(*input.irregularity);
 
@@ -550,14 +548,12 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
     if (input.points.size() < least_points_for_core<Traits>(tr, np)) {
       inserted = insert_few_points(into, input.points);
     } else {
-      // One thread if a visitor is asked about each point, in their order.
-      using Executor = std::conditional_t<accepts_points<Visitor, Point>(), Alone, ExecutorOfCall>;
       using Way = Way_through_core<Traits, Triangulation, Input, decltype(watcher)>;
-      const Executor executor{};
+      const ExecutorOfCall executor{};
       Way way(into, input, traits, options, watcher, executor);
       if constexpr (serves_geom_traits<Triangulation>())
         if (way.is_open())
-          way.take(*build<typename Way::Id, typename Crew<Executor>::type>(
+          way.take(*build<typename Way::Id, typename Crew<ExecutorOfCall>::type>(
               way.points(), way.orders(), way.request(), watcher, executor));
       inserted = way.finish();
     }

@@ -273,12 +273,11 @@ private:
     std::vector<std::size_t> numbers(points.size());
     std::iota(numbers.begin(), numbers.end(), std::size_t(0));
     const Order_view order = {numbers.data(), numbers.size(), nullptr, 0, nullptr};
-    Watcher nobody;
     if (simplex.dimension == 3)
-      return Ordered_complex<Id>(points, order, nullptr, nobody);
+      return Ordered_complex<Id>(points, order, nullptr);
     const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
                                     points[simplex.points[2]]);
-    return Ordered_complex<Id>(points, order, apex.data(), nobody);
+    return Ordered_complex<Id>(points, order, apex.data());
   }
 
   bool is_flat() const { return m_arrays.dimension() == 2; }

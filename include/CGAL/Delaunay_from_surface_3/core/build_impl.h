@@ -46,10 +46,9 @@ public:
   }
 
   // The complex of the points in the order, and its first four.
-  void start(const Point_array& points, const double* apex, Watcher& watcher,
-             const Executor& executor)
+  void start(const Point_array& points, const double* apex, const Executor& executor)
   {
-    m_points = Ordered_complex<Id>(points, this->order, apex, watcher, executor);
+    m_points = Ordered_complex<Id>(points, this->order, apex, executor);
     this->has_apex = apex != nullptr;
     show();
   }
@@ -117,18 +116,17 @@ void begin_to_build(Built_complex<Id>& built, Point_source& source, Order_source
   const Starting_simplex simplex =
       starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
   built.dimension = simplex.dimension;
-  built.order = simplex.dimension < 2 && !watcher.leaves_points_out()
-                    ? built.keep(order_along_line(points))
-                    : orders.make(points, executor);
+  built.order =
+      simplex.dimension < 2 ? built.keep(order_along_line(points)) : orders.make(points, executor);
   if (!request.uses_starting_places)
     built.order.starting_places = nullptr;
   watcher.phase_begins(Phase::SUBGRAPH);
   if (simplex.dimension == 3) {
-    built.start(points, nullptr, watcher, executor);
+    built.start(points, nullptr, executor);
   } else if (simplex.dimension == 2 && request.adds_apex) {
     const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
                                     points[simplex.points[2]]);
-    built.start(points, apex.data(), watcher, executor);
+    built.start(points, apex.data(), executor);
   }
   if (built.has_started())
     source.give_up();

@@ -181,11 +181,10 @@ private:
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion from a cell of the point that the plan names in
-`Insertion_order::starting_places`. If that point was left out, and so has no vertex, the point that
-the plan names for it is used instead, and so on. If the plan names no point, the start is a cell of
-the vertex inserted last. Traits with this policy go through the core, which starts in the same way.
+`Insertion_order::starting_places`. If the plan names no point, the start is a cell of the vertex
+inserted last. Traits with this policy go through the core, which starts in the same way.
 
-<b>Complexity</b>: \f$O(1)\f$ per point if all points are inserted. It needs no trace, no subgraph,
+<b>Complexity</b>: \f$O(1)\f$ per point. It needs no trace, no subgraph,
 and no memory of its own.
 
 \tparam Target a `Triangulation_target_3`
@@ -215,11 +214,7 @@ public:
   {
     if (i == 0 || m_places.empty())
       return m_target.cell(m_previous);
-    std::size_t place = m_places[i];
-    Vertex v = m_target.vertex(place);
-    while (v == Vertex() && place != 0) // left out
-      v = m_target.vertex(place = m_places[place]);
-    return m_target.cell(v == Vertex() ? m_previous : v);
+    return m_target.cell(m_target.vertex(m_places[i]));
   }
 
   /// remembers `v`.

@@ -18,8 +18,6 @@
 #include <CGAL/Triangulation_hierarchy_3.h>
 #include <CGAL/assertions.h>
 
-#include <boost/unordered_map.hpp>
-
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -200,26 +198,6 @@ public:
     observer.after_update(i, m_vertices[i]);
   }
 
-  /// does the same if `accepts(j, q, c)` returns `true`, and otherwise tells `observer` of the
-  /// vertex nearest to point `i`. Here q is the point of that vertex, and j the first of the points
-  /// at it, or `std::size_t(-1)` if none of them is there. In dimension 3, c[0], …, c[3] are what j
-  /// is, for the vertices of the located cell. `accepts` is not called if there is a vertex at the
-  /// point, or no vertex at all. The time is also linear in the stars visited on the way to the
-  /// nearest vertex.
-  template <class Observer, class Accepts>
-  void insert_if(std::size_t i, const Location& location, Observer& observer,
-                 const Accepts& accepts)
-  {
-    if (m_tr.number_of_vertices() > 0 && location.type != Triangulation::VERTEX) {
-      const Vertex v = nearest_vertex_of_all(i, location);
-      if (!accepts(first_point_at(v, i), v->point(), corners(i, location))) {
-        observer.after_update(i, v);
-        return;
-      }
-    }
-    insert(i, location, observer);
-  }
-
   /// returns only zeros: CGAL's insertion does not count.
   Delaunay_from_surface_3::Insertion_counts counts() const { return {}; }
 
@@ -227,49 +205,6 @@ public:
   std::vector<Vertex> take_vertices() { return std::move(m_vertices); }
 
 private:
-  // Of several at the same distance, that with the lexicographically smallest point. A vertex that
-  // is not the nearest in this order has a neighbour that is nearer, in every dimension.
-  Vertex nearest_vertex_of_all(std::size_t i, const Location& location)
-  {
-    Vertex nearest = nearest_vertex(i, location);
-    for (Vertex last; last != nearest;) {
-      last = nearest;
-      m_adjacent.clear();
-      m_tr.finite_adjacent_vertices(last, std::back_inserter(m_adjacent));
-      for (const Vertex v : m_adjacent)
-        if (is_nearer(i, v, nearest))
-          nearest = v;
-    }
-    return nearest;
-  }
-
-  bool is_nearer(std::size_t i, Vertex v, Vertex w) const
-  {
-    const auto& gt = m_tr.geom_traits();
-    const Comparison_result c = gt.compare_distance_3_object()(m_points[i], v->point(), w->point());
-    return c != EQUAL ? c == SMALLER : gt.compare_xyz_3_object()(v->point(), w->point()) == SMALLER;
-  }
-
-  // Of the points before point `i`, the first at `v`.
-  std::size_t first_point_at(Vertex v, std::size_t i)
-  {
-    for (; m_number_of_known_points < i; ++m_number_of_known_points)
-      if (m_vertices[m_number_of_known_points] != Vertex())
-        m_first_points.emplace(m_vertices[m_number_of_known_points], m_number_of_known_points);
-    const auto found = m_first_points.find(v);
-    return found == m_first_points.end() ? std::size_t(-1) : found->second;
-  }
-
-  std::array<std::size_t, 4> corners(std::size_t i, const Location& location)
-  {
-    constexpr std::size_t none = std::size_t(-1);
-    std::array<std::size_t, 4> points = {none, none, none, none};
-    for (int k = 0; m_tr.dimension() == 3 && k < 4; ++k)
-      if (const Vertex v = location.cell->vertex(k); !m_tr.is_infinite(v))
-        points[std::size_t(k)] = first_point_at(v, i);
-    return points;
-  }
-
   template <class Observer>
   Vertex insert_at(std::size_t i, const Location& location, Observer& observer)
   {
@@ -298,29 +233,12 @@ private:
   std::vector<Vertex> m_vertices;
   std::vector<Cell> m_conflict_zone;
   std::vector<typename Triangulation::Facet> m_boundary;
-  std::vector<Vertex> m_adjacent;
-  boost::unordered_map<Vertex, std::size_t> m_first_points; // only if something is asked
-  std::size_t m_number_of_known_points = 0;
 };
 
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Choi 2002, Fig. 1: the loop, on CGAL's own triangulation.
-
-// Points are numbered by their places in the order; the watcher gets the caller's numbers. A vertex
-// that belongs to none of them has no place.
-template <class Watcher, class Point>
-bool may_insert(Watcher& watcher, const Insertion_order& plan, std::size_t i, std::size_t nearest,
-                const Point& point, std::array<std::size_t, 4> corners)
-{
-  const auto name_of = [&](std::size_t place) {
-    return place < plan.order.size() ? plan.order[place] : place;
-  };
-  for (std::size_t& corner : corners)
-    corner = name_of(corner);
-  return watcher.accepts(name_of(i), name_of(nearest), point, corners);
-}
 
 // Round h ends before s_{N_h}, N_h = round_ends[h]. Returns false if the watcher stopped it.
 template <class Target, class Hints, class Watcher>
@@ -339,13 +257,7 @@ bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints&
       watcher.phase_begins(Phase::LOCATION);
       const typename Target::Location d_i = target.locate(i, hints.start(i)); // 2b
       watcher.phase_begins(Phase::UPDATE);
-      if constexpr (Watcher::is_asked)
-        target.insert_if(i, d_i, hints,
-                         [&](std::size_t nearest, const auto& point, const auto& corners) {
-                           return may_insert(watcher, plan, i, nearest, point, corners);
-                         });
-      else
-        target.insert(i, d_i, hints); // 2c
+      target.insert(i, d_i, hints); // 2c
     }
     if (N_h < target.size()) {
       watcher.phase_begins(Phase::TRACE);

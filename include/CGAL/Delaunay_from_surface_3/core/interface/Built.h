@@ -141,7 +141,7 @@ public:
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE bool has_started() const { return cells_end > 0; }
 
   Insertion_outcome outcome = Insertion_outcome::FLAT;
-  int dimension = -1;    // of the points as they came; of those accepted nothing is known
+  int dimension = -1;    // of the points
   bool has_apex = false; // as the last vertex, off the plane of all others
   Insertion_counts counts;
 
@@ -216,21 +216,6 @@ public:
 
   // Whether it is told of the phases LOCATION and UPDATE, point by point. Not with many threads.
   virtual bool follows_points() const { return false; }
-
-  // Whether it is asked which points are inserted, and looks at the corners then.
-  virtual bool leaves_points_out() const { return false; }
-  virtual bool looks_at_corners() const { return false; }
-
-  // Whether point i may be inserted. The vertex nearest to it is that of point `nearest`, and
-  // `corners` are those of a cell that contains it (none if it lies beyond the facet of the others,
-  // or if there is no cell yet). All are the caller's numbers. Not asked of a point that has a
-  // vertex at its place.
-  using Corners = std::array<std::size_t, 4>;
-  static constexpr std::size_t none = std::size_t(-1);
-  virtual bool accepts(std::size_t /* i */, std::size_t /* nearest */, const Corners&)
-  {
-    return true;
-  }
 };
 
 // Who inserts.

@@ -138,7 +138,7 @@ public:
       return cell(m_previous);
     std::size_t place = m_places[i];
     Id v = load_relaxed(m_vertex_of[place]);
-    while (v == 0 && place != 0) // left out; or, with many threads, not inserted yet
+    while (v == 0 && place != 0) // with many threads: not inserted yet
       v = load_relaxed(m_vertex_of[place = m_places[place]]);
     return cell(v == 0 ? m_previous : v);
   }
@@ -219,56 +219,6 @@ private:
   bool m_is_exact = false;
 };
 
-// A complex begins with four points at once, and cannot ask about them in their turn. So the first
-// points are asked about before there is one, until those accepted do not lie in one plane.
-
-// Takes point `next` into a simplex if it does not lie in the span of those that are there.
-template <class PointOf>
-void extend_simplex(Starting_simplex& simplex, const PointOf& point, std::size_t next)
-{
-  auto& p = simplex.points;
-  const int d = simplex.dimension;
-  const double* const q = point(next);
-  if (d == -1 || (d == 0 && !std::equal(q, q + 3, point(p[0]))) ||
-      (d == 1 && !are_collinear(point(p[0]), point(p[1]), q)))
-    p[std::size_t(++simplex.dimension)] = next;
-  else if (d == 2)
-    if (const int o = orientation(point(p[0]), point(p[1]), point(p[2]), q); o != 0) {
-      p[3] = next;
-      simplex.dimension = 3;
-      if (o < 0)
-        std::swap(p[0], p[1]);
-    }
-}
-
-// point(k) is the point at place k, and order[k] the caller's number of it. Says of each point that
-// was asked about, in is_accepted, whether it is to be inserted. It gives up if a thousand of them
-// lie in one plane, since the points accepted are compared with each other.
-template <class PointOf>
-Starting_simplex first_accepted_points(const Order_view& order, const PointOf& point,
-                                       Watcher& watcher, std::vector<char>& is_accepted)
-{
-  constexpr std::size_t most = 1000;
-  const Watcher::Corners no_corners = {Watcher::none, Watcher::none, Watcher::none, Watcher::none};
-  Starting_simplex simplex = {{}, -1};
-  std::vector<std::size_t> places; // of the vertices
-  for (std::size_t k = 0; k < (std::min)(order.size, most) && simplex.dimension < 3; ++k) {
-    const double* const p = point(k);
-    const auto nearest =
-        std::min_element(places.begin(), places.end(), [&](std::size_t i, std::size_t j) {
-          return is_nearer_exactly(p, point(i), point(j));
-        });
-    const bool is_vertex = nearest != places.end() && std::equal(p, p + 3, point(*nearest));
-    is_accepted.push_back(is_vertex || nearest == places.end() ||
-                          watcher.accepts(order.order[k], order.order[*nearest], no_corners));
-    if (is_accepted.back() && !is_vertex) {
-      places.push_back(k);
-      extend_simplex(simplex, point, k);
-    }
-  }
-  return simplex;
-}
-
 template <class Id>
 struct Ordered_complex
 {
@@ -277,10 +227,9 @@ struct Ordered_complex
   Ordered_complex() = default;
 
   // Of these points, in an order that is kept elsewhere; if there is an apex, of that one too, at the
-  // place behind the last. Four of them that do not lie in one plane are inserted. The watcher is
-  // asked about the first ones if it leaves points out.
+  // place behind the last. Four of them that do not lie in one plane are inserted.
   Ordered_complex(const Point_array& points, const Order_view& by, const double* apex,
-                  Watcher& watcher, const Executor& executor = Alone())
+                  const Executor& executor = Alone())
     : order(by)
     , vertex_of(order.size + (apex != nullptr), 0)
   {
@@ -302,32 +251,21 @@ struct Ordered_complex
         own.push_back({point(k)[0], point(k)[1], point(k)[2]});
       complex.keep_own_coordinates(std::move(own));
     }
-    const Starting_simplex simplex = watcher.leaves_points_out()
-                                         ? first_accepted_points(order, point, watcher, is_accepted)
-                                         : starting_simplex(vertex_of.size(), point);
-    any_vertex = start_complex(simplex, complex, vertex_of);
+    any_vertex = start_complex(starting_simplex(vertex_of.size(), point), complex, vertex_of);
   }
 
   // Whether there are four points that do not lie in one plane.
   bool has_started() const { return any_vertex != 0; }
 
-  // The first points may be left out before their turn.
-  bool has_left_out(std::size_t k) const { return k < is_accepted.size() && !is_accepted[k]; }
-  bool is_known(std::size_t k) const { return k < is_accepted.size(); }
-
-  Starting_cells<Id> starting_cells() const { return starting_cells(vertex_of); }
-
-  // From these vertices, by place.
-  Starting_cells<Id> starting_cells(const std::vector<Id>& vertices) const
+  Starting_cells<Id> starting_cells() const
   {
-    return Starting_cells<Id>(complex, vertices, order.starting_places, any_vertex);
+    return Starting_cells<Id>(complex, vertex_of, order.starting_places, any_vertex);
   }
 
   Order_view order = {nullptr, 0, nullptr, 0, nullptr};
   Complex complex;
-  std::vector<Id> vertex_of;     // by place: 0 as long as there is none
-  std::vector<char> is_accepted; // by place, of the first points, if the watcher was asked
-  Id any_vertex = 0;             // any vertex of the complex
+  std::vector<Id> vertex_of; // by place: 0 as long as there is none
+  Id any_vertex = 0;         // any vertex of the complex
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

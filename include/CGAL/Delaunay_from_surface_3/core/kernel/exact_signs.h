@@ -356,20 +356,6 @@ inline bool are_collinear(const double* a, const double* b, const double* c)
   return exact_sign_of_any<Exact_area>(vertices, a) == 0;
 }
 
-// -1 if a is nearer to p than b, 1 if it is farther.
-inline int compare_distance(const double* p, const double* a, const double* b)
-{
-  // A sum of three squares of differences: 5 roundings, and what is lost where squares underflow.
-  const double v = row(a, p).w, w = row(b, p).w;
-  const double bound = 8 * Filter_bounds::unit * (v + w) + Filter_bounds::tiny;
-  const int sign = is_safe(v + w) ? certified_sign(v - w, bound) : 0;
-  if (sign != 0)
-    return sign;
-  const double* const vertices[2] = {a, b};
-  const Wide_differences<2> differences(vertices, p);
-  return sign_of(differences.rows[0].w - differences.rows[1].w);
-}
-
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3

@@ -341,9 +341,7 @@ private:
   Insertion_counts m_counts; // those that are not a worker's
 };
 
-// One piece of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads
-// (Parallel_triangulation.h). No point can be left out: what is nearest to it depends on what others
-// insert.
+// One piece of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads.
 
 template <class Id>
 class Insert_by_workers
@@ -355,7 +353,6 @@ public:
     , m_watcher(watcher)
     , m_triangulation(points.complex, executor)
   {
-    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(!watcher.leaves_points_out());
   }
 
   std::size_t size_of_piece(std::size_t inserted) const
