@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The compiled library, as a part of the extension: it says itself that it is compiled.
+// The compiled library, as a part of the extension. Its source defines that it is compiled.
 
 #undef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
 #include <src/core.cpp>

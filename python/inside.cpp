@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The winding numbers of tetrahedra around which a surface goes.
+// The winding numbers of a surface around tetrahedra.
 
 #include "Unlocked.h"
 #include "functions.h"
@@ -25,7 +25,7 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
-// The numbers, how sure they are, and a warning, which may be empty.
+// Returns the numbers, how sure they are, and a warning, which may be empty.
 py::tuple winding_numbers(const python::Points& points, const python::Numbers& simplices,
                           const python::Numbers& neighbors, const python::Numbers& vertices,
                           const py::object& faces, std::size_t threads)

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The extension behind the Python module delaunay_from_surface, whose docstrings say what it does.
-// It names no other library than Python's: the core needs none.
+// It needs no other library than Python's: the core needs none.
 
 #include "Unlocked.h"
 #include "Copied_points.h"
@@ -41,12 +41,12 @@ struct Stopped : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// The order of the last call, which one call at a time may use.
+// Keeps the order of the last call. Only one call at a time may use it.
 struct Kept
 {
   CGAL::Delaunay_from_surface_3::Insertion_order order;
   std::atomic<bool> is_used{false};
-  std::atomic<std::size_t> size{0}; // of the order; others may ask while a call changes that
+  std::atomic<std::size_t> size{0}; // of the order; others may ask while a call changes it
 };
 
 class Use_of
@@ -72,7 +72,7 @@ private:
   Kept* m_kept;
 };
 
-// Views of the arrays, which live as long as one of them does.
+// Returns views of the arrays, which live as long as one of the views.
 py::tuple views_of(Arrays&& moved, bool with_neighbors)
 {
   const auto* const arrays = new Arrays(std::move(moved));
@@ -92,14 +92,13 @@ py::tuple views_of(Arrays&& moved, bool with_neighbors)
   return py::make_tuple(view(arrays->vertices_data()), neighbors, vertices, arrays->dimension());
 }
 
-// The finite cells of what the core makes of the points, if it was not stopped.
+// Returns the finite cells that the core makes of the points, if it was not stopped.
 Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::Watcher& watcher,
                  const core::Executor& executor)
 {
   python::refuse_obstacle();
-  const auto build = executor.number_of_workers() > 1
-                         ? &core::build<std::uint32_t, core::Many_threads>
-                         : &core::build<std::uint32_t, core::One_thread>;
+  const auto build = executor.number_of_workers() > 1 ? &core::build<core::Many_threads>
+                                                      : &core::build<core::One_thread>;
   const auto built = build(points, orders, {true, true}, watcher, executor);
   // Points on a line are sorted at once.
   if (built->outcome == core::Insertion_outcome::FLAT && points.points().size() > 0 &&
@@ -108,7 +107,7 @@ Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::W
   return core::arrays_of_built<std::int32_t>(*built, points, executor, false);
 }
 
-// Refuses faces with indices that are not those of n points. Nothing else is done with them.
+// Refuses faces with indices that are not those of n points. The faces have no other use.
 void check_faces(const py::object& faces, std::size_t n)
 {
   if (!faces.is_none())
@@ -139,7 +138,7 @@ py::tuple triangulated(const py::array& array, const py::object& faces, bool nei
     arrays = arrays_of(points, *orders, watcher, executor);
     if (!neighbors)
       arrays.drop_neighbors();
-  } catch (const CGAL::Delaunay_from_surface_3::Too_few_ids& error) {
+  } catch (const CGAL::Delaunay_from_surface_3::Too_many_cells& error) {
     PyErr_SetString(PyExc_OverflowError, error.what());
     throw py::error_already_set();
   }
@@ -164,7 +163,7 @@ py::tuple delaunay3(const py::array& points, const py::object& faces, bool neigh
 
 } // namespace
 
-// Nothing here is shared by calls: without an interpreter's lock it is as safe as with one.
+// Calls share nothing here: without an interpreter's lock they are as safe as with one.
 #if PYBIND11_VERSION_HEX >= 0x020d0000
 PYBIND11_MODULE(_delaunay_from_surface, m, py::mod_gil_not_used())
 #else
@@ -184,7 +183,7 @@ PYBIND11_MODULE(_delaunay_from_surface, m)
         return "<InsertionOrder of " + std::to_string(kept.size) + " points>";
       });
   for (const char* const name : {"Stopped", "InsertionOrder"})
-    m.attr(name).attr("__module__") = "delaunay_from_surface"; // where they are found, and pickled
+    m.attr(name).attr("__module__") = "delaunay_from_surface"; // they are found there, and pickled
   m.def("delaunay3", &delaunay3);
   python::define_surface_functions(m);
   python::define_queries(m);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What is asked of a triangulation after it is made: all is computed from NumPy's arrays of points and
-// simplices, whose numbers are checked when they are read.
+// Answers questions about a triangulation that is made: all is computed from NumPy's arrays of
+// points and simplices, whose numbers are checked when they are read.
 
 #include "Unlocked.h"
 #include "functions.h"
@@ -43,7 +43,7 @@ using python::Point_of;
 using python::Points;
 using python::Rows;
 
-// Calls f(the number of corners) with a constant.
+// Calls f with the number of corners as a constant.
 template <class F>
 auto with_corners(std::size_t corners, const F& f)
 {
@@ -59,8 +59,9 @@ auto with_corners(std::size_t corners, const F& f)
   }
 }
 
-// Renumbers points 0, …, n-1 in the order in which they are met as corners, and the rest after them, so
-// that what is near in space is near in memory. Negative numbers stay. Returns the old numbers.
+// Renumbers points 0, …, n-1 in the order in which they are met as corners, and the rest after
+// them, so that points that are near in space are near in memory. Negative numbers stay. Returns
+// the old numbers.
 std::vector<Index> number_as_met(Index* corners, std::size_t number_of_corners, std::size_t n,
                                  const core::Executor& executor)
 {
@@ -153,8 +154,8 @@ py::tuple adjacent_vertices(const Numbers& simplices, std::size_t n, std::size_t
                         array_from(std::move(adjacent.items), {items}));
 }
 
-// The square of a length as an exponent of 2 and a fraction of at least 1/2: no length is so large or
-// so small that its square would overflow or vanish.
+// Returns the square of a length as an exponent of 2 and a fraction of at least 1/2, so that the
+// squares of very large or small lengths neither overflow nor vanish.
 std::pair<int, double> squared_length(const std::array<double, 3>& p,
                                       const std::array<double, 3>& q)
 {
@@ -175,7 +176,7 @@ std::pair<int, double> squared_length(const std::array<double, 3>& p,
   return {2 * unit + exponent, fraction};
 }
 
-// Kruskal's algorithm on the edges of the lists, by lengths as they are computed.
+// Runs Kruskal's algorithm on the edges of the lists, by lengths as they are computed.
 Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64_t>& firsts,
                               const Numbers& items)
 {
@@ -222,7 +223,7 @@ Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64
   return array_from(std::move(tree), {number, 2});
 }
 
-// Calls write(c, corners of the tetrahedron) for each.
+// Calls write(c, corners of the tetrahedron) for each tetrahedron c.
 template <class Write>
 void measure(const Points& points, const Numbers& simplices, std::size_t threads,
              const Write& write)
@@ -295,7 +296,7 @@ py::array transform(const Points& points, const Numbers& simplices, std::size_t 
   return array_from(std::move(result), {py::ssize_t(m), 4, 3});
 }
 
-// NaN for points whose simplex is negative.
+// Returns NaN for points whose simplex is negative.
 py::array barycentric(const Points& points, const Numbers& simplices, const Points& queries,
                       const py::array_t<std::int64_t>& simplices_of_queries, std::size_t threads)
 {
@@ -349,10 +350,10 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
   const python::Unlocked unlocked;
   const core::Rounding_to_nearest rounding;
   const python::Interruptible_executor executor(threads);
-  std::vector<Index> old_vertices(n); // copied: another thread may write meanwhile
+  std::vector<Index> old_vertices(n); // copied, since another thread may write meanwhile
   for (std::size_t i = 0; i < n; ++i) {
     old_vertices[i] = vertex(py::ssize_t(i));
-    if (old_vertices[i] < 0 || std::size_t(old_vertices[i]) > i) // the first of those at its place
+    if (old_vertices[i] < 0 || std::size_t(old_vertices[i]) > i) // not the first at its place
       return false;
   }
   std::vector<std::array<Index, 4>> cells(rows.size(), {-1, -1, -1, -1});

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The functions of surfaces alone: their triangles are read as lists of numbers.
+// The functions that concern only surfaces, whose triangles are read as lists of numbers.
 
 #include "Unlocked.h"
 #include "functions.h"
@@ -28,7 +28,7 @@ namespace py = pybind11;
 
 namespace {
 
-// Calls f(surface) without the lock: the triangles, with vertices 0, …, n - 1.
+// Calls f(surface) without the lock, where the surface has the triangles and vertices 0, …, n - 1.
 template <class F>
 auto with_triangles(const py::object& faces, std::optional<std::size_t> number_of_vertices,
                     const F& f)
@@ -54,7 +54,7 @@ auto with_triangles(const py::object& faces, std::optional<std::size_t> number_o
   });
 }
 
-// Takes pairs of numbers one after the other.
+// Appends pairs of numbers one after the other.
 class Append_ends
 {
 public:

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Tiles out of core: from files to files, so nothing but names and numbers crosses.
+// Makes tiles out of core, from files to files, so only names and numbers are passed.
 
 #include "Unlocked.h"
 #include "interruptible.h"
@@ -27,7 +27,7 @@ namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
-// What a call is of.
+// The input and the options of a call.
 struct Run
 {
   CGAL::Point_files_3 points;
@@ -42,13 +42,13 @@ struct Run
   }
 };
 
-// The text may have the name of a file, which is not always UTF-8.
+// Sets an error. The text may contain the name of a file, which is not always UTF-8.
 void set_error(PyObject* type, const char* what)
 {
   PyErr_SetObject(type, py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(what)).ptr());
 }
 
-// f(), which has no interpreter lock; what it throws is one of Python's exceptions.
+// Calls f() without the interpreter lock, and turns its exceptions into Python's.
 template <class F>
 auto without_lock(const F& f)
 {
@@ -70,7 +70,7 @@ auto without_lock(const F& f)
   throw py::error_already_set();
 }
 
-// With progress: it and signals are asked after each task; what they raise goes through as an exception.
+// After each task, signals are checked and `progress` is called; their exceptions are passed on.
 py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::string& output,
                          std::uint32_t tiles, std::uint64_t memory, std::size_t workers, bool vtu,
                          const py::object& progress)
@@ -97,7 +97,7 @@ py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::strin
   return result;
 }
 
-// Closes what is done: how many tasks there are now, what they are for, and how many tiles there are.
+// Closes what is done; returns the number of tasks now, their stage, and the number of tiles.
 py::tuple next_of_tiles(const std::vector<std::string>& files, const std::string& output,
                         std::uint32_t tiles, std::uint64_t memory, bool vtu)
 {
@@ -108,7 +108,8 @@ py::tuple next_of_tiles(const std::vector<std::string>& files, const std::string
   return py::make_tuple(next.number, next.stage, next.tiles);
 }
 
-// Does one of these. Returns with how many tiles to begin again, if the caller would; 0: it is done.
+// Does one of these tasks. Returns 0 if it is done, or, if the caller would begin again with more
+// tiles, their number.
 std::uint32_t do_task_of_tiles(const std::vector<std::string>& files, const std::string& output,
                                std::uint32_t tiles, std::uint64_t memory, bool vtu,
                                std::size_t task, bool starts_again)

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The core, compiled once for all that link Delaunay_from_surface_3::compiled.
+// The core, compiled once for all programs that link Delaunay_from_surface_3::compiled.
 
 #define CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
 #define CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY
@@ -10,7 +10,6 @@
 #include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 
-#include <cstdint>
 #include <memory>
 
 namespace CGAL {
@@ -18,14 +17,10 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-#define CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(Id, Crew)                                               \
-  template std::unique_ptr<Built<Id>> build<Id, Crew>(Point_source&, Order_source&,                \
-                                                      const Request&, Watcher&, const Executor&)
-
-CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(std::uint32_t, One_thread);
-CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(std::uint64_t, One_thread);
-CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(std::uint32_t, Many_threads);
-CGAL_DELAUNAY_FROM_SURFACE_3_BUILD(std::uint64_t, Many_threads);
+template std::unique_ptr<Built> build<One_thread>(Point_source&, Order_source&, const Request&,
+                                                  Watcher&, const Executor&);
+template std::unique_ptr<Built> build<Many_threads>(Point_source&, Order_source&, const Request&,
+                                                    Watcher&, const Executor&);
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 } // namespace internal

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The C interface of the core. scripts/amalgamate makes one file of this and of all that it includes.
+// The C interface of the core. scripts/amalgamate joins this and all that it includes into one
+// file.
 
 #include "delaunay_3.h"
 
@@ -40,14 +41,14 @@ namespace {
 
 using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
 
-// What makes a call end early.
+// The reason why a call ends early.
 struct Refusal
 {
   delaunay_3_status status;
   std::size_t where;
 };
 
-// Calls f, and says what became of it.
+// Calls f, and returns the status with which it ended.
 template <class F>
 delaunay_3_status status_of(std::size_t* where, const F& f)
 {
@@ -61,7 +62,7 @@ delaunay_3_status status_of(std::size_t* where, const F& f)
     if (where != nullptr)
       *where = refusal.where;
     return refusal.status;
-  } catch (const CGAL::Delaunay_from_surface_3::Too_few_ids&) {
+  } catch (const CGAL::Delaunay_from_surface_3::Too_many_cells&) {
     return DELAUNAY_3_TOO_MANY;
   } catch (const std::length_error&) {
     return DELAUNAY_3_BAD_ARGUMENT;
@@ -87,12 +88,12 @@ void refuse_null(const void* array, std::size_t n = 1)
     throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
 }
 
-// Before anything is read of an array whose entries have three numbers each: that so many can be
-// numbered, and lie in memory.
+// Checks, before an array with three numbers per entry is read, that so many entries can be
+// numbered and can lie in memory.
 void check_number(const void* array, std::size_t n)
 {
   constexpr std::size_t most_in_memory = std::size_t(-1) / 2 / (3 * sizeof(double));
-  if (n >= (std::min)(core::Compact_numbers<std::uint32_t>::max_vertices - 1, most_in_memory))
+  if (n >= (std::min)(core::Compact_numbers::max_vertices - 1, most_in_memory))
     throw Refusal{DELAUNAY_3_TOO_MANY, 0};
   refuse_null(array, n);
 }
@@ -106,7 +107,7 @@ core::Point_array checked_points(const double* points, std::size_t n)
   return core::Point_array(points, n);
 }
 
-// The triangles change nothing in the result; wrong ones are a sign of a mistake.
+// Checks the triangles. They change nothing in the result; wrong ones are a sign of a mistake.
 void check_triangles(const std::int32_t* triangles, std::size_t number, std::size_t n)
 {
   check_number(triangles, number);
@@ -120,9 +121,8 @@ Arrays built_of(const core::Point_array& points, const core::Executor& executor)
   const auto orders = core::order_of_core(core::Order_request());
   core::Given_points source(points);
   core::Watcher nobody;
-  const auto build = executor.number_of_workers() > 1
-                         ? &core::build<std::uint32_t, core::Many_threads>
-                         : &core::build<std::uint32_t, core::One_thread>;
+  const auto build = executor.number_of_workers() > 1 ? &core::build<core::Many_threads>
+                                                      : &core::build<core::One_thread>;
   const auto built = build(source, *orders, {true, true}, nobody, executor);
   return core::arrays_of_built<std::int32_t>(*built, source, executor);
 }

@@ -37,7 +37,7 @@ PHASES = {  # a phase is all that is called from lines of the first within the s
     "walk": ("core/kernel/Walk_to_conflict.h", ""),
     "dig": ("core/kernel/Inserter.h", "::dig_in_vectors"),
     "fill": ("core/kernel/Fill_star.h", "Fill_star<.*operator"),
-    "export": ("adapters/insert_surface.h", "Way_through_core"),
+    "export": ("adapters/export_complex.h", "::export_built"),
 }
 MOST_BYTES = 150  # of a file, for each of the vertices that it may have: larger ones are not tried
 

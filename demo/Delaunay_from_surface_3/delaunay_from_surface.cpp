@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The program delaunay_from_surface: from a surface in a file to the Delaunay triangulation of its
-// vertices in another. help.txt says what it can do.
+// The program delaunay_from_surface reads a surface from a file, and writes the Delaunay
+// triangulation of its vertices to another. help.txt says what it can do.
 
 #include "Messages.h"
 #include "Options.h"
@@ -59,7 +59,7 @@ void report_input(const Options& options, const Surface& surface, Report& report
     report("threads", options.threads);
 }
 
-// What is good to know and no error.
+// Notes what is good to know but no error.
 void note_what_is_odd(const Options& options, const Surface& surface, Messages& messages)
 {
   if (surface.collapsed_triangles > 0)
@@ -156,7 +156,7 @@ int run(const Options& options, Report& report, Messages& messages)
   return run(options, surface, output, report, messages, CGAL::Surface_insertion_traits_3());
 }
 
-// Results go where the tetrahedra do not.
+// Results go to the standard output, unless the tetrahedra do.
 int run(const Options& options)
 {
   std::ostream& out = options.output == "-" ? std::cerr : std::cout;
@@ -172,7 +172,7 @@ int run(const Options& options)
   return exit_code;
 }
 
-// One clear line, whatever went wrong.
+// Prints one clear line, whatever went wrong.
 int fail(const std::string& message)
 {
   std::cout.flush();
@@ -191,7 +191,7 @@ int main(int argc, char* argv[])
 {
   try {
     if (argc > 1 && std::string(argv[1]) == "tiles" && asks_for_help(argc, argv))
-      argc = 2, argv[1] = const_cast<char*>("--help"); // it explains both commands
+      argc = 2, argv[1] = const_cast<char*>("--help"); // the help explains both commands
     if (argc > 1 && std::string(argv[1]) == "tiles") {
       const int exit_code = tiles_command(argc - 1, argv + 1);
       return std::cout.flush() ? exit_code

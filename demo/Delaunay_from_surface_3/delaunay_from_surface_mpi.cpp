@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Builds the Delaunay triangulation of points in files by the processes that mpirun or srun has started, and
-// writes it tile by tile. The first of them speaks for all.
+// Builds the Delaunay triangulation of points in files by the processes that mpirun or srun has
+// started, and writes it tile by tile. The first process speaks for all.
 
 #include "Messages.h"
 #include "Report.h"
@@ -94,7 +94,7 @@ Command parse_command_line(int argc, char* argv[])
   return command;
 }
 
-// What all ranks must have been given alike, with its names. Points are compared by what they are.
+// Returns the options that all ranks must share, with their names. Points are compared by value.
 std::vector<std::pair<const char*, std::string>> common_options(const Command& command)
 {
   return {{"output", command.output},
@@ -123,8 +123,8 @@ void agree_on_command(core::Ranks_of_mpi& ranks, const Command& command)
   });
 }
 
-// Each rank reads a part of the points: of different files nobody would see it. What they are is told by 64 of
-// them; the times of the files may differ.
+// Throws if ranks see different points, which would not be noticed, as each reads only a part of
+// them. 64 points are compared; the times of the files may differ.
 void agree_on_points(const core::Ranks_of_mpi& ranks, const Command& command,
                      const CGAL::Point_files_3& points)
 {
@@ -165,7 +165,7 @@ void finish(Report& report)
     throw std::runtime_error("the results cannot be written to the standard output");
 }
 
-// What concerns all tiles: by one rank, when all are written.
+// Finishes the work that concerns all tiles, on one rank, when all are written.
 void finish(const Command& command, const CGAL::Tiles_report& result,
             const CGAL::Tiles_by_mpi_3& engine, core::Joined_tiles* joined)
 {
@@ -180,7 +180,7 @@ void finish(const Command& command, const CGAL::Tiles_report& result,
   finish(report);
 }
 
-// All was done before, but that.
+// Joins tiles that were finished before.
 void join_alone(const Command& command, core::Joined_tiles& joined)
 {
   Report report(std::cout, style_of(command));
@@ -190,7 +190,7 @@ void join_alone(const Command& command, core::Joined_tiles& joined)
   finish(report);
 }
 
-// By one rank. True: all that was asked for is done now.
+// Begins on one rank. Returns whether all that was asked for is done by then.
 bool begin_output(const Command& command, const CGAL::Point_files_3& points,
                   std::optional<core::Joined_tiles>& joined)
 {

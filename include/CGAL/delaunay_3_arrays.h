@@ -53,11 +53,8 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using Id = std::make_unsigned_t<Index>;
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
-  static_assert(std::is_same<Id, std::uint32_t>::value || std::is_same<Id, std::uint64_t>::value,
-                "the compiled core has indices std::int32_t and std::int64_t");
-#endif
+  static_assert(std::is_same<Index, std::int32_t>::value,
+                "indices are std::int32_t: for more points use delaunay_3_tiles()");
   check_named_parameters<internal_np::point_t, internal_np::random_seed_t, internal_np::visitor_t>(
       np);
   auto&& visitor = visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
@@ -73,7 +70,7 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
     watcher.surface_is_irregular(*irregularity);
   const Request request = {true, true};
   const auto built =
-      build<Id, typename Crew<Executor>::type>(points, orders, request, watcher, executor);
+      build<typename Crew<Executor>::type>(points, orders, request, watcher, executor);
   if (built->outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
     watcher.insertion_begins(1);
     if (points.points().size() > 0 && !watcher.go_further(0)) {
@@ -108,8 +105,7 @@ last)`. No %CGAL triangulation is built, even if the points lie in a plane or on
 <b>Memory</b>: at the peak and beyond `points` about 270 bytes per point, including the arrays, if
 there are 6.8 cells per point, as for random points in space.
 
-\tparam Index `std::int32_t`: up to \f$2^{30}\f$ cells, or 150 million points; `std::int64_t`: any
-number
+\tparam Index `std::int32_t`: up to \f$2^{30}\f$ cells, or 150 million points
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. With
 `Parallel_tag`, which requires TBB, many threads insert, as with `insert_points_3()`; the numbers of
 the cells then differ from run to run.
@@ -147,7 +143,7 @@ below; any other does not compile
 \return the triangulation; after a stop, one without points and cells
 
 \throws Surface_input_error if a coordinate is not a finite number
-\throws std::length_error if there are more cells than `Index` can number
+\throws std::length_error if there are more than \f$2^{30}\f$ cells
 \throws std::runtime_error if the core is compiled with `-ffast-math`, `-Ofast` or parts of them, or
 denormal numbers become zero in a mode that cannot be left
 

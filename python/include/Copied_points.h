@@ -15,9 +15,9 @@
 
 namespace python {
 
-// Points of an array, copied for as long as the core reads them in its input order: 24 bytes per point
-// before the insertion begins, and none at the peak of memory. So what another thread writes into the
-// array meanwhile may make the result one of other points, but is checked as the first were.
+// Points of an array, copied for as long as the core reads them in its input order: 24 bytes per
+// point before the insertion begins, but none at the peak of memory. If another thread writes into
+// the array meanwhile, the result may be of other points, but these are checked like the first.
 class Copied_points final : public CGAL::Delaunay_from_surface_3::internal::Point_source
 {
   using Point_array = CGAL::Delaunay_from_surface_3::internal::Point_array;

@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_UNLOCKED_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_UNLOCKED_H
 
-// The interpreter's lock, given back and taken again. When the interpreter ends it ends every thread that
-// asks for the lock, as daemon threads still do; those in the middle of C++ would take the process with
-// them. So they wait until it is gone, as Python 3.14 makes them.
+// Gives the interpreter's lock back and takes it again. When the interpreter ends, it ends every
+// thread that asks for the lock, as daemon threads still do; threads in the middle of C++ would
+// take the process with them. So they wait until it is gone, as Python 3.14 makes them.
 
 #include <pybind11/pybind11.h>
 

@@ -14,14 +14,14 @@
 
 namespace python {
 
-// Throws where signs would not be right, as in a thread that takes denormal numbers for 0.
+// Throws if signs would not be right, as in a thread that takes denormal numbers for 0.
 inline void refuse_obstacle()
 {
   if (const char* const obstacle = CGAL::Delaunay_from_surface_3::internal::obstacle_of_core())
     throw std::runtime_error(std::string("the module would be slow, or not exact: ") + obstacle);
 }
 
-// What the files beside module.cpp add to the extension.
+// Each of these adds the functions of one file beside module.cpp to the extension.
 void define_surface_functions(pybind11::module_& m);
 void define_queries(pybind11::module_& m);
 void define_inside(pybind11::module_& m);

@@ -26,7 +26,7 @@ namespace python {
 
 namespace py = pybind11;
 
-// Whether a user's function has returned False, Python's or NumPy's, and not merely nothing.
+// Returns whether a user's function has returned False, Python's or NumPy's, not merely nothing.
 inline bool says_no(const py::object& answer)
 {
   if (py::isinstance<py::bool_>(answer))
@@ -34,7 +34,7 @@ inline bool says_no(const py::object& answer)
   return py::isinstance(answer, py::module_::import("numpy").attr("bool_")) && !py::bool_(answer);
 }
 
-// Says at once, and then every 50 ms, that it is time.
+// Says at first, and then every 50 ms, that it is time.
 class Alarm_clock
 {
   using Clock = std::chrono::steady_clock;
@@ -55,8 +55,8 @@ private:
   Clock::time_point m_last_ring;
 };
 
-// Takes the interpreter lock now and then, for signals and for the user's function. What that
-// raises, KeyboardInterrupt too, goes through the core as an exception.
+// Takes the interpreter lock now and then, for signals and for the user's function. An exception
+// that these raise, such as KeyboardInterrupt, passes through the core.
 class Interruptible_watcher final : public CGAL::Delaunay_from_surface_3::internal::Watcher
 {
   using Rounding = CGAL::Delaunay_from_surface_3::internal::Rounding_to_nearest;
@@ -83,7 +83,7 @@ public:
     });
   }
 
-  // Whether the user's function has stopped the work.
+  // Returns whether the user's function has stopped the work.
   bool is_stopped() const { return m_is_stopped; }
 
   // To be called with the lock, when all is done.
@@ -107,8 +107,8 @@ private:
   bool m_is_stopped = false;
 };
 
-// Runs tasks by threads, and ends them when a signal has raised an exception, such as KeyboardInterrupt.
-// One thread makes the executor and calls run(), without the interpreter's lock.
+// Runs tasks by threads, and ends them when a signal has raised an exception, such as
+// KeyboardInterrupt. One thread makes the executor and calls run(), without the interpreter's lock.
 class Interruptible_executor final : public CGAL::Delaunay_from_surface_3::internal::Executor
 {
   using Task = CGAL::Delaunay_from_surface_3::internal::Task;
@@ -142,7 +142,7 @@ private:
 
   const CGAL::Delaunay_from_surface_3::internal::Thread_executor m_threads;
   const std::thread::id m_caller = std::this_thread::get_id();
-  mutable Alarm_clock m_clock; // the caller's alone
+  mutable Alarm_clock m_clock; // for the caller's thread only
   mutable std::exception_ptr m_error;
   mutable std::atomic<bool> m_is_stopped{false};
 };

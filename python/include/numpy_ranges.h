@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_RANGES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_RANGES_H
 
-// What Python hands over, as ranges: NumPy's arrays of usual types are read where they are.
+// Reads Python's objects as ranges: NumPy's arrays of usual types are read in place.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -26,7 +26,7 @@ namespace python {
 
 namespace py = pybind11;
 
-// item(0), …, item(n - 1).
+// The range of item(0), …, item(n - 1).
 template <class Item>
 class Indexed_range
 {
@@ -101,7 +101,7 @@ template <class Wide, class Narrow>
 class Matrix_view
 {
 public:
-  // Of the rows from one on.
+  // Views the rows from `first` on.
   explicit Matrix_view(const py::array& array, std::size_t first = 0)
     : m_data(static_cast<const char*>(array.data()) + std::ptrdiff_t(first) * array.strides(0))
     , m_row_stride(array.strides(0))
@@ -119,7 +119,7 @@ public:
 
 private:
   template <class Entry>
-  static Entry read(const char* place) // which need not be aligned
+  static Entry read(const char* place) // the place need not be aligned
   {
     Entry entry;
     std::memcpy(&entry, place, sizeof(entry));
@@ -136,7 +136,7 @@ inline std::string shape_of(const py::array& array)
   return std::string(py::str(array.attr("shape")));
 }
 
-// Refuses masked arrays, and rows that are some: NumPy would hand over what the mask hides.
+// Refuses masked arrays, and lists with such rows: NumPy would hand over entries under the mask.
 inline void refuse_mask(const std::string& name, const py::object& object)
 {
   const py::object masked_array = py::module_::import("numpy.ma").attr("MaskedArray");
@@ -148,8 +148,8 @@ inline void refuse_mask(const std::string& name, const py::object& object)
     throw py::value_error(name + ": a masked array is not read; leave out what is masked");
 }
 
-// What NumPy makes an array of: what can be read only once is put into a list, and what has nothing but
-// the protocol of DLPack is asked by that.
+// Returns what NumPy makes of an object. An object that can be read only once is put into a list
+// first, and one that has only the protocol of DLPack is read by that.
 inline py::object array_or_alike(const py::object& object)
 {
   const py::module_ numpy = py::module_::import("numpy");
@@ -165,7 +165,7 @@ inline py::object array_or_alike(const py::object& object)
   return py::module_::import("numpy.lib.recfunctions").attr("structured_to_unstructured")(array);
 }
 
-// The same as an array; why there is none is the cause of the exception.
+// Returns the same as an array; if there is none, the exception has the reason as its cause.
 inline py::array array_from_any(const std::string& name, const py::object& object,
                                 const std::string& what)
 {
@@ -180,7 +180,7 @@ inline py::array array_from_any(const std::string& name, const py::object& objec
   }
 }
 
-// An array whose entries are `kind`s of 4 or 8 bytes; others are converted if they are of `kinds`.
+// Returns an array of kinds[0] with entries of 4 or 8 bytes; others of `kinds` are converted.
 inline py::array array_of(const std::string& name, const py::object& object,
                           const std::string& kinds, const std::string& what, const char* converted)
 {
@@ -195,7 +195,7 @@ inline py::array array_of(const std::string& name, const py::object& object,
   return is_usual ? array : py::array(array.attr("astype")(converted));
 }
 
-// Of shape (n, 3); an empty sequence is one of no points.
+// Returns an array of shape (n, 3); an empty sequence stands for no points.
 inline py::array array_of_points(const py::object& object, const std::string& name = "points")
 {
   refuse_mask(name, object);
@@ -210,7 +210,8 @@ inline py::array array_of_points(const py::object& object, const std::string& na
 // The points of such an array.
 using Points_view = Matrix_view<double, float>;
 
-// Their coordinates one after the other, in doubles, which are finite; the first has number `first`.
+// Copies their coordinates one after the other, as doubles, and refuses those that are not finite.
+// The first point has number `first`.
 template <class Vector>
 void copy_points(const Points_view& view, std::size_t n, const char* name, Vector& coordinates,
                  std::size_t first = 0)
@@ -226,7 +227,7 @@ void copy_points(const Points_view& view, std::size_t n, const char* name, Vecto
     }
 }
 
-// Refuses what was at least 2^63 before it was converted.
+// Refuses indices that were at least 2^63 before they were converted.
 template <class View>
 void refuse_wrapped(const View& view, std::size_t rows, std::size_t columns)
 {
@@ -237,7 +238,7 @@ void refuse_wrapped(const View& view, std::size_t rows, std::size_t columns)
                               std::to_string(std::uint64_t(view(i, j))) + " is too large");
 }
 
-// Faces as VTK has them in one array: before the indices of each it says how many there are.
+// Reads faces as VTK has them in one array, where each face's number of indices precedes these.
 inline std::vector<std::vector<std::int64_t>> faces_of_vtk(const py::array& array)
 {
   const auto n = std::size_t(array.shape(0));
@@ -258,7 +259,7 @@ inline std::vector<std::vector<std::int64_t>> faces_of_vtk(const py::array& arra
   return faces;
 }
 
-// Whether an object is not an array, but is read as one.
+// Returns whether an object is not an array, but is read as one.
 inline bool is_array_alike(const py::object& object)
 {
   return py::isinstance<py::memoryview>(object) || py::hasattr(object, "__array__") ||
@@ -276,7 +277,7 @@ auto with_faces(const py::object& object, const F& f)
       return f(faces_of_vtk(array));
     if (array.ndim() != 2)
       throw py::value_error("faces: expected an array of shape (m, k), got " + shape_of(array));
-    // A copy: what another thread writes meanwhile is not read.
+    // The array is copied, so that nothing is read that another thread writes meanwhile.
     const py::array rows = py::array(array.attr("copy")("C"));
     const Matrix_view<std::int64_t, std::int32_t> view(rows);
     const auto n = std::size_t(array.shape(0)), k = std::size_t(array.shape(1));
@@ -297,7 +298,7 @@ auto with_faces(const py::object& object, const F& f)
     }
   } catch (const py::error_already_set& error) {
     if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_AttributeError))
-      throw; // the caller's own
+      throw; // it is the caller's own
     throw py::type_error("faces: face " + std::to_string(faces.empty() ? 0 : faces.size() - 1) +
                          ": expected sequences of integers");
   } catch (const py::cast_error&) {

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_ROWS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PYTHON_NUMPY_ROWS_H
 
-// The arrays of a result: points and simplices as they are read, and new ones.
+// The arrays of a result: points and simplices are read in place, and new arrays are made.
 
 #include "numpy_ranges.h"
 
@@ -24,7 +24,7 @@ using Index = std::int32_t;
 using Numbers = py::array_t<Index>;
 using Points = py::array; // of shape (n, 3), float64 or float32
 
-// The coordinates of a point, where they are.
+// Returns the coordinates of a point, which are read in place.
 struct Point_of
 {
   Points_view view;
@@ -35,7 +35,7 @@ struct Point_of
   }
 };
 
-// A matrix of numbers with rows in one piece, as the module makes them; others are copied.
+// A matrix of numbers whose rows are contiguous, as the module makes them; others are copied.
 class Rows
 {
 public:
@@ -55,7 +55,7 @@ public:
 
   Index entry(std::size_t i, std::size_t k) const { return m_data[i * m_stride + k]; }
 
-  // The same; throws if it is not one of 0, …, n-1.
+  // Returns the same, but throws if it is not one of 0, …, n-1.
   Index number(std::size_t i, std::size_t k, std::size_t n) const
   {
     const Index v = entry(i, k);
@@ -79,7 +79,7 @@ private:
   std::size_t m_stride = stride();
 };
 
-// A new array, which takes what is in the vector.
+// Returns a new array, which takes the contents of the vector.
 template <class T>
 py::array_t<T> array_from(std::vector<T>&& vector, std::vector<py::ssize_t> shape)
 {
@@ -90,7 +90,7 @@ py::array_t<T> array_from(std::vector<T>&& vector, std::vector<py::ssize_t> shap
   return py::array_t<T>(std::move(shape), data, owner);
 }
 
-// A copy of numbers from 0 to n-1: what another thread writes into the array meanwhile is not read.
+// Copies numbers from 0 to n-1, so that nothing is read that another thread writes meanwhile.
 inline std::vector<Index> checked_copy(const Rows& rows, std::size_t n)
 {
   std::vector<Index> copy;

@@ -5,7 +5,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
 #define CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY
 
-// Points in files: where the coordinates are in a .npy, .ply or raw file, and how ranges of them are read.
+// Points in files: finds the coordinates in a .npy, .ply or raw file, and reads ranges of them.
 
 #include "Records.h"
 
@@ -55,14 +55,14 @@ double number_at(const char* bytes, bool is_swapped)
 
 struct Point_file_layout
 {
-  std::uint64_t number_of_points = 0, first = 0; // the second: of the first point, in bytes
-  std::size_t stride = 24;                       // from a point to the next
+  std::uint64_t number_of_points = 0, first = 0; // the latter: offset of the first point, in bytes
+  std::size_t stride = 24;                       // bytes from a point to the next
   std::array<std::size_t, 3> offsets = {0, 8, 16};
   std::array<Number_type, 3> types = {Number_type::FLOAT64, Number_type::FLOAT64,
                                       Number_type::FLOAT64};
   bool is_swapped = !machine_is_little_endian();
 
-  // Coordinate k of a point.
+  // Returns coordinate k of a point.
   double number(const char* point, std::size_t k) const
   {
     const char* const bytes = point + offsets[k];
@@ -98,7 +98,7 @@ inline Point_file_layout layout_of_npy(const std::filesystem::path& file)
   if (value_of_key(head, "fortran_order", ",}") != "False")
     refuse_file(file, "its array is stored column by column: store it row by row (order='C')");
   const std::string shape = value_of_key(head, "shape", ")");
-  char* comma = nullptr; // no stream: those of a library in a wheel may know no numbers
+  char* comma = nullptr; // not by a stream: in a library of a wheel these may know no numbers
   layout.number_of_points = std::strtoull(shape.c_str(), &comma, 10);
   if (comma == shape.c_str() || std::string(comma) != ",3")
     refuse_file(file, "an array of shape (" + shape + "): n × 3 numbers are needed");
@@ -110,7 +110,7 @@ inline Point_file_layout layout_of_npy(const std::filesystem::path& file)
   return layout;
 }
 
-// The head of a .ply, line by line.
+// Reads the head of a .ply, line by line.
 class Ply_head
 {
 public:
@@ -166,7 +166,7 @@ private:
     }
   }
 
-  // What comes before the vertices is skipped, and what comes after them is not looked at.
+  // Elements before the vertices are skipped, and elements after them are ignored.
   void end_element()
   {
     m_is_over = m_is_over || m_is_vertex;
@@ -253,7 +253,7 @@ struct Point_files_3::File
 {
   std::filesystem::path path;
   Delaunay_from_surface_3::internal::Point_file_layout layout;
-  std::uint64_t first; // its first point
+  std::uint64_t first; // id of its first point
 
   void read(std::uint64_t begin, std::size_t n, double* coordinates) const
   {

@@ -6,10 +6,11 @@
 #define DELAUNAY_FROM_SURFACE_3_SRC_TILES_RECORDS_H
 
 // Files of records, which appear only when they are complete: they are written beside their place
-// and renamed, so what a killed process or a crash of the machine leaves is never taken for a whole.
+// and renamed, so a remainder of a killed process or a crashed machine is never taken for a whole
+// file.
 //
-// Each begins with a word that says what it is and of which version, and the number of the run.
-// Numbers are those of the machine.
+// Each file begins with a text that gives its kind and version, and the number of the run. Numbers
+// are stored as the machine represents them.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
@@ -45,11 +46,11 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The end of the name of what is not complete.
+// The end of the name of an incomplete file.
 constexpr const char* unfinished = ".unfinished";
 
-// What a file that is not complete will be called: its name without a number and `unfinished` at the
-// end; empty if it is none.
+// Returns the future name of an incomplete file, which is its name without a number and
+// `unfinished` at the end; the result is empty for other files.
 inline std::string name_when_finished(const std::string& name)
 {
   const std::string end = unfinished;
@@ -74,12 +75,12 @@ public:
     : m_place(std::move(place))
   {
     std::error_code ignored;
-    if (std::filesystem::is_directory(m_place, ignored)) // or renaming fails, when all is written
+    if (std::filesystem::is_directory(m_place, ignored)) // else renaming would fail later
       fail_to_write(m_place, EISDIR);
     const auto there = std::filesystem::status(m_place, ignored);
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
       throw Tile_files_error(m_place.string() + ": cannot be written: it is no regular file");
-    if (std::filesystem::exists(there)) // a link stays, and what it leads to is replaced
+    if (std::filesystem::exists(there)) // a link stays, and its target is replaced
       m_place = std::filesystem::canonical(m_place);
     errno = 0;
     if (std::filesystem::exists(there)) {
@@ -129,24 +130,24 @@ public:
   }
 
 private:
-  // Before it is renamed: else the name may outlive a crash of the machine, and not what it names.
+  // Syncs the file before it is renamed: else the name might survive a crash, but not the contents.
   bool is_on_disk() const
   {
 #if !defined(_WIN32) && __has_include(<unistd.h>)
-    return ::fsync(::fileno(m_file.get())) == 0 || errno == EINVAL; // of what is no disk
+    return ::fsync(::fileno(m_file.get())) == 0 || errno == EINVAL; // it is on no disk
 #else
     return true;
 #endif
   }
 
-  // Nor is the name on the disk before its folder is.
+  // Syncs the folder, without which the name is not on the disk.
   void keep_name() const
   {
 #if !defined(_WIN32) && __has_include(<unistd.h>)
     const std::filesystem::path folder = std::filesystem::absolute(m_place).parent_path();
     const int file = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0)
-      return; // it may be written to, and not read
+      return; // the folder may be writable, but not readable
     const bool is_kept = ::fsync(file) == 0 || errno == EINVAL || errno == EROFS;
     const int error = errno;
     ::close(file);
@@ -179,7 +180,7 @@ public:
                              std::generic_category().message(errno != 0 ? errno : ENOENT));
   }
 
-  // Of the file; 0 if that cannot be found out.
+  // Returns the size of the file, or 0 if it cannot be found out.
   std::uint64_t size() const
   {
     std::error_code ignored;
@@ -202,10 +203,10 @@ private:
   std::ifstream m_stream;
 };
 
-// What stands at the beginning of each file of a run.
+// The beginning of each file of a run.
 struct Record_head
 {
-  char what[32] = {}; // "dfs3 tiles 4 tiling"
+  char what[32] = {}; // for example "dfs3 tiles 4 tiling"
   std::uint64_t run;
 
   Record_head(const char* kind, std::uint64_t run_number)
@@ -215,8 +216,8 @@ struct Record_head
   }
 };
 
-// A hash of bytes. Each word goes into it by a function that can be inverted, so no change of one word
-// is missed.
+// A hash of bytes. Each word enters it by an invertible function, so no change of one word is
+// missed.
 class Checksum
 {
 public:
@@ -235,7 +236,7 @@ public:
     }
   }
 
-  // Of all bytes; the next is of those that come then.
+  // Returns the hash of all bytes so far, and starts a new one.
   std::uint64_t finish()
   {
     if (m_filled > 0)
@@ -259,7 +260,7 @@ private:
   std::size_t m_filled = 0;
 };
 
-// Behind each record, which is an item or a vector of items, stands its checksum: it can be read alone.
+// Writes records, each an item or a vector of items. Its checksum follows, so it can be read alone.
 class Record_writer
 {
 public:
@@ -276,7 +277,7 @@ public:
     end();
   }
 
-  // The number of the items, and then these.
+  // Writes the number of the items, and then the items.
   template <class T>
   void put(const std::vector<T>& items)
   {
@@ -291,7 +292,7 @@ public:
     end();
   }
 
-  // So many items, which give(put) gives to put() one after the other.
+  // Writes n items, which give(put) passes to put() one after the other.
   template <class Give>
   void put_each(std::uint64_t n, const Give& give)
   {
@@ -300,7 +301,8 @@ public:
     end();
   }
 
-  // Items that are sorted by part: those of part t end before ends[t + 1]. Each part can be read alone.
+  // Writes items that are sorted by part: part t has those from ends[t] to before ends[t + 1]. Each
+  // part can be read alone.
   template <class T>
   void put_parts(const std::vector<std::uint64_t>& ends, const std::vector<T>& items)
   {
@@ -315,7 +317,7 @@ public:
 
   void finish() { m_bytes.finish(); }
 
-  // In the file.
+  // Sizes in the file.
   template <class T>
   static constexpr std::uint64_t size_of_record = sizeof(T) + sizeof(std::uint64_t);
   static constexpr std::uint64_t size_of_head = size_of_record<Record_head>;
@@ -345,7 +347,7 @@ private:
 class Record_reader
 {
 public:
-  // The run: 0 if any will do.
+  // If `run` is 0, any run will do.
   Record_reader(const std::filesystem::path& place, const char* kind, std::uint64_t run)
     : m_bytes(place)
     , m_left(m_bytes.size())
@@ -384,7 +386,7 @@ public:
     append(items);
   }
 
-  // The vector that is at a place of the file, behind what is in `items`.
+  // Appends the vector at a place of the file to `items`.
   template <class T>
   void append_at(std::uint64_t offset, std::vector<T>& items)
   {
@@ -392,7 +394,7 @@ public:
     append(items);
   }
 
-  // The items of a part, behind what is in `items`.
+  // Appends the items of a part to `items`.
   template <class T>
   void append_part(std::uint64_t part, std::vector<T>& items)
   {
@@ -408,7 +410,7 @@ private:
     m_bytes.seek(offset);
   }
 
-  // What cannot be there is not made room for.
+  // Does not allocate memory for more items than the file can have.
   template <class T>
   void append(std::vector<T>& items)
   {
@@ -476,7 +478,7 @@ inline std::uint64_t size_of_file(const std::filesystem::path& file)
   return size;
 }
 
-// The head of a .npy: a dictionary of Python's, and the place of the first number.
+// The head of a .npy: the text of a Python dictionary, and the place of the first number.
 struct Npy_head
 {
   std::string text;
@@ -503,7 +505,7 @@ inline Npy_head read_head_of_npy(const std::filesystem::path& file)
   return {std::move(text), first + length};
 }
 
-// The value of a key in that dictionary.
+// Returns the value of a key in that dictionary.
 inline std::string value_of_key(const std::string& head, const std::string& key,
                                 const std::string& end)
 {

@@ -5,16 +5,16 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_SRC_TILES_TILE_FOLDER_H
 #define DELAUNAY_FROM_SURFACE_3_SRC_TILES_TILE_FOLDER_H
 
-// A folder with the state of a run of tiles: what each kind of file is called and holds. Ranges of
-// the input are numbered as tiles are.
+// The folder with the state of a run of tiles has files with these names and contents. Ranges of
+// the input are numbered like tiles.
 //
-//   input            what the run is of
-//   range-K          what is to be known of a range before there are tiles; then: tiling
+//   input            the points and options of the run
+//   range-K          the summary of range K; then: tiling
 //   home-K           its points, by owner; then: homes
-//   tile-T-R         what tile T was after round R, if it heard anything in it
-//   post-T-R         what it told then; then: closed-R, where each message is
-//   show-R           which tiles show each other why they differ, before round R
-//   piece-T, certificate-T    what it has when all is done; then: certified
+//   tile-T-R         the state of tile T after round R, if it took part in this round
+//   post-T-R         its messages in this round; then: closed-R, with the place of each message
+//   show-R           pairs of tiles that show each other in round R why they differ
+//   piece-T, certificate-T    the result and the certificate of tile T; then: certified
 
 #include "Records.h"
 
@@ -48,9 +48,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A run has its folder alone; who does tasks one by one shares it with others that do, or takes
-// turns with them, and waits for its own. What a process has locked nobody has when it is killed.
-// Where the system has no such locks, or the folder is on another machine, nobody is refused.
+// A run has its folder alone. Processes that do tasks one by one share it with each other, or take
+// turns and wait for their own. A killed process loses its locks. If the system has no such locks,
+// or the folder is on another machine, no process is refused.
 class Folder_lock
 {
 public:
@@ -91,13 +91,13 @@ private:
   int m_file = -1;
 };
 
-// What a run is of.
+// The input of a run.
 struct Tiles_input
 {
   std::uint64_t points, fingerprint, sample_share, points_at_once, most_points_kept, tiles;
 };
 
-// Where a message is in the file of its sender, and how many points it has.
+// The place of a message in the file of its sender, and the number of its points.
 struct Posted
 {
   std::uint32_t from, to;
@@ -106,9 +106,9 @@ struct Posted
 
 struct Closed_round
 {
-  std::uint64_t told = 0, seed = 0;       // of the certificates, if nothing was told
+  std::uint64_t told = 0, seed = 0;       // the seed is for certificates, if nothing was told
   std::vector<Posted> posts;              // by sender
-  std::vector<std::uint32_t> last_rounds; // by tile: that of its last state
+  std::vector<std::uint32_t> last_rounds; // by tile: the round of its last state
 };
 
 class Tile_folder
@@ -169,7 +169,7 @@ public:
     return tiling;
   }
 
-  // The points of a range, sorted by owner; those of tile t are those from ends[t] to ends[t + 1].
+  // Writes the points of a range, sorted by owner; those of tile t begin at ends[t].
   void write_home(std::size_t k, const std::vector<std::uint64_t>& ends,
                   const std::vector<Tile_point>& points) const
   {
@@ -309,10 +309,10 @@ private:
   std::uint64_t m_run = 0;
 };
 
-// The files that a run writes into its folder (Tiles_to_files.h), known by their names; others are not
-// touched. What is written is never what is read.
+// A run knows the files that it writes into its folder (Tiles_to_files.cpp) by their names, and
+// touches no others. It never overwrites its input.
 
-// Whether a file of this name is one of a tile, or of all for ParaView.
+// Returns whether a file of this name belongs to one tile, or to all for ParaView.
 inline bool is_file_of_tiles(const std::string& name)
 {
   if (name == "tiles.pvtu")
@@ -328,13 +328,13 @@ inline bool is_file_of_tiles(const std::string& name)
          (kind == "cells" || kind == "ids" || kind == "points" || kind == "neighbors");
 }
 
-// Whether a file of this name is one of a tile, of all, or the report.
+// Returns whether a file of this name belongs to one tile or to all, or is the report.
 inline bool is_file_of_run(const std::string& name)
 {
   return is_file_of_tiles(name) || name == "tiles.json";
 }
 
-// The names of what is in a folder and not below; none if there is no folder.
+// Returns the names in a folder, but not below it; the list is empty if there is no folder.
 inline std::vector<std::string> names_in(const std::filesystem::path& folder)
 {
   std::vector<std::string> names;
@@ -348,7 +348,7 @@ inline std::vector<std::string> names_in(const std::filesystem::path& folder)
   return names;
 }
 
-// The files of tiles that are in a folder.
+// Returns the files of tiles in a folder.
 inline std::vector<std::filesystem::path> files_of_tiles(const std::filesystem::path& folder)
 {
   std::vector<std::filesystem::path> files;
@@ -358,7 +358,7 @@ inline std::vector<std::filesystem::path> files_of_tiles(const std::filesystem::
   return files;
 }
 
-// What processes have left in the folder of a run that were killed while they wrote a file of it.
+// Returns the incomplete files of a run that killed processes have left in its folder.
 inline std::vector<std::filesystem::path> left_files(const std::filesystem::path& folder)
 {
   std::vector<std::filesystem::path> files;
@@ -368,8 +368,8 @@ inline std::vector<std::filesystem::path> left_files(const std::filesystem::path
   return files;
 }
 
-// Returns the place that a name leads to through links. The place need not exist; a name that the system
-// cannot follow is only made absolute.
+// Returns the place to which a name leads through links. The place need not exist; a name that the
+// system cannot follow is only made absolute.
 inline std::filesystem::path place_of(const std::filesystem::path& name)
 {
   std::error_code error;
@@ -378,7 +378,7 @@ inline std::filesystem::path place_of(const std::filesystem::path& name)
   return error ? absolute.lexically_normal() : place;
 }
 
-// Whether a run in this folder writes a file of this name, or removes it with its state.
+// Returns whether a run in this folder writes a file of this name, or removes it with its state.
 inline bool is_of_run(const std::filesystem::path& file, const std::filesystem::path& folder)
 {
   const std::filesystem::path parent = place_of(file.parent_path()),
@@ -388,10 +388,10 @@ inline bool is_of_run(const std::filesystem::path& file, const std::filesystem::
              state.end();
 }
 
-// A file that points are read from must not be one that a run in this folder writes.
+// Throws if a run in this folder would write a file that points are read from.
 inline void refuse_to_overwrite(const Tile_source_3& source, const std::filesystem::path& folder)
 {
-  std::error_code error; // what is not there is not overwritten
+  std::error_code error; // a file that is not there is not overwritten
   for (const std::filesystem::path& file : source.files())
     for (const auto& place : {std::filesystem::absolute(file, error), place_of(file)})
       if (is_of_run(place, folder))
@@ -399,8 +399,8 @@ inline void refuse_to_overwrite(const Tile_source_3& source, const std::filesyst
                                ": would be overwritten: name another folder for the tiles");
 }
 
-// A file that is written beside those of a run in this folder must be none of these, and none that
-// points are read from.
+// Throws if a file that is written beside those of a run in this folder is one of these, or one
+// that points are read from.
 inline void refuse_output(const Tile_source_3& source, const std::filesystem::path& folder,
                           const std::filesystem::path& output)
 {
@@ -415,9 +415,9 @@ inline void refuse_output(const Tile_source_3& source, const std::filesystem::pa
                              ": would overwrite a file of the run: name another file");
 }
 
-// A folder that goes at once: who is killed while its files are removed leaves none under its name.
+// A folder vanishes at once: a process that is killed while it removes the files leaves none in it.
 
-// It is renamed first, to what ends like all that is not complete.
+// Renames the folder first; the new name ends like those of incomplete files.
 inline void forget_folder(const std::filesystem::path& place)
 {
   std::random_device random;
@@ -430,10 +430,10 @@ inline void forget_folder(const std::filesystem::path& place)
   std::filesystem::remove_all(aside, error);
 }
 
-// What processes left that were killed while they forgot it.
+// Removes the remains that processes left when they were killed while forgetting the folder.
 inline void remove_forgotten(const std::filesystem::path& place)
 {
-  std::error_code ignored; // it may be another's, or gone
+  std::error_code ignored; // it may belong to another process, or be gone
   for (const std::string& name : names_in(place.parent_path()))
     if (name_when_finished(name) == place.filename().string())
       std::filesystem::remove_all(place.parent_path() / name, ignored);

@@ -5,13 +5,13 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_SRC_TILES_TILES_STAGES_H
 #define DELAUNAY_FROM_SURFACE_3_SRC_TILES_TILES_STAGES_H
 
-// An engine out of core: the state of a round is in a folder, and what is to be done at a time are
-// tasks, one for a range of the input or a tile. A task reads files and writes others, the same
-// whenever it is done; so it may be killed at any moment and done again, by any process. When all
-// tasks of a stage are done, the stage is closed by one more file.
+// An engine out of core: the state of a round is in a folder, and the work of a stage consists of
+// tasks, one for each range of the input or each tile. A task reads files and writes others, which
+// are the same whenever it is done; so it may be killed at any moment and done again, by any
+// process. When all tasks of a stage are done, one more file closes the stage.
 //
-// In memory there is one tile for each thread: it is made again from the points that it keeps when
-// its turn comes.
+// In memory there is one tile for each thread: when its turn comes, it is made again from the
+// points that it keeps.
 
 #include "Tile_folder.h"
 
@@ -45,10 +45,10 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The tasks of a run in a folder: what each reads and writes. The same is written whenever it is
-// done, but for the order of a tile's cells if several threads make it.
+// The tasks of a run in a folder. A task writes the same whenever it is done, except for the order
+// of a tile's cells if several threads make it.
 
-// Of a run: references.
+// Refers to the data of a run.
 struct Tile_tasks
 {
   const Tile_folder& folder;
@@ -77,7 +77,7 @@ struct Tile_tasks
     return tiling_of(ranges, input.points, std::uint32_t(input.tiles), sampling());
   }
 
-  // A range's points go to the tiles that own them.
+  // Sorts the points of a range by the tiles that own them.
   void bring_home(std::size_t k, const Tiling& tiling) const
   {
     const std::uint64_t first = first_of_range(k);
@@ -97,8 +97,8 @@ struct Tile_tasks
     folder.write_home(k, ends, points);
   }
 
-  // A tile hears what it was told in the round before, and tells; it also shows those that differ
-  // from it why.
+  // Lets a tile hear what it was told in the round before, and tell; it also shows the tiles that
+  // differ from it why.
   void do_round(std::uint32_t t, const Tiling& tiling, std::size_t round,
                 const Closed_round& before, const Tile_pairs& shown) const
   {
@@ -136,7 +136,7 @@ struct Tile_tasks
     folder.write_state(t, round, std::move(*tile).state());
   }
 
-  // What a tile has when all is done.
+  // Writes the result and the certificate of a tile.
   void finish_tile(std::uint32_t t, const Tiling& tiling, const Closed_round& last) const
   {
     Tile_state state{folder.read_state(t, last.last_rounds[t]).kept, {}, {}}; // nothing is told now
@@ -164,8 +164,8 @@ private:
     return own;
   }
 
-  // Calls hear(messages) with what the tile was told in a round, in portions of about as many points as it
-  // may keep.
+  // Calls hear(messages) with the messages to a tile in a round, in portions of about as many
+  // points as it may keep.
   template <class Hear>
   void hear_messages(std::uint32_t t, std::size_t round, const Closed_round& closed,
                      const Hear& hear) const
@@ -195,8 +195,8 @@ private:
   }
 };
 
-// The stages of a run in a folder (Tile_folder.h), and their tasks: to read the ranges of the
-// input, to bring their points home, rounds, and what all is for.
+// The stages of a run in a folder (Tile_folder.h), and their tasks: first the ranges of the input
+// are read, then their points are brought home, then there are rounds, and at last the results.
 
 class Tiles_stages
 {
@@ -208,11 +208,11 @@ public:
   {
   }
 
-  // Begins, or finds out what there is. At once: how many tiles are in memory.
+  // Begins, or finds out how far a run is. `at_once` tiles are in memory at the same time.
   void begin(const Tile_source_3& source, const Tiles_options& options, std::size_t at_once)
   {
     m_source = &source;
-    m_tiling.reset(); // of another call
+    m_tiling.reset(); // it is from another call
     m_closed = {};
     m_limit = most_points_kept(options, at_once);
     std::error_code error;
@@ -229,7 +229,7 @@ public:
   const Tile_folder& folder() const { return m_folder; }
   const Tiles_input& input() const { return m_input; }
   Stage stage() const { return m_stage; }
-  std::size_t rounds() const { return m_round; } // that are closed
+  std::size_t rounds() const { return m_round; } // closed ones
   std::uint64_t told() const { return m_told; }
 
   std::string name() const
@@ -255,7 +255,7 @@ public:
     return true;
   }
 
-  // By n threads. Of several tasks at once each is done by any thread or process.
+  // Does task k with n threads. Any threads or processes may do several tasks at once.
   void do_task(std::size_t k, std::size_t n) const
   {
     if (is_done(k))
@@ -273,7 +273,7 @@ public:
     }
   }
 
-  // When all tasks are done, and nobody does any.
+  // Closes the stage, when all of its tasks are done and no process works on any.
   void close()
   {
     CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(is_all_done());
@@ -300,14 +300,14 @@ public:
     return certificates;
   }
 
-  // Rounds go on, in which these show each other why they differ.
+  // Continues with a round in which the tiles of each pair show each other why they differ.
   void show(const Tile_pairs& pairs)
   {
     m_folder.write_show(m_round, pairs);
     find_stage();
   }
 
-  // Removes what is not read any more, and what killed processes left. When nobody does any task.
+  // Removes files that are read no more or were left by killed processes, when no task is at work.
   void clean() const
   {
     std::set<std::string> kept;
@@ -446,7 +446,7 @@ private:
         }
     }
     for (std::uint32_t t = 0; t < m_input.tiles && closed.told == 0; ++t)
-      for (const char* kind : {"certificate", "piece"}) // before rounds went on
+      for (const char* kind : {"certificate", "piece"}) // from before the rounds went on
         std::filesystem::remove(m_folder.file(kind, t));
     std::random_device random;
     closed.seed = std::uint64_t(random()) << 32 | random();
@@ -475,12 +475,12 @@ public:
   {
   }
 
-  // Begins, or goes on where the folder's state is.
+  // Begins, or continues from the state in the folder.
   void begin(const Tile_source_3& source, const Tiles_options& options)
   {
     m_progress = options.progress;
     m_stages.begin(source, options, m_executor.number_of_workers());
-    if (m_stages.stage() == Tiles_stages::DONE) // it may have been killed before it had cleaned
+    if (m_stages.stage() == Tiles_stages::DONE) // it may have been killed before it cleaned
       m_stages.clean();
     while (m_stages.stage() < Tiles_stages::ROUND)
       do_stage();
@@ -512,7 +512,7 @@ public:
 
   void show(const Tile_pairs& pairs) { m_stages.show(pairs); }
 
-  // What tile t has; and that nobody will ask for it again.
+  // tile(t) returns the result of tile t; drop_tile(t) says that it will not be asked for again.
   Delaunay_3_tile tile(std::uint32_t t) const { return m_stages.folder().read_piece(t); }
   void drop_tile(std::uint32_t t) const
   {
@@ -520,7 +520,7 @@ public:
     std::filesystem::remove(m_stages.folder().file("piece", t), ignored);
   }
 
-  // Removes all that there is.
+  // Removes the whole state.
   void forget() { m_stages.forget(); }
 
   template <class F>
@@ -529,7 +529,7 @@ public:
     f();
   }
 
-  // For who does tasks one by one: the stage, its tasks, and its closing.
+  // The stages, for callers that do tasks one by one and close the stages.
   Tiles_stages& stages() { return m_stages; }
 
 private:

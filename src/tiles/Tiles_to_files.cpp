@@ -5,8 +5,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
 #define CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY
 
-// Tiles as files that other programs read, the neighbors of their cells, one file from all of them; and
-// runs in a folder, in one call or task by task.
+// Writes tiles as files that other programs read, with the neighbors of their cells, and joins them
+// in one file; and does runs in a folder, in one call or task by task.
 
 #include "Records.h"
 #include "Tile_folder.h"
@@ -47,8 +47,8 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 namespace {
 
-// The tiles as files that other programs read: for each NumPy's arrays and, if asked for, a piece
-// for ParaView. Each appears when it is complete.
+// Each tile is written as files that other programs read: arrays of NumPy and, if asked for, a
+// piece for ParaView. Each file appears when it is complete.
 
 std::filesystem::path file_of_tile(const std::filesystem::path& folder, const char* kind,
                                    std::uint32_t tile, const char* extension)
@@ -58,7 +58,7 @@ std::filesystem::path file_of_tile(const std::filesystem::path& folder, const ch
   return folder / (std::string(kind) + number + extension);
 }
 
-// The head of an array with so many rows, of so many columns if there is more than one.
+// Returns the head of an array with so many rows and columns; one column makes a flat array.
 std::string head_of_npy(const std::string& type, std::uint64_t rows, std::size_t columns)
 {
   std::string head = "{'descr': '" + std::string(machine_is_little_endian() ? "<" : ">") + type +
@@ -85,7 +85,7 @@ void write_npy(const std::filesystem::path& file, const std::string& type, std::
 
 using Global_cell = std::array<std::int64_t, 4>;
 
-// The finite cells that the tile owns, by ids; a few at a time.
+// Writes the finite cells that the tile owns, by ids; a few at a time.
 void write_cells(const std::filesystem::path& file, const Delaunay_3_tile& tile)
 {
   const std::size_t n = tile.number_of_owned_finite_cells;
@@ -103,8 +103,8 @@ void write_cells(const std::filesystem::path& file, const Delaunay_3_tile& tile)
   to.finish();
 }
 
-// cells-T.npy: the finite cells that the tile owns, by ids; ids-T.npy and points-T.npy: of the
-// vertices of these cells, and of its own; cells last.
+// Writes ids-T.npy and points-T.npy, with the vertices of the stars of own points, and cells-T.npy
+// last, with the finite cells that the tile owns, by ids.
 void write_tile_as_arrays(const std::filesystem::path& folder, const Delaunay_3_tile& tile)
 {
   write_npy(file_of_tile(folder, "ids", tile.number, "npy"), "i8", 1, tile.ids);
@@ -112,7 +112,7 @@ void write_tile_as_arrays(const std::filesystem::path& folder, const Delaunay_3_
   write_cells(file_of_tile(folder, "cells", tile.number, "npy"), tile);
 }
 
-// tile-T.vtu: the same cells, for VTK and ParaView.
+// Writes tile-T.vtu: the same cells, for VTK and ParaView.
 void write_tile_as_vtu(const std::filesystem::path& folder, const Delaunay_3_tile& tile)
 {
   const std::size_t n = tile.ids.size(), m = tile.number_of_owned_finite_cells;
@@ -159,7 +159,7 @@ void write_text(const std::filesystem::path& file, const std::string& text)
   to.finish();
 }
 
-// tiles.pvtu: all of these.
+// Writes tiles.pvtu, which refers to all of these.
 void write_pvtu(const std::filesystem::path& folder, std::uint32_t number_of_tiles)
 {
   std::string text =
@@ -172,7 +172,7 @@ void write_pvtu(const std::filesystem::path& folder, std::uint32_t number_of_til
   write_text(folder / "tiles.pvtu", text + "</PUnstructuredGrid>\n</VTKFile>\n");
 }
 
-// tiles.json: what was done. That it is there says that all is done.
+// Writes tiles.json, the report. If this file exists, all is done.
 void write_report(const std::filesystem::path& folder, const Tiles_report& report)
 {
   char hash[20];
@@ -192,9 +192,9 @@ void write_report(const std::filesystem::path& folder, const Tiles_report& repor
                  "  \"certified\": " + (report.is_certified ? "true" : "false") + "\n}\n");
 }
 
-// One array from those of all tiles.
+// The arrays of all tiles are joined in one.
 
-// How many rows the array of a tile has, and where they begin.
+// The number of rows in the array of a tile, and the place where they begin.
 struct Rows_of_npy
 {
   std::uint64_t number, first;
@@ -210,7 +210,7 @@ struct Rows_of_npy
   }
 };
 
-// A number of the report of a run that has ended.
+// Returns a number from the report of a run that has ended.
 std::uint64_t value_in_report(const std::filesystem::path& folder, const std::string& name)
 {
   const auto place = folder / "tiles.json";
@@ -252,18 +252,17 @@ std::uint64_t join_tiles(const std::filesystem::path& folder, std::uint32_t tile
   return rows;
 }
 
-// The neighbours of the cells of all tiles, by global numbers: those that the cells have one after
-// the other, in the order of the tiles. The neighbour of a cell may be another tile's, which
-// neither need know; so facets that have one cell in a tile meet by the hash of their vertices, in
-// parts, as many as there are tiles. Linear but for sorting.
+// The neighbours of the cells of all tiles, by global numbers: cells are numbered consecutively, in
+// the order of the tiles. The neighbour of a cell may belong to another tile, and neither tile need
+// know the other cell; so facets with only one cell in a tile are matched by the hash of their
+// vertices, in as many parts as there are tiles. Linear, except for sorting.
 //
-// Tasks are done in three stages, those of a stage in any order, again and again if need be.
+// Tasks are done in three stages. Those of one stage may be done in any order, and repeated.
 
 class Tile_neighbors
 {
 public:
-  // Of the tiles in a folder; `state` is another one, in which there is a folder for what lies
-  // between.
+  // Refers to the tiles in `folder`. Intermediate files go to a folder inside of `state`.
   Tile_neighbors(std::filesystem::path folder, const std::filesystem::path& state,
                  std::uint32_t number_of_tiles)
     : m_folder(std::move(folder))
@@ -276,7 +275,7 @@ public:
                         Rows_of_npy(file_of_tile(m_folder, "cells", t, "npy")).number);
   }
 
-  // neighbors-T.npy of all tiles: the numbers of the cells opposite to the vertices; -1: none.
+  // Writes neighbors-T.npy of all tiles: the numbers of the cells opposite to the vertices, or -1.
   void run(const Executor& executor) const
   {
     std::uint32_t done = 0;
@@ -299,7 +298,7 @@ public:
 private:
   static constexpr std::int64_t none = -1;
 
-  // Of cell / 4, opposite to vertex cell % 4; vertices in ascending order.
+  // The facet of cell slot / 4 opposite to vertex slot % 4; vertices are in ascending order.
   struct Facet
   {
     std::array<std::int64_t, 3> vertices;
@@ -341,7 +340,7 @@ private:
     return facets;
   }
 
-  // Calls two(f, g) for each two of sorted facets that are the same, and one(f) for the others.
+  // Calls two(f, g) for each two equal ones of sorted facets, and one(f) for the others.
   template <class Two, class One>
   static void match(const std::vector<Facet>& facets, const Two& two, const One& one)
   {
@@ -354,7 +353,7 @@ private:
       }
   }
 
-  // Those of items in the order of the parts that they belong to; returns where each part ends.
+  // Sorts items by the parts to which they belong; returns 0 and the places where the parts end.
   template <class Item, class Part>
   std::vector<std::uint64_t> sort_by_part(std::vector<Item>& items, const Part& part) const
   {
@@ -433,7 +432,7 @@ private:
           pairs.push_back({f.slot, std::int64_t(g.slot / 4)});
           pairs.push_back({g.slot, std::int64_t(f.slot / 4)});
         },
-        [](const Facet&) {}); // of the convex hull
+        [](const Facet&) {}); // facets of the convex hull
     const auto ends = sort_by_part(pairs, [&](const Neighbor& n) { return tile_of(n.slot); });
     write_parts("between", part, ends, pairs);
   }
@@ -460,13 +459,13 @@ private:
   std::vector<std::uint64_t> m_first; // by tile: the number of its first cell
 };
 
-// A seed is drawn when a round is closed, and stands in the state.
+// The engine ignores this seed: it draws one when a round is closed, and stores it in the state.
 std::uint64_t no_seed()
 {
   return 0;
 }
 
-// What one call does in a folder.
+// The work of one call in a folder.
 class Folder_work
 {
 public:
@@ -480,7 +479,7 @@ public:
   {
   }
 
-  // Begins or goes on, to the end.
+  // Begins or continues a run, and completes it.
   Tiles_report run(const Tile_source_3& source, const Tiles_options& options)
   {
     const Folder_lock lock(m_folder, Folder_lock::ALONE);
@@ -498,12 +497,12 @@ public:
   {
     const Folder_lock lock(m_folder, Folder_lock::SHARED);
     refuse_other_tiles(source);
-    const Folder_lock turn = my_turn(); // another would close the same stage
+    const Folder_lock turn = my_turn(); // another process would close the same stage
     try {
       const std::size_t n = close_and_count(source, options);
       return {n, name(), m_engine.number_of_tiles()};
     } catch (const Surface_input_error&) {
-      m_engine.forget(); // the next one is another
+      m_engine.forget(); // the next input is another
       throw;
     }
   }
@@ -546,12 +545,12 @@ private:
     for (std::uint32_t t = 0; t < m_engine.number_of_tiles(); ++t)
       if (!is_written(t))
         return m_engine.number_of_tiles();
-    stages.clean(); // who closed the last stage may have been killed before
+    stages.clean(); // the process that closed the last stage may have been killed before
     finish();
     return 0;
   }
 
-  // For tasks, of which one is in memory, and has all threads.
+  // For single tasks: one of them is in memory, and has all threads.
   Tiles_stages& begin(const Tile_source_3& source, const Tiles_options& options)
   {
     m_engine.stages().begin(source, options, 1);
@@ -571,14 +570,15 @@ private:
     stages.show(differing);
   }
 
-  // What is there without a state is of another run, and would be taken for what is written already.
+  // Throws if tiles are there without a state: they are of another run, but would be taken for
+  // tiles that this one has written.
   void refuse_other_tiles(const Tile_source_3& source) const
   {
     refuse_to_overwrite(source, m_folder);
     if (std::filesystem::exists(m_folder / "state" / "input"))
       return;
     std::vector<std::filesystem::path> others = files_of_tiles(m_folder);
-    for (const std::string& name : names_in(m_folder / "state")) // it is removed as a whole
+    for (const std::string& name : names_in(m_folder / "state")) // state/ is removed as a whole
       if (name_when_finished(name).empty())
         others.push_back(m_folder / "state" / name);
     if (std::filesystem::exists(m_folder / "tiles.json"))
@@ -634,14 +634,14 @@ private:
     return report;
   }
 
-  // What processes left that were killed; the state is this run's own.
+  // Removes the files that killed processes left; the state is this run's own.
   void remove_left() const
   {
     std::vector<std::filesystem::path> left = left_files(m_folder);
     for (const std::string& name : names_in(m_folder / "state"))
       if (!name_when_finished(name).empty())
         left.push_back(m_folder / "state" / name);
-    std::error_code ignored; // they are in nobody's way
+    std::error_code ignored; // such files do no harm
     for (const auto& path : left)
       std::filesystem::remove(path, ignored);
   }
@@ -653,7 +653,7 @@ private:
   std::mutex m_mutex;
 };
 
-// The file that stands in a folder without a state as long as a run has not ended there.
+// Returns the file that marks a folder without a state as long as a run has not ended there.
 std::filesystem::path mark_of_run(const std::filesystem::path& folder)
 {
   return folder / "tiles.begun";
@@ -736,7 +736,7 @@ void finish_tiles(const std::filesystem::path& folder, const Tiles_report& repor
   if (with_vtu)
     write_pvtu(folder, report.tiles);
   write_report(folder, report);
-  std::error_code ignored; // a mark too many costs nothing
+  std::error_code ignored; // a superfluous mark does no harm
   std::filesystem::remove(mark_of_run(folder), ignored);
 }
 
@@ -784,7 +784,7 @@ Joined_tiles::Joined_tiles(const Tile_source_3& source, const std::filesystem::p
   : m_folder(folder)
 {
   refuse_output(source, folder, file);
-  std::error_code ignored; // it may be where the file is; who locks it says what is wrong with it
+  std::error_code ignored; // it may hold the file, whose opening reports what is wrong
   std::filesystem::create_directories(folder, ignored);
   m_file = std::make_unique<File>(file);
 }

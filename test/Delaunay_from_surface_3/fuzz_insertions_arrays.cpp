@@ -81,7 +81,6 @@ std::vector<Insertion_way> ways_into_arrays()
   return {
       {"arrays along faces", check_arrays<Along_faces<std::int32_t, Alone>>},
       {"arrays of points", check_arrays<Of_points<std::int32_t, Alone>>},
-      {"arrays along faces, 64 bits", check_arrays<Along_faces<std::int64_t, Alone>>},
 #ifdef CGAL_LINKED_WITH_TBB
       {"arrays along faces, Parallel_tag",
        check_arrays<Along_faces<std::int32_t, CGAL::Parallel_tag>>},

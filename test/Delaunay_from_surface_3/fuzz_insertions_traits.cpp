@@ -70,10 +70,7 @@ using Nets_core = Core<Surface_net_rounds, Planned_hints_3>;
 using Geometric_core = Core<Geometric_rounds, Planned_hints_3>;
 using Started_core = Core<meters::Neighbor_started_rounds<Random_plan>, Planned_hints_3>;
 using Spatial_core = Core<Spatial_sort_order, Previous_hint_3>;
-// Enough for 2^6 cells, so that CGAL's insertion takes over on the way.
-using Random_with_8_bits = tests::Traits_with_ids<std::uint8_t, Random_plan, Previous_hint_3>;
-using Hilbert_with_64_bits =
-    tests::Traits_with_ids<std::uint64_t, meters::Hilbert_log_star_rounds, Previous_hint_3>;
+using Hilbert_core = Core<meters::Hilbert_log_star_rounds, Previous_hint_3>;
 using Nets_through_cgal =
     Surface_insertion_policies_3<Full_graph, Surface_net_rounds, Neighbor_hints_3>;
 using Planned_through_cgal = tests::Round_the_core<Random_core>;
@@ -100,8 +97,7 @@ std::vector<Insertion_way> ways_by_traits()
           {"spatial order, core", check_insertion<Tr, Spatial_core, As_soup>},
           {"random plan through CGAL", check_insertion<Tr, Planned_through_cgal, As_graph>},
           {"traces of a forest", check_insertion<Tr, Traced_random, As_soup>},
-          {"random plan, 8 bits", check_insertion<Tr, Random_with_8_bits, As_soup>},
-          {"Hilbert rounds, 64 bits", check_insertion<Tr, Hilbert_with_64_bits, As_graph>},
+          {"Hilbert rounds, core", check_insertion<Tr, Hilbert_core, As_graph>},
           {"nets through CGAL", check_insertion<Tr, Nets_through_cgal, As_soup>}};
 }
 

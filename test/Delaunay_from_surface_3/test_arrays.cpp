@@ -136,12 +136,6 @@ BOOST_AUTO_TEST_CASE(surfaces_with_and_without_faces)
       }
 }
 
-BOOST_AUTO_TEST_CASE(wide_indices)
-{
-  const auto surface = surfaces::genus_surface(1, 500, 0.05);
-  check_arrays(delaunay_3_arrays<std::int64_t>(surface.points, surface.faces), surface.points);
-}
-
 BOOST_AUTO_TEST_CASE(every_dimension)
 {
   BOOST_TEST(delaunay_3_arrays(std::vector<Point>()).dimension() == -1);

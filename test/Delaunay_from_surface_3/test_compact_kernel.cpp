@@ -12,14 +12,18 @@
 
 #include "core_traits.h"
 #include "differential.h"
+#include "parallel_case.h"
 #include "points_and_graphs.h"
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -71,12 +75,12 @@ struct Fallback_visitor : CGAL::Default_surface_insertion_visitor_3
 namespace {
 
 // Inserts the points with the compact kernel, which must serve, and compares.
-template <class Tr = Triangulation, class Plan = As_given, class Id = std::uint32_t>
+template <class Tr = Triangulation, class Plan = As_given>
 void check_equal(const std::vector<Point>& points, const Graph& graph)
 {
   Fallback_visitor visitor;
   Tr tr;
-  CGAL::insert_points_along_graph_3(tr, points, graph, tests::Traits_with_ids<Id, Plan>(),
+  CGAL::insert_points_along_graph_3(tr, points, graph, tests::Traits_of_plan<Plan>(),
                                     CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.reason == "");
   BOOST_TEST(tr.is_valid());
@@ -87,8 +91,6 @@ void check_equal(const std::vector<Point>& points)
 {
   check_equal<Triangulation>(points, Graph(points.size()));
   check_equal<Triangulation, DFS::Spatial_sort_order>(points, Graph(points.size()));
-  // Ids of another size than 32 bits are served by scalar code.
-  check_equal<Triangulation, DFS::Spatial_sort_order, std::uint64_t>(points, Graph(points.size()));
 }
 
 template <class Tr, class T>
@@ -208,34 +210,29 @@ BOOST_AUTO_TEST_CASE(upper_levels_are_filled)
   BOOST_TEST(tr.is_valid());
 }
 
-BOOST_AUTO_TEST_CASE(more_cells_than_ids)
+// By one thread and by two.
+BOOST_AUTO_TEST_CASE(more_cells_than_there_may_be)
 {
-  const std::vector<Point> few = random_points(1000), many = random_points(4000);
-  Triangulation tr;
-  CGAL::insert_points_along_graph_3(tr, few, Graph(few.size()),
-                                    tests::Traits_with_ids<std::uint16_t, DFS::Geometric_rounds>());
-  BOOST_TEST((tr == Triangulation(few.begin(), few.end())));
-  Fallback_visitor visitor;
-  Triangulation wider;
-  CGAL::insert_points_along_graph_3(wider, many, Graph(many.size()),
-                                    tests::Traits_with_ids<std::uint16_t, DFS::Geometric_rounds>(),
-                                    CGAL::parameters::visitor(std::ref(visitor)));
-  BOOST_TEST(visitor.reason == "ids of 16 bits are too few for its cells");
-  BOOST_TEST((wider == Triangulation(many.begin(), many.end())));
-
-  // More points than ids.
-  const std::vector<Point> most = random_points(40000);
-  Triangulation widest;
-  CGAL::insert_points_along_graph_3(widest, most, Graph(most.size()),
-                                    tests::Traits_with_ids<std::uint16_t, DFS::Geometric_rounds>());
-  BOOST_TEST((widest == Triangulation(most.begin(), most.end())));
+  using namespace DFS::internal;
+  const std::vector<std::array<double, 3>> points = tests::points_of("cube", 4000, 1);
+  const auto build_within = [&](const auto& build, std::size_t most_cells) {
+    Given_points source(Point_array(points.front().data(), points.size()));
+    const auto orders = order_of_core(Order_request());
+    Watcher nobody;
+    return build(source, *orders, {true, true, most_cells}, nobody, Thread_executor(2))->outcome;
+  };
+  for (const auto& build : {&build<One_thread>, &build<Many_threads>}) {
+    BOOST_TEST((build_within(build, 60000) == Insertion_outcome::COMPLETE));
+    for (const std::size_t most : {4, 100, 20000})
+      BOOST_TEST((build_within(build, most) == Insertion_outcome::TOO_MANY_CELLS));
+  }
 }
 
 // What the check after an insertion sees.
 BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
 {
   using Level = CGAL::Delaunay_validity_level;
-  using Complex = DFS::internal::Compact_complex<std::uint32_t>;
+  using Complex = DFS::internal::Compact_complex<DFS::internal::Compact_vertex>;
   const std::vector<std::array<double, 3>> points = {
       {{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{.3, .3, .3}}};
   // The first level at which a spoilt complex is found out; 4 if it never is.
@@ -243,7 +240,7 @@ BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
     Complex complex(points.size(), [&](std::size_t i) { return points[i]; });
     complex.start({1, 2, 3, 4});
     using namespace DFS::internal;
-    Inserter<Alone_with_complex<std::uint32_t>> inserter(complex);
+    Inserter<Alone_with_complex<Compact_vertex>> inserter(complex);
     inserter.dig(5, inserter.walk(5, 0, Read_alone()).cell);
     inserter.fill(5);
     spoil(complex);
@@ -277,18 +274,52 @@ BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
   }));
 }
 
-BOOST_AUTO_TEST_CASE(labels_start_again_when_ids_run_out)
+namespace {
+
+// Its labels run out many times over a few thousand insertions.
+struct Vertex_of_short_labels
 {
-  // With 16 bits labels run out many times over these insertions.
-  check_equal(random_points(1000));
-  for (unsigned int seed = 0; seed < 3; ++seed) {
-    const std::vector<Point> points = surfaces::sphere(2000, 0.05).points;
-    Triangulation tr;
-    CGAL::insert_points_along_graph_3(
-        tr, points, Graph(points.size()),
-        tests::Traits_with_ids<std::uint16_t, DFS::Geometric_rounds>(),
-        CGAL::parameters::random_seed(seed));
-    BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
+  double coordinates[3];
+  std::uint32_t cell;
+  std::uint16_t label;
+};
+
+// The cells of points that are inserted one after the other, in scalar code.
+template <class Vertex>
+std::vector<std::array<tests::Id, 4>>
+cells_in_scalars(const std::vector<std::array<double, 3>>& points)
+{
+  using namespace DFS::internal;
+  tests::Subject<Vertex> subject(points);
+  Conflict_zone zone;
+  Compact_predicates<Vertex> predicates(subject.complex, zone.counts);
+  Fill_star<Vertex> fill;
+  Id last = subject.any_vertex;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (subject.vertex_of[i] == 0) {
+      const Id p = Compact_numbers::vertex_of_point(i);
+      const Compact_location place = Walk_to_conflict<Sphere_filter, Read_alone>()(
+          subject.complex, predicates, p, subject.complex.vertex(last).cell);
+      subject.vertex_of[i] = last = place.vertex != 0 ? place.vertex : p;
+      if (place.vertex != 0)
+        continue;
+      Dig_conflict_zone<Explore_neighbors>()(subject.complex, predicates, zone, p, place.cell);
+      fill(subject.complex, zone, p);
+    }
+  BOOST_TEST(is_valid(subject.complex, CGAL::Delaunay_validity_level::DELAUNAY));
+  return subject.cells();
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(scalar_code_and_labels_that_start_again)
+{
+  for (const char* const kind :
+       {"cube", "duplicates", "sphere", "lattice", "moment curve", "hub"}) {
+    const auto points = tests::points_of(kind, kind[0] == 'm' ? 300 : 4000, 1);
+    const auto expected = tests::cells_by_one(points);
+    BOOST_TEST((cells_in_scalars<DFS::internal::Compact_vertex>(points) == expected), kind);
+    BOOST_TEST((cells_in_scalars<Vertex_of_short_labels>(points) == expected), kind);
   }
 }
 

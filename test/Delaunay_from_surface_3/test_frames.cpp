@@ -142,7 +142,7 @@ auto looking(Looking_visitor& visitor)
 BOOST_AUTO_TEST_CASE(into_a_triangulation)
 {
   const auto way = [](const char* function) {
-    return Names{"insert_in_rounds", "build", "insert_surface", function};
+    return Names{"insert_in_rounds", "build", "insert_through_core", "insert_surface", function};
   };
   Triangulation tr;
   const auto insert = [&](const std::string& function, const auto& call) {

@@ -37,9 +37,6 @@ using Triangulation =
 
 namespace parts = CGAL::Delaunay_from_surface_3;
 
-template <class Id>
-using Traits_with_bits = tests::Traits_with_ids<Id, parts::Geometric_rounds>;
-
 namespace {
 
 template <class Traits = CGAL::Surface_insertion_traits_3>
@@ -141,29 +138,4 @@ BOOST_AUTO_TEST_CASE(every_category_in_every_rounding_mode)
         c.stops_by_exception = true;
         check(c);
       }
-}
-
-// Some 27000 cells; 16 bits suffice for 2^14.
-BOOST_AUTO_TEST_CASE(more_cells_than_ids)
-{
-  fuzz::Random random(1);
-  Insertion_case c;
-  c.points = fuzz::cube(random, 4000);
-  check<Traits_with_bits<std::uint16_t>>(c);
-  c.old_points = fuzz::cube(random, 10);
-  check<Traits_with_bits<std::uint16_t>>(c);
-  c.old_points.clear();
-  c.stops_at = 3900;
-  check<Traits_with_bits<std::uint16_t>>(c);
-}
-
-// 8 bits do not even suffice for the vertices.
-BOOST_AUTO_TEST_CASE(more_vertices_than_ids)
-{
-  fuzz::Random random(1);
-  for (const std::size_t n : {60, 126, 127, 128, 129, 300}) {
-    Insertion_case c;
-    c.points = fuzz::sphere(random, n);
-    check<Traits_with_bits<std::uint8_t>>(c);
-  }
 }

@@ -314,8 +314,8 @@ BOOST_AUTO_TEST_CASE(large_pages_are_touched_until_one_is_dear)
 // There is room for more cells than will be used; what is not used is not touched.
 BOOST_AUTO_TEST_CASE(cells_are_touched_where_they_are_used)
 {
-  const std::size_t n = 100000, cells_of_page = large_page / sizeof(Compact_cell<std::uint32_t>);
-  Compact_complex<std::uint32_t> complex(n, [](std::size_t i) {
+  const std::size_t n = 100000, cells_of_page = large_page / sizeof(Compact_cell);
+  Compact_complex<Compact_vertex> complex(n, [](std::size_t i) {
     return std::array<double, 3>{double(i), double(i % 10), 1.};
   });
   complex.start({1, 2, 3, 4});
@@ -337,7 +337,7 @@ BOOST_AUTO_TEST_CASE(cells_are_touched_where_they_are_used)
 BOOST_AUTO_TEST_CASE(cells_of_many_points_are_not_moved)
 {
   const std::size_t n = 2500000; // room for 14 each would be more than a gigabyte
-  Compact_complex<std::uint32_t> complex(n, [](std::size_t i) {
+  Compact_complex<Compact_vertex> complex(n, [](std::size_t i) {
     return std::array<double, 3>{double(i), 0., 0.};
   });
   complex.start({1, 2, 3, 4});
@@ -347,7 +347,7 @@ BOOST_AUTO_TEST_CASE(cells_of_many_points_are_not_moved)
 // Points on two lines have quadratically many.
 BOOST_AUTO_TEST_CASE(cells_beyond_expectation_move_seldom)
 {
-  Compact_complex<std::uint32_t> complex(3000, [](std::size_t i) {
+  Compact_complex<Compact_vertex> complex(3000, [](std::size_t i) {
     return std::array<double, 3>{double(i), 0., 0.};
   });
   complex.start({1, 2, 3, 4});

@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(arrays)
     tests::Given_order order(DFS::internal::spaced_rounds(source.points()));
     const auto arrays_by = [&](const DFS::internal::Executor& executor, bool infinite = true) {
       DFS::internal::Watcher nobody;
-      const auto built = DFS::internal::build<std::uint32_t, DFS::internal::One_thread>(
+      const auto built = DFS::internal::build<DFS::internal::One_thread>(
           source, order, {true, true}, nobody, executor);
       BOOST_TEST_REQUIRE(built->cells_end > 3u * 65536); // so that threads have a part
       return DFS::internal::arrays_of_built<Index>(*built, source, executor, infinite);

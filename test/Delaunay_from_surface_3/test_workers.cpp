@@ -77,11 +77,11 @@ BOOST_AUTO_TEST_CASE(walks_from_afar_come_near)
   const auto along_bar = [](const auto& p, const auto& q) { return p[0] < q[0]; };
   std::sort(points.begin(), points.begin() + first_round, along_bar);
   std::sort(points.begin() + first_round, points.end(), along_bar);
-  tests::Subject subject(points);
+  tests::Subject<> subject(points);
   const tests::Thread_executor executor(8);
-  CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Id> triangulation(
-      subject.complex, executor);
-  const CGAL::Delaunay_from_surface_3::internal::Starting_cells<tests::Id> hints(
+  CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Compact_vertex>
+      triangulation(subject.complex, executor);
+  const CGAL::Delaunay_from_surface_3::internal::Starting_cells<tests::Compact_vertex> hints(
       subject.complex, subject.vertex_of, nullptr, subject.any_vertex);
   triangulation.insert_round(0, first_round, subject.vertex_of, hints, tests::Never_stop());
   triangulation.insert_round(first_round, n, subject.vertex_of, hints, tests::Never_stop());
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(walks_from_afar_come_near)
 // What the handshake promises, by another protocol: if this fails, too, the error is elsewhere.
 BOOST_AUTO_TEST_CASE(workers_that_own_cells_make_the_same)
 {
-  using Worker = tests::Owning_worker<tests::Id>;
+  using Worker = tests::Owning_worker<tests::Compact_vertex>;
   for (const char* kind : kinds) {
     const auto points = tests::points_of(kind, std::string(kind) == "moment curve" ? 200 : 1000, 5);
     const auto many = tests::insert_by_many<Worker>(points);
@@ -130,9 +130,9 @@ void check_stops(const Executor& executor, bool caller_has_its_chunks)
 {
   const auto points = tests::points_of("sphere", 2000, 3);
   for (const int stops_at : {0, 1, 5}) {
-    tests::Subject subject(points);
-    CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Id> triangulation(
-        subject.complex, executor, {30, 8, 8});
+    tests::Subject<> subject(points);
+    CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Compact_vertex>
+        triangulation(subject.complex, executor, {30, 8, 8});
     const tests::Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
     int asked = 0;
     const auto go_further = [&](std::size_t) { return asked++ < stops_at; };

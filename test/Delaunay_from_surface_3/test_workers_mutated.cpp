@@ -61,7 +61,8 @@ bool is_right(unsigned seed)
   const auto points = tests::points_of(kinds[seed % 4], n, seed);
   const std::size_t chunk = seed % 3 == 0 ? 1 : 8;
   const tests::Thread_executor executor(seed % 2 == 0 ? 2 : 3);
-  using Worker = CGAL::Delaunay_from_surface_3::internal::Insertion_worker<tests::Id, Protocol>;
+  using Worker =
+      CGAL::Delaunay_from_surface_3::internal::Insertion_worker<tests::Compact_vertex, Protocol>;
   const auto many = tests::insert_by_many<Worker>(points, executor, {30, 8, chunk});
   return many.is_valid && many.cells == tests::cells_by_one(points);
 }

@@ -26,8 +26,8 @@ inline bool standard_error_is_terminal()
 #endif
 }
 
-// What is said beside the results, on the standard error: notes, and what is being done. The latter
-// is a line that is overwritten again and again if that is a terminal, and lines of their own with
+// Writes messages beside the results to the standard error: notes, and the work that is being done.
+// The latter is a line that is overwritten again and again on a terminal, and separate lines with
 // --verbose.
 class Messages
 {
@@ -42,7 +42,7 @@ public:
   Messages& operator=(const Messages&) = delete;
   ~Messages() { clear(); }
 
-  // Something odd, and no error.
+  // Notes something odd that is no error.
   void note(const std::string& text)
   {
     clear();
@@ -50,14 +50,14 @@ public:
       std::cerr << "note: " << files::one_line(text) << '\n';
   }
 
-  // The result may not be what is wanted. With --quiet, too.
+  // Warns that the result may not be as wanted, even with --quiet.
   void warn(const std::string& text)
   {
     clear();
     std::cerr << "warning: " << files::one_line(text) << '\n';
   }
 
-  // Something begins that may take a while.
+  // Says that something begins that may take a while.
   void step(const std::string& text)
   {
     show(text);
@@ -65,7 +65,7 @@ public:
       std::cerr << files::one_line(text) << '\n';
   }
 
-  // How far it is.
+  // Shows how far the work is.
   void show(const std::string& text)
   {
     if (!m_has_line)
@@ -74,7 +74,7 @@ public:
     m_is_empty = false;
   }
 
-  // Before anything else is printed.
+  // Clears the line. To be called before anything else is printed.
   void clear()
   {
     if (!m_is_empty)

@@ -22,14 +22,14 @@
 #include <string>
 #include <vector>
 
-// help.txt, which CMake has made a string of.
+// The text of help.txt, of which CMake has made a string.
 extern const char* const help_text;
 
-// What the user asked for.
+// The requests of the user.
 struct Options
 {
-  std::string input, from; // `from`: empty if the extension says it
-  std::string output, to;  // `to`: of written_formats; both are empty if nothing is written
+  std::string input, from; // `from` is empty if the extension says it
+  std::string output, to;  // `to` is a format; both are empty if nothing is written
   std::string view;        // a page for a browser, if any
   std::string three_js = DELAUNAY_FROM_SURFACE_3_THREE_JS;
   std::string traits;
@@ -38,7 +38,7 @@ struct Options
   bool compare = false, stats = false, json = false, quiet = false, verbose = false;
 };
 
-// The format of the output: what was said, or what the extension says.
+// Returns the format of the output, as requested or as the extension says.
 inline std::string output_format(const Options& options)
 {
   static const std::vector<std::string> formats = {"vtu", "vtk", "msh", "mesh", "tetgen", "cgal"};
@@ -61,7 +61,7 @@ inline std::string output_format(const Options& options)
   return format;
 }
 
-// The format of the input, in the same way.
+// Returns the format of the input, in the same way.
 inline std::string input_format(const Options& options)
 {
   if (options.input.empty())

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <string>
 
-// Shows how many points are inserted, and says what is odd about the surface.
+// Shows how many points are inserted, and notes if the surface is odd.
 class Progress_visitor : public CGAL::Default_surface_insertion_visitor_3
 {
 public:
@@ -58,7 +58,7 @@ public:
       m_messages.step("inserting");
   }
 
-  // The core says how many are inserted; CGAL's insertion asks before each.
+  // The core says how many points are inserted; CGAL's insertion asks before each.
   bool go_further(std::size_t inserted)
   {
     if (inserted >= m_next_shown) {

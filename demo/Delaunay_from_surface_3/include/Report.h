@@ -22,7 +22,7 @@ inline std::string decimals(double value, int digits)
   return text.str();
 }
 
-// "12 of 2000 (0.6000 %)"
+// Returns a text such as "12 of 2000 (0.6000 %)".
 inline std::string fraction(std::size_t part, std::size_t whole)
 {
   const double percent = whole == 0 ? 0. : 100. * double(part) / double(whole);
@@ -30,7 +30,7 @@ inline std::string fraction(std::size_t part, std::size_t whole)
          " %)";
 }
 
-// Text in quotes; bytes above 127 are passed on.
+// Returns text in quotes; bytes above 127 are passed on.
 inline std::string json_string(const std::string& text)
 {
   std::ostringstream quoted;
@@ -47,14 +47,14 @@ inline std::string json_string(const std::string& text)
   return quoted.str();
 }
 
-// A key has no blanks there.
+// Returns a key of JSON, in which blanks are replaced.
 inline std::string json_key(std::string text)
 {
   std::replace(text.begin(), text.end(), ' ', '_');
   return json_string(text);
 }
 
-// Prints results: as lines "key:      value" and tables, as one JSON object, or not at all.
+// Prints results: as lines "key: value" and tables, as one JSON object, or not at all.
 class Report
 {
 public:
@@ -66,14 +66,14 @@ public:
   {
   }
 
-  // A line between groups of results; not in JSON.
+  // Prints a line between groups of results, but not in JSON.
   void title(const std::string& text)
   {
     if (m_style == Style::TEXT)
       m_out << '\n' << text << '\n';
   }
 
-  // All keys are shorter than the column is wide.
+  // All keys must be shorter than the column is wide.
   void operator()(const std::string& key, const std::string& value)
   {
     add(key, value, json_string(value));
@@ -85,13 +85,13 @@ public:
     add(key, std::to_string(value), std::to_string(value));
   }
 
-  // A number with so many decimals; JSON has no infinite ones.
+  // Adds a number with so many decimals; JSON has no infinite ones.
   void operator()(const std::string& key, double value, int digits)
   {
     add(key, decimals(value, digits), std::isfinite(value) ? decimals(value, digits) : "null");
   }
 
-  // A table of numbers and words: the first columns of `columns` are words.
+  // Adds a table of numbers and words; the first `words` columns are words.
   void table(const std::string& key, const std::vector<std::string>& columns, std::size_t words,
              const std::vector<std::vector<std::string>>& rows)
   {

@@ -8,13 +8,13 @@
 #include <chrono>
 #include <ctime>
 
-// Seconds of the process on all processors, and by the clock on the wall.
+// Seconds of the process on all processors, and seconds of wall-clock time.
 struct Seconds
 {
   double cpu, wall;
 };
 
-// How long `work` takes.
+// Returns how long `work` takes.
 template <class Work>
 Seconds time_of(const Work& work)
 {

@@ -26,18 +26,18 @@ using Point = Kernel::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
 using Mesh = CGAL::Surface_mesh<Point>;
 
-// What a file held. The points are in the order of the file, also as vertices of the mesh.
+// The contents of a file. The points are in the order of the file, also as vertices of the mesh.
 struct Surface
 {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> faces;
   Mesh mesh; // the same points and faces again, if they are a manifold
   bool is_manifold = false;
-  std::size_t collapsed_triangles = 0; // were in the file, and are left out
+  std::size_t collapsed_triangles = 0; // they were in the file, and are left out
   std::size_t announced_points = 0;    // by the file; there may be fewer
 };
 
-// The default with many threads.
+// The default traits with many threads.
 struct Parallel_traits : CGAL::Surface_insertion_traits_3
 {
 };
@@ -57,7 +57,7 @@ void insert_surface(Tr& tr, const Surface& surface, const Traits& traits, const 
     CGAL::insert_points_3<Tag>(tr, surface.points, surface.faces, traits, np);
 }
 
-// The same, watched by `visitor`; returns the vertex of each point.
+// Does the same, watched by `visitor`; returns the vertex of each point.
 template <class Tr, class Traits, class Visitor>
 std::vector<typename Tr::Vertex_handle> insert_and_watch(Tr& tr, const Surface& surface,
                                                          const Traits& traits, unsigned int seed,

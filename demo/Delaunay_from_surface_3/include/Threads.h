@@ -16,8 +16,8 @@
 #include <chrono>
 #include <thread>
 
-// As many threads as asked for, if so asked more than the machine has. TBB makes them when there is
-// work, and ends the process if it cannot: so there is some at once, before files are opened.
+// Has as many threads as asked for, even more than the machine has. TBB makes them when there is
+// work, and ends the process if it cannot; so there is some work at once, before files are opened.
 class Threads
 {
 public:
@@ -35,7 +35,7 @@ public:
   }
 
 private:
-  // Each waits for all, but not for long.
+  // Each thread waits for all, but not for long.
   static void meet(unsigned number)
   {
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_ARRAYS_OF_TRIANGULATION_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_ARRAYS_OF_TRIANGULATION_H
 
-// The arrays of a triangulation of CGAL's, of any dimension. Linear expected: handles are hashed.
+// The arrays of a CGAL triangulation, of any dimension. Expected linear time: handles are hashed.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 
@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-// Changes the order of a cell's entries such that entry k of d + 1 comes last, and the orientation
+// Changes the order of a cell's entries such that entry k of d + 1 comes last, but the orientation
 // stays.
 template <class Entry>
 void rotate_to_end(std::array<Entry, 4>& entries, int k, int dimension)
@@ -25,7 +25,7 @@ void rotate_to_end(std::array<Entry, 4>& entries, int k, int dimension)
   if (k == dimension)
     return;
   std::swap(entries[std::size_t(k)], entries[std::size_t(dimension)]);
-  if (dimension > 1) { // two of those before it, too: the permutation is even
+  if (dimension > 1) { // two before it, too, so that the permutation is even
     const std::size_t i = k == 0 ? 1 : 0,
                       j = dimension == 2 ? std::size_t(k) : 3 - std::size_t(k) - i;
     std::swap(entries[i], entries[j]);
@@ -60,7 +60,7 @@ class Numbered_triangulation
   using Arrays = CGAL::Delaunay_3_arrays<Index>;
 
 public:
-  // `vertices` are those of all points.
+  // `vertices` has the vertices of all points.
   Numbered_triangulation(const Triangulation& tr, const std::vector<Vertex_handle>& vertices,
                          bool has_neighbors)
     : m_tr(tr)
@@ -129,7 +129,8 @@ private:
   boost::unordered_map<Cell_handle, Index> m_cell_numbers;
 };
 
-// vertices[i] is that of point i. Neighbours take most of the time: they can be left out.
+// Returns the arrays; vertices[i] is the vertex of point i. Neighbours take most of the time, and
+// can be left out.
 template <class Index, class Triangulation>
 CGAL::Delaunay_3_arrays<Index>
 arrays_of_triangulation(const Triangulation& tr,

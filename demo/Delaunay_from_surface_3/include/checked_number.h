@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-// A number in [lowest, highest]; Boost alone would take -1 for 4294967295.
+// Returns a number in [lowest, highest]; Boost alone would take -1 for 4294967295.
 inline unsigned int checked_number(const std::string& option, long long value, long long lowest,
                                    long long highest = (std::numeric_limits<unsigned int>::max)())
 {
@@ -19,7 +19,7 @@ inline unsigned int checked_number(const std::string& option, long long value, l
   return static_cast<unsigned int>(value);
 }
 
-// More would not insert, and TBB does not bear any number.
+// More threads would not insert, and TBB does not bear any number.
 constexpr long long most_threads = 64;
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_CHECKED_NUMBER_H

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// The package on the surface, from nothing; destruction is not timed.
+// Times the package on the surface, from nothing; destruction is not timed.
 template <class Traits>
 Seconds time_package(const Surface& surface, const Traits& traits, unsigned int seed)
 {
@@ -22,7 +22,7 @@ Seconds time_package(const Surface& surface, const Traits& traits, unsigned int 
   return time_of([&] { insert_surface(tr, surface, traits, CGAL::parameters::random_seed(seed)); });
 }
 
-// CGAL's own insertion of the points in the order of the file, from nothing into `tr`.
+// Times CGAL's own insertion of the points in the order of the file, from nothing into `tr`.
 inline Seconds time_plain(const Surface& surface, Triangulation& tr)
 {
   return time_of([&] { tr.insert(surface.points.begin(), surface.points.end()); });
@@ -59,8 +59,8 @@ inline void report_timings(Report& report, const Timings& package, const Timings
   report("wall ratio", plain_wall / package_wall, 3);
 }
 
-// Runs the package and plain CGAL in turns, and now one, now the other first. Prints the medians
-// and returns whether plain CGAL's triangulation equals `result`.
+// Runs the package and plain CGAL alternately, beginning now with one, now with the other. Prints
+// the medians and returns whether plain CGAL's triangulation equals `result`.
 template <class Traits>
 bool compare_with_plain(const Surface& surface, const Traits& traits, unsigned int seed,
                         unsigned int repetitions, const Triangulation& result, Report& report,

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H
 
-// What the insertion does, phase by phase and round by round, seen by visitors.
+// Reports what the insertion does, phase by phase and round by round, as visitors see it.
 
 #include "Report.h"
 #include "Surface.h"
@@ -24,7 +24,7 @@
 using Phase = CGAL::Surface_insertion_phase;
 using CGAL::Delaunay_from_surface_3::Insertion_counts;
 
-// Keeps what the core has counted; CGAL's insertion counts nothing.
+// Keeps the counts of the core; CGAL's insertion counts nothing.
 struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   Insertion_counts counts;
@@ -55,7 +55,7 @@ inline void report_counts(const Insertion_counts& counts, std::size_t points, Re
 
 using Row = std::vector<std::string>;
 
-// One line of the table: `counts`, spread over `points`.
+// Adds one line to the table: `counts`, divided by `points`.
 inline void add_row(std::vector<Row>& rows, const std::string& round, const std::string& phase,
                     std::size_t points, const meters::Predicate_counts& counts, bool is_walk)
 {
@@ -69,7 +69,7 @@ inline void add_row(std::vector<Row>& rows, const std::string& round, const std:
                   decimals(double(counts.other) / n, 3)});
 }
 
-// A run in which every call of a predicate is counted. It goes through CGAL's insertion.
+// Reports a run in which every call of a predicate is counted. It goes through CGAL's insertion.
 template <class Traits>
 void report_predicates(const Surface& surface, const Traits& traits, unsigned int seed,
                        Report& report)
@@ -83,7 +83,7 @@ void report_predicates(const Surface& surface, const Traits& traits, unsigned in
 
   std::vector<Row> rows;
   std::size_t inserted = 0, traced = 0;
-  for (std::size_t r = 1; r < visitor.rounds().size(); ++r) { // 0 is what comes before the rounds
+  for (std::size_t r = 1; r < visitor.rounds().size(); ++r) { // 0 is the time before the rounds
     const auto& round = visitor.rounds()[r];
     const std::string name = std::to_string(r);
     add_row(rows, name, "locate", round.number_of_points, round[Phase::LOCATION], true);
@@ -100,7 +100,7 @@ void report_predicates(const Surface& surface, const Traits& traits, unsigned in
                2, rows);
 }
 
-// What the insertions did: in the words of the target, or else the predicates that were called.
+// Reports what the insertions did: the target's counts, or else the predicates that were called.
 template <class Traits>
 void report_insertions(const Surface& surface, const Traits& traits, unsigned int seed,
                        Report& report)
@@ -114,7 +114,7 @@ void report_insertions(const Surface& surface, const Traits& traits, unsigned in
     report_predicates(surface, traits, seed, report);
 }
 
-// A run in which a clock is read whenever the phase changes, twice for every point.
+// Reports a run in which a clock is read whenever the phase changes, twice for every point.
 template <class Traits>
 void report_seconds(const Surface& surface, const Traits& traits, unsigned int seed, Report& report)
 {

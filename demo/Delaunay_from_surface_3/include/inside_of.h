@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSIDE_OF_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSIDE_OF_H
 
-// Which tetrahedra are inside the surface, and how sure that is.
+// Finds which tetrahedra are inside the surface, and how sure that is.
 
 #include "Messages.h"
 #include "Report.h"
@@ -32,13 +32,13 @@ inline bool is_closed_mesh(const Surface& surface)
   return surface.is_manifold && is_triangle_mesh(surface.mesh) && is_closed(surface.mesh);
 }
 
-// The arrays are of tetrahedra. Throws one line if the surface has no inside.
+// The arrays must have tetrahedra. Throws one line if the surface has no inside.
 inline CGAL::Inside_3 inside_of(const Surface& surface, const Arrays& arrays, bool has_threads)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   using Many = CGAL::Parallel_tag;
 #else
-  using Many = CGAL::Sequential_tag; // it has been refused that there are more
+  using Many = CGAL::Sequential_tag; // more threads have been refused
 #endif
   try {
     return has_threads ? CGAL::inside_of_surface_3<Many>(surface.points, surface.faces, arrays)
@@ -50,7 +50,7 @@ inline CGAL::Inside_3 inside_of(const Surface& surface, const Arrays& arrays, bo
   }
 }
 
-// How sure the winding numbers are, in figures; and a warning if they are not.
+// Reports in figures how sure the winding numbers are, and warns if they are not.
 inline void report_inside(const std::string& input, const Surface& surface, const Arrays& arrays,
                           const CGAL::Inside_3& inside, Report& report, Messages& messages)
 {

@@ -14,8 +14,8 @@
 #include <string>
 #include <utility>
 
-// Reads a surface in this format. It is a polygon soup first, and also
-// a mesh if its faces are a manifold. The coordinates are left to be checked by the package.
+// Reads a surface in this format, first as a polygon soup, and also as a mesh if its faces are a
+// manifold. The package checks the coordinates.
 inline Surface read_surface(const std::string& file_name, const std::string& format)
 {
   files::Polygon_soup soup = files::read_polygon_soup(file_name, format);

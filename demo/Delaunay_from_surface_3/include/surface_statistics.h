@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_STATISTICS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_SURFACE_STATISTICS_H
 
-// How much of the surface is in the triangulation.
+// Reports how much of the surface is in the triangulation.
 
 #include "Report.h"
 #include "Surface.h"

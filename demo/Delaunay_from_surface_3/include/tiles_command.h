@@ -29,7 +29,7 @@
 
 namespace core = CGAL::Delaunay_from_surface_3::internal;
 
-// What comes after `delaunay_from_surface tiles`.
+// The arguments of `delaunay_from_surface tiles`.
 struct Tiles_command
 {
   std::vector<std::string> inputs;
@@ -40,7 +40,7 @@ struct Tiles_command
   bool next = false, vtu = false, neighbors = false, json = false, quiet = false, verbose = false;
 };
 
-// 8G, 500M, … as bytes.
+// Returns the bytes of 8G, 500M, …
 inline std::uint64_t parse_memory(const std::string& text)
 {
   char* end = nullptr;
@@ -115,8 +115,8 @@ inline int run_tiles_command(Tiles_command& command)
                         file.parent_path() / (file.stem().string() + "-neighbors.npy"));
   }
   const core::Tiles_to_files tiles(command.output, command.threads, command.vtu, command.neighbors);
-  // What is read at once is a part of the memory, too: 24 bytes of input and 36 of what it becomes.
-  // Of tasks that are done one by one there is one in memory.
+  // Points that are read at once take memory, too: 24 bytes of input and 36 of what they become. If
+  // tasks are done one by one, only one is in memory.
   const std::uint64_t at_once = command.next || command.task ? 1 : command.threads;
   command.options.points_at_once =
       std::size_t((std::min)(std::uint64_t(4000000), command.options.memory / at_once / 100));

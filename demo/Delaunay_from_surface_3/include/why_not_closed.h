@@ -18,7 +18,7 @@
 #include <tuple>
 #include <vector>
 
-// Edges with something wrong: how many there are, and the first.
+// Edges with something wrong: their number, and the first of them.
 struct Bad_edges
 {
   const char* name;
@@ -33,11 +33,11 @@ struct Bad_edges
   }
 };
 
-// "open edges: 3, first 17-42 at (0.5, 0, 1)": points by number, and the middle.
+// Returns "open edges: 3, first 17-42 at (0.5, 0, 1)": numbers of points, and the midpoint.
 inline std::string in_words(const Bad_edges& edges, const Surface& surface)
 {
   std::ostringstream text;
-  text << std::setprecision(10); // millimetres on a map
+  text << std::setprecision(10); // as precise as millimetres on a map
   const Point &p = surface.points[edges.ends[0]], &q = surface.points[edges.ends[1]];
   text << edges.name << ": " << edges.number << ", first " << edges.ends[0] << '-' << edges.ends[1]
        << " at (" << p.x() / 2 + q.x() / 2 << ", " << p.y() / 2 + q.y() / 2 << ", "
@@ -45,13 +45,12 @@ inline std::string in_words(const Bad_edges& edges, const Surface& surface)
   return text.str();
 }
 
-// Why faces are not a closed mesh of triangles, in words, numbers and places; equal points are one.
-// To be asked only if they are not one.
+// Says why faces are not a closed mesh of triangles, in words, numbers and places; equal points are
+// one. To be called only if the faces are not such a mesh.
 inline std::string why_not_closed(const Surface& surface,
                                   const CGAL::Delaunay_3_arrays<std::int32_t>& arrays)
 {
-  // The sides of all faces, those of an edge together: its ends, and whether it leads to the
-  // larger.
+  // The sides of all faces, sorted by edge: its ends, and whether the side leads to the larger.
   std::vector<std::tuple<std::size_t, std::size_t, bool>> sides;
   std::size_t other_faces = 0;
   for (const std::vector<std::size_t>& face : surface.faces) {

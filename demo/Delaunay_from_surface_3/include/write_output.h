@@ -35,7 +35,7 @@
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using Vertices = std::vector<Triangulation::Vertex_handle>;
 
-// The files that the tetrahedra go to; none for the standard output.
+// Returns the files that the tetrahedra go to; the list is empty for the standard output.
 inline std::vector<std::string> files_of_output(const Options& options)
 {
   if (options.output.empty() || options.output == "-")
@@ -50,10 +50,10 @@ inline std::vector<std::string> files_of_output(const Options& options)
   return {stem.string() + ".node", stem.string() + ".ele", stem.string() + ".neigh"};
 }
 
-// No file is written over another that is read or written, whatever they are called.
+// Throws if a file would be written over another that is read or written, whatever they are called.
 inline void check_that_files_differ(const Options& options)
 {
-  std::vector<std::pair<std::string, std::string>> others; // what each is, and its name
+  std::vector<std::pair<std::string, std::string>> others; // a description of each, and its name
   if (options.input != "-")
     others.emplace_back("the surface", options.input);
   if (!options.view.empty())
@@ -70,8 +70,8 @@ inline void check_that_files_differ(const Options& options)
     add("--view", options.view);
 }
 
-// The files that the tetrahedra go to. Whether they can be written is known before any work is
-// done.
+// The files that the tetrahedra go to. They are opened before any work is done, in order to know
+// whether they can be written.
 class Output
 {
 public:
@@ -108,7 +108,7 @@ public:
     finish();
   }
 
-  // The page of --view, if that was asked for.
+  // The page of --view, if it was asked for.
   files::Output_file& view() { return *m_view; }
 
 private:
@@ -133,18 +133,18 @@ private:
   }
 
   std::string m_format;
-  std::list<files::Output_file> m_files; // none for the standard output
+  std::list<files::Output_file> m_files; // empty for the standard output
   std::optional<files::Output_file> m_view;
 };
 
-// What can be said before the work is done: points alone have no inside.
+// Checks what can be known before the work is done: points alone have no inside.
 inline void check_that_there_are_faces(const Options& options, const Surface& surface)
 {
   if ((options.inside || options.mark_inside) && surface.faces.empty())
     throw std::runtime_error(options.input + ": it has no inside: there are no faces");
 }
 
-// What of the triangulation is to be written.
+// Returns the part of the triangulation that is to be written.
 inline files::Simplices_3 chosen_simplices(const Options& options, const Surface& surface,
                                            const Triangulation& tr, const Vertices& vertices,
                                            Report& report, Messages& messages)

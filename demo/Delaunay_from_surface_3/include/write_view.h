@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_VIEW_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_WRITE_VIEW_H
 
-// --view: a page for a browser that holds all it needs. The folder view/ has its parts; view.js
-// draws with three.js what is written here.
+// Writes the page of --view for a browser, with all that it needs. The folder view/ has its parts;
+// view.js draws with three.js the data that is written here.
 
 #include "Options.h"
 #include "Report.h"
@@ -40,24 +40,24 @@
 #include <utility>
 #include <vector>
 
-// The files of view/, which CMake has made strings of.
+// The files of view/, of which CMake has made strings.
 extern const char* const view_html;
 extern const char* const view_css;
 extern const char* const cut_js;
 extern const char* const view_js;
 
-// Strings of browsers end at half a gigabyte.
+// Strings of browsers have at most half a gigabyte.
 constexpr std::size_t most_tetrahedra_of_view = 20000000;
 
-// What the page shows, by numbers of different points.
+// The data that the page shows, in numbers of different points.
 struct View
 {
   std::vector<float> points;
   std::vector<std::uint32_t> tetrahedra, triangles, subgraph;
-  std::vector<std::uint8_t> inside, rounds; // of tetrahedra; of points
+  std::vector<std::uint8_t> inside, rounds; // for each tetrahedron; for each point
 };
 
-// The middle of the points' box comes to 0, and its longest side goes from -1 to 1: floats suffice.
+// Moves the middle of the points' box to 0 and scales its longest side to [-1, 1]: floats suffice.
 inline std::vector<float> centered(const std::vector<std::array<double, 3>>& points)
 {
   std::array<double, 3> middle;
@@ -76,17 +76,17 @@ inline std::vector<float> centered(const std::vector<std::array<double, 3>>& poi
   return result;
 }
 
-// The order by which the traits insert the surface.
+// Returns the order in which the traits insert the surface.
 template <class Traits>
 DFS::Insertion_order order_of(const Surface& surface, const Traits& traits, unsigned int seed)
 {
-  const std::decay_t<decltype(surface.mesh)> no_edges; // none of the plans looks at any
+  const std::decay_t<decltype(surface.mesh)> no_edges; // no plan looks at any edge
   return traits.insertion_plan_object(seed)(surface.points, Kernel(), no_edges,
                                             get(boost::vertex_index, no_edges));
 }
 
-// The edges of the subgraph of bounded degree, as indices of input points; none where there is no
-// such graph.
+// Returns the edges of the subgraph of bounded degree, as indices of input points, or nothing if
+// there is no such graph.
 inline std::vector<std::size_t> subgraph_of(const Surface& surface)
 {
   std::vector<std::size_t> ends;
@@ -104,7 +104,7 @@ inline std::vector<std::size_t> subgraph_of(const Surface& surface)
   return ends;
 }
 
-// Polygons become fans.
+// Returns the corners of triangles; polygons become fans.
 inline std::vector<std::size_t> triangles_of(const Surface& surface)
 {
   std::vector<std::size_t> corners;
@@ -114,7 +114,7 @@ inline std::vector<std::size_t> triangles_of(const Surface& surface)
   return corners;
 }
 
-// `order` says the rounds; it may be empty.
+// Makes the data. The rounds are those of `order`, which may be empty.
 inline View make_view(const Surface& surface, const Triangulation& tr, const Vertices& vertices,
                       const DFS::Insertion_order& order, bool has_threads)
 {
@@ -139,7 +139,7 @@ inline View make_view(const Surface& surface, const Triangulation& tr, const Ver
     const CGAL::Inside_3 inside = inside_of(surface, arrays, has_threads);
     for (std::size_t c = 0; c < arrays.number_of_simplices(); ++c)
       view.inside.push_back(std::uint8_t(inside[c]));
-  } catch (const std::runtime_error&) { // it has none
+  } catch (const std::runtime_error&) { // it has no inside
   }
   if (order.round_ends.size() > 1 && order.round_ends.size() < 256) {
     const std::vector<std::uint32_t> points = numbered(order.order);
@@ -153,7 +153,7 @@ inline View make_view(const Surface& surface, const Triangulation& tr, const Ver
 
 // --- The page ---
 
-// The bytes of the numbers, the lowest first, whatever the machine does.
+// Appends the bytes of a number, the lowest first on every machine.
 template <class Number>
 void append_bytes(Number number, std::vector<unsigned char>& bytes)
 {
@@ -167,7 +167,7 @@ void append_bytes(Number number, std::vector<unsigned char>& bytes)
     bytes.push_back((unsigned char)(bits >> 8 * k & 255));
 }
 
-// An array in an element of its own, if there is anything in it.
+// Writes an array into an element of its own, unless it is empty.
 template <class Number>
 void write_array(std::ostream& out, const char* id, const std::vector<Number>& numbers)
 {
@@ -188,7 +188,7 @@ void write_array(std::ostream& out, const char* id, const std::vector<Number>& n
   out << "</script>\n";
 }
 
-// Text between <script> and </script> that must not end there too early.
+// Returns text for a place between <script> and </script>, such that it does not end the script.
 inline std::string for_script(std::string text)
 {
   for (std::size_t k = 0; (k = text.find('<', k)) != std::string::npos; ++k)
@@ -208,7 +208,7 @@ inline void write_data(std::ostream& out, const std::string& name, const View& v
   write_array(out, "subgraph", view.subgraph);
 }
 
-// view.html, in which a line that is a comment with a name stands for that part.
+// Writes view.html, in which a line that is a comment with a name stands for the part of this name.
 inline void write_page(std::ostream& out, const std::string& name, const std::string& three_js,
                        const View& view)
 {

@@ -28,11 +28,11 @@ public:
 
 namespace Delaunay_from_surface_3 {
 
-// Thrown where there are more cells than ids can number. Users know it as a std::length_error.
-struct Too_few_ids : std::length_error
+// Thrown where there are more cells than numbers of 32 bits name. Users know it as a std::length_error.
+struct Too_many_cells : std::length_error
 {
-  explicit Too_few_ids(int bits)
-    : std::length_error("ids of " + std::to_string(bits) + " bits are too few for its cells")
+  Too_many_cells()
+    : std::length_error("there are more than 2^30 cells, or 2^31 points: tiles serve these")
   {
   }
 };

@@ -181,16 +181,6 @@ def collinear(constant):
                       "by the inequality of Cauchy and Schwarz")
 
 
-def distances(constant):
-    found(r"(\d) \* Filter_bounds::unit \* \(v \+ w\) \+ Filter_bounds::tiny", "exact_signs.h")
-    return written(["Two squared lengths as computed sum up to 1; exactly they are v / (1 + dv) and w / (1 + dw). The difference has one",
-                    "rounding."],
-                   [RELATIVE, "w = 1 - v;", "error = v * (1 - 1 / (1 + dv)) - w * (1 - 1 / (1 + dw)) + (v - w) * d;",
-                    f"bound = add(mul({binary(constant * U)}, add(1, 0)), 0);"],
-                   [f"|dv| <= {binary(of_square())}", f"|dw| <= {binary(of_square())}", "|d| <= 1b-53", "v in [0,1]"],
-                   [f"|error| <= {limit_of(constant)}", f"bound >= {limit_of(constant)}"]) + "$ v in 64;\n"
-
-
 # Sums of two doubles.
 
 NORMALIZED = ["h = add(p, l);", "t = sub(h, p);", "low = sub(l, t);"]
@@ -355,7 +345,6 @@ SCRIPTS = {
     "columns_circle": (columns_circle, read(r"(\d+) \* Filter_bounds::unit \* box \* m", "Compact_predicates.h"), 71),
     "columns_area": (columns_area, read(r"(\d+) \* Filter_bounds::unit \* box \+", "Compact_predicates.h"), 35),
     "collinear": (collinear, read(r"bound = (\d+) \* Filter_bounds::unit \* m \+", "exact_signs.h"), 5),
-    "distances": (distances, read(r"bound = (\d+) \* Filter_bounds::unit \* \(v \+ w\)", "exact_signs.h"), 7),
     "double_double_product": (double_double_product, lambda: OF_PRODUCT, Fraction(1, 2**101)),
     "double_double_sum": (double_double_sum, lambda: OF_PRODUCT, Fraction(1, 2**102)),
     "double_double_sphere": (double_double_sphere, lambda: 1 / formulas.number(

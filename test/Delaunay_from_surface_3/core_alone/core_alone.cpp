@@ -114,8 +114,8 @@ Arrays arrays_of(const std::vector<double>& coordinates, core::Order_request::Ki
   request.kind = kind;
   const auto orders = core::order_of_core(request);
   core::Watcher nobody;
-  const auto built = core::build<std::uint32_t, core::One_thread>(points, *orders, {true, true},
-                                                                  nobody, core::Alone());
+  const auto built =
+      core::build<core::One_thread>(points, *orders, {true, true}, nobody, core::Alone());
   const Arrays arrays = core::arrays_of_built<std::int32_t>(*built, points, core::Alone());
   check(core::is_valid(arrays, points.points(), CGAL::Delaunay_validity_level::DELAUNAY),
         "is no Delaunay triangulation", where);

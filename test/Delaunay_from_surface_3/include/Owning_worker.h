@@ -22,18 +22,19 @@ namespace tests {
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 
-template <class Id>
+template <class Vertex>
 class Owning_worker
 {
-  using Complex = DFS::internal::Compact_complex<Id>;
+  using Complex = DFS::internal::Compact_complex<Vertex>;
+  using Id = DFS::internal::Id;
   using Cell = typename Complex::Cell;
-  using Predicates = DFS::internal::Compact_predicates<Id>;
-  using Read = DFS::internal::Read_announced<Id>;
-  using Write = DFS::internal::Write_announced<Id>;
+  using Predicates = DFS::internal::Compact_predicates<Vertex>;
+  using Read = DFS::internal::Read_announced;
+  using Write = DFS::internal::Write_announced<Vertex>;
   using Insertion_try = DFS::internal::Insertion_try;
 
 public:
-  Owning_worker(DFS::internal::Shared_complex<Id>& shared, unsigned number)
+  Owning_worker(DFS::internal::Shared_complex<Vertex>& shared, unsigned number)
     : m_shared(shared)
     , m_own(std::uint8_t(number + 1))
     , m_fill_star(Write(shared.complex().vertices_end()))
@@ -153,11 +154,11 @@ private:
     return (expected & ~in_zone) == m_own;
   }
 
-  DFS::internal::Shared_complex<Id>& m_shared;
+  DFS::internal::Shared_complex<Vertex>& m_shared;
   const std::uint8_t m_own;
-  DFS::internal::Conflict_zone<Id> m_zone;
+  DFS::internal::Conflict_zone m_zone;
   std::vector<Id> m_owned;
-  DFS::internal::Fill_star<Id, Write> m_fill_star;
+  DFS::internal::Fill_star<Vertex, Write> m_fill_star;
 };
 
 } // namespace tests

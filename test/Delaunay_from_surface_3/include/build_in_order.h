@@ -41,7 +41,7 @@ private:
 };
 
 template <class Point>
-std::unique_ptr<core::Built<std::uint32_t>>
+std::unique_ptr<core::Built>
 build_in_order(const std::vector<Point>& points,
                const CGAL::Delaunay_from_surface_3::Insertion_order& order,
                bool uses_starting_places = true)
@@ -50,8 +50,8 @@ build_in_order(const std::vector<Point>& points,
   Given_order orders(order);
   core::Watcher nobody;
   core::Given_points source(core::Point_array(coordinates.data(), points.size()));
-  return core::build<std::uint32_t, core::One_thread>(source, orders, {false, uses_starting_places},
-                                                      nobody, core::Alone());
+  return core::build<core::One_thread>(source, orders, {false, uses_starting_places}, nobody,
+                                       core::Alone());
 }
 
 } // namespace tests

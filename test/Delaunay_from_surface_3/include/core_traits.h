@@ -14,12 +14,10 @@
 
 namespace tests {
 
-template <class Id, class Plan,
+template <class Plan,
           template <class, class> class Hints = CGAL::Delaunay_from_surface_3::Planned_hints_3>
-struct Traits_with_ids
-  : CGAL::Surface_insertion_policies_3<CGAL::Delaunay_from_surface_3::Full_graph, Plan, Hints>
-{
-};
+using Traits_of_plan =
+    CGAL::Surface_insertion_policies_3<CGAL::Delaunay_from_surface_3::Full_graph, Plan, Hints>;
 
 // As if the hint policy traced.
 template <class Traits>
@@ -29,19 +27,5 @@ struct Round_the_core : Traits
 };
 
 } // namespace tests
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace internal {
-
-template <class Id, class Plan, template <class, class> class Hints>
-struct Id_of_core<tests::Traits_with_ids<Id, Plan, Hints>>
-{
-  using type = Id;
-};
-
-} // namespace internal
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
 
 #endif // DELAUNAY_FROM_SURFACE_3_TESTS_CORE_TRAITS_H

@@ -28,8 +28,9 @@ namespace tests {
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using Coordinates = std::array<double, 3>;
-using Id = std::uint32_t;
-using Complex = DFS::internal::Compact_complex<Id>;
+using DFS::internal::Compact_vertex;
+using DFS::internal::Id;
+using Complex = DFS::internal::Compact_complex<Compact_vertex>;
 
 // --- points ------------------------------------------------------------------------------------
 
@@ -83,9 +84,10 @@ struct Start_at_half
   void after_update(std::size_t, Id) const {}
 };
 
+template <class Vertex = Compact_vertex>
 struct Subject
 {
-  Complex complex;
+  DFS::internal::Compact_complex<Vertex> complex;
   std::vector<Id> vertex_of;
   Id any_vertex = 0;
 
@@ -121,8 +123,9 @@ struct Subject
 
 inline std::vector<std::array<Id, 4>> cells_by_one(const std::vector<Coordinates>& points)
 {
-  Subject subject(points);
-  DFS::internal::Inserter<DFS::internal::Alone_with_complex<Id>> inserter(subject.complex);
+  Subject<> subject(points);
+  DFS::internal::Inserter<DFS::internal::Alone_with_complex<Compact_vertex>> inserter(
+      subject.complex);
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (subject.vertex_of[i] != 0)
@@ -151,15 +154,16 @@ struct Never_stop
 };
 
 // In rounds that double. `go_further` returns true.
-template <class Worker = DFS::internal::Insertion_worker<Id>, class Executor = Thread_executor,
+template <class Worker = DFS::internal::Insertion_worker<Compact_vertex>, class Executor = Thread_executor,
           class GoFurther = Never_stop>
 Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
                                 const Executor& executor = Executor(),
                                 const DFS::internal::Parallel_rules& rules = {30, 8, 8},
                                 const GoFurther& go_further = GoFurther())
 {
-  Subject subject(points);
-  DFS::internal::Parallel_triangulation<Id, Worker> triangulation(subject.complex, executor, rules);
+  Subject<> subject(points);
+  DFS::internal::Parallel_triangulation<Compact_vertex, Worker> triangulation(subject.complex, executor,
+                                                                      rules);
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t first = 0, last = 30; first < points.size(); first = last, last *= 2) {
     last = (std::min)(last, points.size());

@@ -29,10 +29,11 @@ namespace threads {
 
 class Simulation
 {
-  using Id = std::uint32_t;
+  using Id = CGAL::Delaunay_from_surface_3::internal::Id;
+  using Vertex = CGAL::Delaunay_from_surface_3::internal::Compact_vertex;
   using Point = CGAL::Epick::Point_3;
-  using Complex = CGAL::Delaunay_from_surface_3::internal::Compact_complex<Id>;
-  using Worker = CGAL::Delaunay_from_surface_3::internal::Insertion_worker<Id>;
+  using Complex = CGAL::Delaunay_from_surface_3::internal::Compact_complex<Vertex>;
+  using Worker = CGAL::Delaunay_from_surface_3::internal::Insertion_worker<Vertex>;
   using Try = CGAL::Delaunay_from_surface_3::internal::Insertion_try;
 
 public:
@@ -148,7 +149,7 @@ private:
 
   const CGAL::Delaunay_from_surface_3::Insertion_order& m_plan;
   Complex m_complex;
-  CGAL::Delaunay_from_surface_3::internal::Shared_complex<Id> m_shared;
+  CGAL::Delaunay_from_surface_3::internal::Shared_complex<Vertex> m_shared;
   std::vector<Id> m_vertex_of;
   Id m_any_vertex = 0;
   std::vector<std::unique_ptr<Worker>> m_workers;

@@ -32,11 +32,11 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 // The handles of the cells made so far, kept in the memory of the compact cells, from the beginning
 // of each block on, so that no other memory is touched. A handle is no larger than a compact cell:
 // that of the k-th cell of a block overwrites only the first k, which have been read.
-template <class Tds, class Id>
+template <class Tds>
 class Cells_made
 {
   using Cell = typename Tds::Cell;
-  using Compact = Compact_cell<Id>;
+  using Compact = Compact_cell;
   static_assert(sizeof(Compact) >= sizeof(Cell*), "handles overwrite only what was read");
 
 public:
@@ -69,7 +69,7 @@ public:
   };
 
   // Blocks have `size_of_block` cells.
-  Cells_made(Built<Id>& built, std::size_t size_of_block)
+  Cells_made(Built& built, std::size_t size_of_block)
     : m_cells(built.cells)
     , m_size(size_of_block)
   {
@@ -125,26 +125,26 @@ void for_each_portion(std::size_t first, std::size_t last, const Body& body)
 }
 
 // The cells of one block: made in ascending order, each linked with those made before it.
-template <class Tds, class Id>
+template <class Tds>
 class Export_block
 {
   using Cell_handle = typename Tds::Cell_handle;
-  using Numbers = Compact_numbers<Id>;
-  using Made = Cells_made<Tds, Id>;
+  using Numbers = Compact_numbers;
+  using Made = Cells_made<Tds>;
   using Block = typename Made::Block;
 
 public:
   // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
   // ones they are cannot be predicted. One to a later block is kept, for both its ends.
   template <class Vertex>
-  void make(typename Tds::Cell_range& range, Built<Id>& built, const std::vector<Vertex>& vertices,
+  void make(typename Tds::Cell_range& range, Built& built, const std::vector<Vertex>& vertices,
             Block cells, Cell_handle scratch, std::size_t first, std::size_t last)
   {
     // Before this cell there are handles to keep.
     const std::size_t kept = first + Made::cells_overwritten(last - first);
     for_each_portion(first, last, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
-        const Compact_cell<Id> cell = built.cells[c];
+        const Compact_cell cell = built.cells[c];
         const std::size_t own = c - first;
         cells.set(own, scratch);
         fetch_ahead(built, cells, c, first, last);
@@ -198,8 +198,8 @@ private:
 
   // How many cells ahead handles, and then what they point to, are prefetched. The distances were
   // chosen by trial; no measurement of them is kept.
-  static void fetch_ahead(const Built<Id>& built, const Block& cells, std::size_t c,
-                          std::size_t first, std::size_t last)
+  static void fetch_ahead(const Built& built, const Block& cells, std::size_t c, std::size_t first,
+                          std::size_t last)
   {
     constexpr std::size_t handles_ahead = 24, cells_ahead = 8;
     for (const Id link : built.cells[(std::min)(c + handles_ahead, last - 1)].links)
@@ -212,15 +212,15 @@ private:
 };
 
 // The cells alone. Returns their handles by cell, which lie in the memory of the compact cells.
-template <class Tds, class Id, class Vertex>
-Cells_made<Tds, Id> export_cells(Tds& tds, Built<Id>& built, const std::vector<Vertex>& vertices,
-                                 typename Tds::Cell_handle scratch, const Executor& executor)
+template <class Tds, class Vertex>
+Cells_made<Tds> export_cells(Tds& tds, Built& built, const std::vector<Vertex>& vertices,
+                             typename Tds::Cell_handle scratch, const Executor& executor)
 {
   using Range = typename Tds::Cell_range;
   const std::size_t n = built.cells_end, number = blocks_of_export<Range>(executor, n);
-  const Cells_made<Tds, Id> cells(built, size_of_block(n, number));
+  const Cells_made<Tds> cells(built, size_of_block(n, number));
   std::vector<Range> ranges(number);
-  std::vector<Export_block<Tds, Id>> blocks(number);
+  std::vector<Export_block<Tds>> blocks(number);
   ranges[0].swap(tds.cells());
   for_each_block(executor, n, number, [&](std::size_t first, std::size_t last, std::size_t b) {
     const auto own = b == 0 ? scratch : ranges[b].emplace();
@@ -238,11 +238,10 @@ Cells_made<Tds, Id> export_cells(Tds& tds, Built<Id>& built, const std::vector<V
 
 // The k-th vertex to be created, k > 0: in the order of the numbers, or in that in which `order`,
 // if it is there, first names points.
-template <class Vertex>
 struct Creation_order
 {
   const std::vector<std::size_t>* order;
-  const Vertex* vertices; // by point
+  const Id* vertices; // by point
   bool is_own() const { return order == nullptr; }
   std::size_t operator()(std::size_t k) const
   {
@@ -284,9 +283,9 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
 // vertex, that of the infinite vertex first, and none where there is no vertex. With several
 // workers each fills containers of its own, which are then merged: their order is that of the
 // numbers all the same.
-template <class Triangulation, class Id, class PointOf, class InOrder>
+template <class Triangulation, class PointOf, class InOrder>
 std::vector<typename Triangulation::Vertex_handle>
-export_complex(Triangulation& tr, Built<Id>& built, const PointOf& point, const InOrder& in_order,
+export_complex(Triangulation& tr, Built& built, const PointOf& point, const InOrder& in_order,
                const Executor& executor)
 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
@@ -297,7 +296,7 @@ export_complex(Triangulation& tr, Built<Id>& built, const PointOf& point, const 
   for_each_block(executor, vertices.size(), number,
                  [&](std::size_t first, std::size_t last, std::size_t) {
                    for (std::size_t v = first; v < last; ++v)
-                     cell_of[v] = built.vertices[v].cell;
+                     cell_of[v] = built.cell_of(v);
                  });
   built.give_up_vertices();
   tds.set_dimension(3);
@@ -337,21 +336,21 @@ void fill_upper_levels(Triangulation& tr,
 // Fills `tr`, which is empty, with what was built of the points, and gives up its memory. Returns the
 // vertices by point. They are made in the order of insertion or in
 // that of the input. Linear.
-template <class Triangulation, class Id>
+template <class Triangulation>
 std::vector<typename Triangulation::Vertex_handle>
-export_built(Built<Id>& built, const std::vector<typename Triangulation::Point>& points,
+export_built(Built& built, const std::vector<typename Triangulation::Point>& points,
              bool creates_in_input_order, Triangulation& tr, const Executor& executor)
 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
   const std::size_t n = built.order.size;
   const std::size_t* const order = built.order.order;
   const auto point = [&](std::size_t v) -> const typename Triangulation::Point* {
-    const std::size_t k = Compact_numbers<Id>::point_of_vertex(v);
+    const std::size_t k = Compact_numbers::point_of_vertex(v);
     prefetch(&points[order[(std::min)(k + prefetch_distance, n - 1)]]);
     return built.vertex_of[k] == v ? &points[order[k]] : nullptr;
   };
   const auto places = creates_in_input_order ? inverse(order, n) : std::vector<std::size_t>();
-  const Creation_order<Id> in_order = {creates_in_input_order ? &places : nullptr, built.vertex_of};
+  const Creation_order in_order = {creates_in_input_order ? &places : nullptr, built.vertex_of};
   auto handles = export_complex(tr, built, point, in_order, executor);
   fill_upper_levels(tr, handles);
   handles.front() = {}; // the infinite vertex is no point's

@@ -171,14 +171,13 @@ std::string obstacle_to_core(const Triangulation& tr,
 }
 
 // What the core found.
-template <class Id>
-std::string obstacle_found(const Built<Id>& built)
+inline std::string obstacle_found(const Built& built)
 {
   switch (built.outcome) {
   case Insertion_outcome::FLAT:
     return "the points lie in one plane";
-  case Insertion_outcome::TOO_FEW_IDS:
-    return Too_few_ids(std::numeric_limits<Id>::digits).what();
+  case Insertion_outcome::TOO_MANY_CELLS:
+    return Too_many_cells().what();
   default:
     return "";
   }
@@ -333,13 +332,6 @@ void take_place(Triangulation& aside, Triangulation& tr)
 // The fast way from the points of a call to the vertices of an empty triangulation: what the core is
 // given, what comes of it, and CGAL's insertion, in the same order, where it cannot serve.
 
-// The type of the core's ids where a traits class is used; tests use others.
-template <class Traits>
-struct Id_of_core
-{
-  using type = std::uint32_t;
-};
-
 template <class Traits>
 using Says_of_starting_places = decltype(Traits::uses_starting_places);
 
@@ -359,92 +351,57 @@ struct Order_options
   bool creates_in_input_order;
 };
 
-template <class Traits, class Triangulation, class Input, class Watcher>
-class Way_through_core
+// CGAL's insertion in the place of the core, for the reason `obstacle`, in the same order: what is known
+// of it, or what `orders` makes.
+template <class Traits, class Triangulation, class Watcher>
+[[gnu::cold]] Inserted_points<typename Triangulation::Vertex_handle>
+insert_round_core(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
+                  Doubles_of_points<typename Triangulation::Point>& doubles, Order_source& orders,
+                  std::optional<Insertion_order> order, const std::string& obstacle,
+                  Watcher& watcher, const Executor& executor)
 {
-  using Point = typename Triangulation::Point;
-  using Inserted = Inserted_points<typename Triangulation::Vertex_handle>;
-
-public:
-  using Id = typename Id_of_core<Traits>::type;
-
-  // Keeps references to all but the options.
-  Way_through_core(Triangulation& tr, const Input& input, const Traits& traits,
-                   const Order_options& options, Watcher& watcher, const Executor& executor)
-    : m_tr(tr)
-    , m_input(input)
-    , m_options(options)
-    , m_watcher(watcher)
-    , m_executor(executor)
-    , m_doubles(input.points)
-    , m_planned{input.points, tr.geom_traits(), input.graph, input.index_map}
-    , m_orders(order_source(traits.insertion_plan_object(options.seed), m_planned))
-    , m_obstacle(obstacle_to_core(tr, m_doubles))
-  {
+  using Phase = Surface_insertion_phase;
+  if (!order) {
+    watcher.phase_begins(Phase::PLAN);
+    order = copy_of(orders.make(doubles.points(), executor));
+    if (!uses_starting_places<Traits>())
+      order->starting_places.clear();
+    watcher.phase_begins(Phase::SUBGRAPH);
   }
+  doubles.give_up();
+  watcher.target_is_replaced(obstacle);
+  return insert_through_cgal<Planned_hints_3>(tr, points, *order, Index_graph(), watcher);
+}
 
-  // Whether build() may be called.
-  bool is_open() const { return m_obstacle.empty(); }
-  Point_source& points() { return m_doubles; }
-  Order_source& orders() { return *m_orders; }
-  Request request() const { return {false, uses_starting_places<Traits>()}; }
-
-  // What build() made becomes the triangulation, or leads round the core.
-  void take(Built<Id>& built)
-  {
-    m_obstacle = obstacle_found(built);
-    m_inserted.is_complete = built.outcome == Insertion_outcome::COMPLETE;
-    if (m_inserted.is_complete) {
-      m_inserted.vertices =
-          export_built(built, m_input.points, m_options.creates_in_input_order, m_tr, m_executor);
-    } else if (built.outcome == Insertion_outcome::FLAT) {
-      m_order = copy_of(built.order);
+// Returns the vertices by point.
+template <class Crew, class Traits, class Triangulation, class Input, class Watcher>
+Inserted_points<typename Triangulation::Vertex_handle>
+insert_through_core(Triangulation& tr, const Input& input, const Traits& traits,
+                    const Order_options& options, Watcher& watcher, const Executor& executor)
+{
+  Doubles_of_points<typename Triangulation::Point> doubles(input.points);
+  const Planned_points planned{input.points, tr.geom_traits(), input.graph, input.index_map};
+  const auto orders = order_source(traits.insertion_plan_object(options.seed), planned);
+  std::string obstacle = obstacle_to_core(tr, doubles);
+  std::optional<Insertion_order> order;
+  if constexpr (serves_geom_traits<Triangulation>())
+    if (obstacle.empty()) {
+      const auto built =
+          build<Crew>(doubles, *orders, {false, uses_starting_places<Traits>()}, watcher, executor);
+      if (built->outcome == Insertion_outcome::COMPLETE)
+        return {export_built(*built, input.points, options.creates_in_input_order, tr, executor),
+                true};
+      if (built->outcome == Insertion_outcome::STOPPED)
+        return {};
+      obstacle = obstacle_found(*built);
+      if (built->outcome == Insertion_outcome::FLAT)
+        order = copy_of(built->order);
     }
-  }
-
-  // The vertices by point.
-  Inserted finish()
-  {
-    if (!m_obstacle.empty())
-      insert_round_the_core();
-    return std::move(m_inserted);
-  }
-
-private:
-  using Graph = std::decay_t<decltype(std::declval<const Input&>().graph)>;
-  using Index_map = decltype(std::declval<const Input&>().index_map);
-  using Planned = Planned_points<Point, typename Triangulation::Geom_traits, Graph, Index_map>;
-
-  [[gnu::cold]] void insert_round_the_core()
-  {
-    using Phase = Surface_insertion_phase;
-    if (m_options.creates_in_input_order)
-      refuse_input_order(m_obstacle);
-    if (!m_order) {
-      m_watcher.phase_begins(Phase::PLAN);
-      m_order = copy_of(m_orders->make(m_doubles.points(), m_executor));
-      if (!uses_starting_places<Traits>())
-        m_order->starting_places.clear();
-      m_watcher.phase_begins(Phase::SUBGRAPH);
-    }
-    m_doubles.give_up();
-    m_watcher.target_is_replaced(m_obstacle);
-    m_inserted = insert_through_cgal<Planned_hints_3>(m_tr, m_input.points, *m_order, Index_graph(),
-                                                      m_watcher);
-  }
-
-  Triangulation& m_tr;
-  const Input& m_input;
-  const Order_options m_options;
-  Watcher& m_watcher;
-  const Executor& m_executor;
-  Doubles_of_points<Point> m_doubles;
-  const Planned m_planned;
-  const std::unique_ptr<Order_source> m_orders;
-  std::string m_obstacle; // empty as long as there is none
-  std::optional<Insertion_order> m_order;
-  Inserted m_inserted;
-};
+  if (options.creates_in_input_order)
+    refuse_input_order(obstacle);
+  return insert_round_core<Traits>(tr, input.points, doubles, *orders, std::move(order), obstacle,
+                                   watcher, executor);
+}
 
 template <class NamedParameters>
 Order_options order_options(const NamedParameters& np)
@@ -548,14 +505,8 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
     if (input.points.size() < least_points_for_core<Traits>(tr, np)) {
       inserted = insert_few_points(into, input.points);
     } else {
-      using Way = Way_through_core<Traits, Triangulation, Input, decltype(watcher)>;
-      const ExecutorOfCall executor{};
-      Way way(into, input, traits, options, watcher, executor);
-      if constexpr (serves_geom_traits<Triangulation>())
-        if (way.is_open())
-          way.take(*build<typename Way::Id, typename Crew<ExecutorOfCall>::type>(
-              way.points(), way.orders(), way.request(), watcher, executor));
-      inserted = way.finish();
+      inserted = insert_through_core<typename Crew<ExecutorOfCall>::type>(
+          into, input, traits, options, watcher, ExecutorOfCall());
     }
   } else {
     if (options.creates_in_input_order)

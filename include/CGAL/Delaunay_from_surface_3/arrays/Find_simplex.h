@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FIND_SIMPLEX_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_FIND_SIMPLEX_H
 
-// Which tetrahedron contains a point: a walk from one to the next through facets that separate them
-// from the point, as exact orientations say. In a Delaunay triangulation, a perturbed one too, it never
-// comes back (Devillers, Pion, Teillaud 2002).
+// Finds the tetrahedron that contains a point, by a walk from one to the next through facets that
+// separate them from the point; orientations are exact. In a Delaunay triangulation, even if it is
+// perturbed, the walk never returns to a tetrahedron (Devillers, Pion, Teillaud 2002).
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
@@ -33,9 +33,10 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Tetrahedra as rows of arrays owned elsewhere: entry k of simplex c is at c * stride + k. Beyond
-// the hull is -1 or an infinite cell, which has a number from `number` on. What is out of range is
-// refused when it is met.
+// Refers to tetrahedra as rows of arrays that it does not own: entry k of simplex c is at
+// c * stride + k.
+// The neighbour beyond the hull is -1 or an infinite cell, numbered from `number` on. Entries out
+// of range are refused when they are read.
 template <class Index>
 struct Simplices_view
 {
@@ -62,7 +63,8 @@ struct Simplices_view
   }
 };
 
-// `point_of(i)`: the coordinates of point i, as a std::array<double, 3>. For one thread.
+// Finds simplices for one thread. point_of(i) returns the coordinates of point i, as a
+// std::array<double, 3>.
 template <class Index, class PointOf>
 class Find_simplex
 {
@@ -70,16 +72,16 @@ class Find_simplex
   using Face = std::array<Index, 2>; // a vertex and -1, or two vertices
 
 public:
-  // Keeps copies of both.
+  // Keeps copies of both arguments.
   Find_simplex(const Simplices_view<Index>& simplices, const PointOf& point_of)
     : m_simplices(simplices)
     , m_point_of(point_of)
   {
   }
 
-  // The simplex with the smallest number that contains q, its facets included, or -1. Starts where the
-  // last one was found. Expected constant for points near the last one; all those at the same vertex or
-  // edge take one turn around it together.
+  // Returns the simplex with the smallest number that contains q, its facets included, or -1.
+  // Starts at the last simplex found. Takes expected constant time for points near the last one;
+  // all points at the same vertex or on the same edge together cost one turn around it.
   Index operator()(const Point& q)
   {
     if (m_simplices.number == 0)
@@ -99,8 +101,8 @@ public:
   }
 
 private:
-  // The first facet with q beyond it, or -1: then bit k of m_facets says whether q lies in facet k. That
-  // which leads back to `from` has q on the inner side.
+  // Returns the first facet with q beyond it, or -1: then bit k of m_facets tells whether q lies in
+  // facet k. The facet that leads back to `from` is not tested: q is on its inner side.
   int look(Index c, const Point& q, Index from)
   {
     Point corners[4];
@@ -144,7 +146,8 @@ private:
                        corners[facet[2]].data());
   }
 
-  // The least of all that have q in a facet, as m_last has: they are met through such facets.
+  // Returns the least of all simplices that have q in a facet, as m_last has: they are reached
+  // through such facets.
   Index least_around(const Point& q)
   {
     const Face face = face_of_last();
@@ -173,7 +176,8 @@ private:
     return least;
   }
 
-  // The vertex or edge of m_last that q is in; twice -1 in a facet, which has two simplices at most.
+  // Returns the vertex or edge of m_last on which q lies, or twice -1 if it is in a facet, which
+  // belongs to at most two simplices.
   Face face_of_last() const
   {
     Face face = {-1, -1};
@@ -210,10 +214,8 @@ private:
   std::map<Face, Index> m_least; // around faces with many simplices
 };
 
-// Finds the simplices of many points: each thread sorts a part of them by space, and walks from one
-// to the next.
-
-// Writes to found[i] what contains queries[i].
+// Finds the simplices of many points: each thread sorts a part of them in space, and walks from one
+// to the next. Writes the simplex that contains queries[i] to found[i].
 template <class Index, class PointOf>
 void find_simplices(const Simplices_view<Index>& simplices, const PointOf& point_of,
                     const Point_array& queries, Index* found, const Executor& executor)
@@ -227,7 +229,7 @@ void find_simplices(const Simplices_view<Index>& simplices, const PointOf& point
                    Find_simplex<Index, PointOf> find(simplices, point_of);
                    Steps step(executor);
                    for (const std::size_t i : order) {
-                     step(64); // cells on the way, about
+                     step(64); // about as many cells are on the way
                      found[i] = find({queries[i][0], queries[i][1], queries[i][2]});
                    }
                  });

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_ARRAYS_OF_BUILT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_ARRAYS_OF_BUILT_H
 
-// From the core's complex to arrays.
+// Turns the core's complex into arrays.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -30,24 +30,24 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The arrays of points that lie in one plane, on one line, or at one place.
+// The following makes the arrays of points that lie in one plane, on one line, or at one place.
 //
-// In a plane: one point more, the apex, off the plane. The sphere through a triangle and the apex
-// cuts the plane in the circle of the triangle, so the cells at the apex are the triangles of the
-// Delaunay triangulation in the plane, infinite ones included, each with the apex on top. CGAL's
-// perturbation of points on one circle is the same in both: raising the apex changes no sign, as
-// the other four points of a test lie in one plane. So the kernel need not know of planes.
+// To points in a plane one point is added, the apex, off the plane. The sphere through a triangle
+// and the apex cuts the plane in the circle of the triangle, so the cells at the apex are the
+// triangles of the Delaunay triangulation in the plane, infinite ones included, each with the apex
+// on top. CGAL's perturbation of points on one circle is the same in both: raising the apex changes
+// no sign, as the other four points of a test lie in one plane. So the kernel does not know planes.
 
-// The triangles at the apex, the last vertex of what was built, as rows of eight entries: three
-// vertices by `names`, three neighbours; the infinite ones last. Returns how many are finite, and how many there
-// are.
-template <class Index, class Id>
+// Writes the triangles at the apex, the last vertex of the complex, as rows of eight entries: three
+// vertices by `names`, three neighbours; infinite triangles come last. Returns the number of finite
+// ones, and of all.
+template <class Index>
 std::pair<std::size_t, std::size_t>
-triangles_at(const Built<Id>& built, const std::vector<Index>& names, Page_array<Index>& rows)
+triangles_at(const Built& built, const std::vector<Index>& names, Page_array<Index>& rows)
 {
-  using Numbers = Compact_numbers<Id>;
+  using Numbers = Compact_numbers;
   const Id apex = built.vertex_of[built.number_of_places - 1];
-  const auto place_of_apex = [&](std::size_t c) { // 4: none
+  const auto place_of_apex = [&](std::size_t c) { // 4 if c is dead or has no apex
     const Id* const v = built.cells[c].v;
     return Numbers::is_dead(built.cells[c]) ? std::ptrdiff_t(4) : std::find(v, v + 4, apex) - v;
   };
@@ -73,8 +73,8 @@ triangles_at(const Built<Id>& built, const std::vector<Index>& names, Page_array
   return {finite, all};
 }
 
-// The segments between points in `line`, indices that ascend along a line, as rows of eight: the
-// segments first, then the infinite one at each end.
+// Returns the segments between the points `line`, indices in their order along a line, as rows of
+// eight: the finite segments first, then the infinite one at each end.
 template <class Index>
 Page_array<Index> segments_of(const std::vector<Index>& line)
 {
@@ -95,14 +95,14 @@ Page_array<Index> segments_of(const std::vector<Index>& line)
   return rows;
 }
 
-// The arrays of points on a line, or at one place. Throws if an Index cannot number their cells.
+// Makes the arrays of points on a line or at one place. Throws if an Index cannot number the cells.
 template <class Index>
 Delaunay_3_arrays<Index> arrays_on_line(const Point_array& points)
 {
   using Arrays = Delaunay_3_arrays<Index>;
   const std::size_t n = points.size();
   if (n >= std::size_t((std::numeric_limits<Index>::max)()))
-    throw Too_few_ids(std::numeric_limits<Index>::digits);
+    throw Too_many_cells();
   const auto point = [&](Index i) {
     const double* const p = points[std::size_t(i)];
     return std::array<double, 3>{p[0], p[1], p[2]};
@@ -132,32 +132,30 @@ Delaunay_3_arrays<Index> arrays_on_line(const Point_array& points)
   return Arrays(0, 1, 2, std::move(rows), std::move(vertices_of_points));
 }
 
-// Puts the cells in place: the finite ones first, then the infinite ones, and none that is dead.
+// The following puts the cells in place: finite ones first, then infinite ones, and no dead ones.
 //
 // A link names the facet of the neighbour, too. So a cell can be moved at any time: the four links
 // that lead back to it are known, and no table from old to new numbers is needed. Several threads
-// look for the cells that may have to move, the dead and the infinite ones, which are few where the
-// points are those of a surface or fill a volume; one moves them. Linear.
+// look for the cells that may have to move, the dead and the infinite ones, which are few if the
+// points lie on a surface or fill a volume; one thread moves them. Linear.
 
-// The cell at place c has been moved there: sets the links of its neighbours.
-template <class Id>
-void link_back(Compact_cell<Id>* cells, Id c)
+// Sets the links of the neighbours to the cell at place c, which has been moved there.
+inline void link_back(Compact_cell* cells, Id c)
 {
   for (unsigned i = 0; i < 4; ++i) {
     const Id there = cells[c].links[i];
-    cells[there >> 2].links[there & 3] = Compact_numbers<Id>::link(c, i);
+    cells[there >> 2].links[there & 3] = Compact_numbers::link(c, i);
   }
 }
 
-template <class Id>
-void swap_cells(Compact_cell<Id>* cells, Id a, Id b)
+inline void swap_cells(Compact_cell* cells, Id a, Id b)
 {
   std::swap(cells[a], cells[b]);
-  const auto redirect = [&](Id here,
-                            Id former) { // a cell at `here` that names itself meant the other
+  // A cell at `here` that names itself as a neighbour meant the other cell.
+  const auto redirect = [&](Id here, Id former) {
     for (Id& link : cells[here].links)
       if ((link >> 2) == here)
-        link = Compact_numbers<Id>::link(former, link & 3);
+        link = Compact_numbers::link(former, link & 3);
   };
   redirect(a, b);
   redirect(b, a);
@@ -165,9 +163,9 @@ void swap_cells(Compact_cell<Id>* cells, Id a, Id b)
   link_back(cells, b);
 }
 
-// Those of the cells 0, …, n - 1 for which `is` holds, in ascending order.
-template <class Id, class Is>
-std::vector<Id> cells_that(const Compact_cell<Id>* cells, std::size_t n, const Is& is,
+// Returns the cells among 0, …, n - 1 for which `is` holds, in ascending order.
+template <class Is>
+std::vector<Id> cells_that(const Compact_cell* cells, std::size_t n, const Is& is,
                            const Executor& executor)
 {
   const std::size_t blocks = number_of_blocks(executor, n, 65536);
@@ -183,10 +181,9 @@ std::vector<Id> cells_that(const Compact_cell<Id>* cells, std::size_t n, const I
 }
 
 // Moves the last living cells to the places of dead ones. Returns the number of cells.
-template <class Id>
-std::size_t close_gaps(Compact_cell<Id>* cells, std::size_t end, const Executor& executor)
+inline std::size_t close_gaps(Compact_cell* cells, std::size_t end, const Executor& executor)
 {
-  using Numbers = Compact_numbers<Id>;
+  using Numbers = Compact_numbers;
   const std::vector<Id> dead = cells_that(
       cells, end, [](const auto& c) { return Numbers::is_dead(c); }, executor);
   const std::size_t all = end - dead.size();
@@ -205,11 +202,11 @@ struct Numbers_of_cells
   std::size_t finite, all;
 };
 
-// Vertices keep their old cells.
-template <class Id>
-Numbers_of_cells partition_cells(Compact_cell<Id>* cells, std::size_t end, const Executor& executor)
+// Puts the cells in place. The cells stored at vertices are not updated.
+inline Numbers_of_cells partition_cells(Compact_cell* cells, std::size_t end,
+                                        const Executor& executor)
 {
-  using Numbers = Compact_numbers<Id>;
+  using Numbers = Compact_numbers;
   const std::size_t all = close_gaps(cells, end, executor);
   const std::vector<Id> infinite = cells_that(
       cells, all, [](const auto& c) { return Numbers::is_infinite(c); }, executor);
@@ -225,16 +222,16 @@ Numbers_of_cells partition_cells(Compact_cell<Id>* cells, std::size_t end, const
   return {finite, all};
 }
 
-// By vertex: the smallest index of its points.
-template <class Index, class Id>
-std::vector<Index> names_of_vertices(const Built<Id>& built, const Executor& executor)
+// Returns, for each vertex, the smallest index of its points.
+template <class Index>
+std::vector<Index> names_of_vertices(const Built& built, const Executor& executor)
 {
   std::vector<Index> names(built.number_of_places + 1, Index(-1));
   const std::size_t n = built.order.size, blocks = number_of_blocks(executor, n, 4096);
-  std::vector<std::vector<std::size_t>> others(blocks); // whose vertex is that of another point
+  std::vector<std::vector<std::size_t>> others(blocks); // they share the vertex of another point
   for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
     for (std::size_t k = first; k < last; ++k)
-      if (std::size_t(built.vertex_of[k]) == Compact_numbers<Id>::vertex_of_point(k))
+      if (std::size_t(built.vertex_of[k]) == Compact_numbers::vertex_of_point(k))
         names[k + 1] = Index(built.order.order[k]);
       else
         others[b].push_back(k);
@@ -244,12 +241,12 @@ std::vector<Index> names_of_vertices(const Built<Id>& built, const Executor& exe
       Index& name = names[built.vertex_of[k]];
       name = (std::min)(name, Index(built.order.order[k]));
     }
-  return names; // that of the infinite vertex, 0, and of an apex is -1
+  return names; // the infinite vertex, 0, and an apex have the name -1
 }
 
-// By point: the name of its vertex.
-template <class Index, class Id>
-std::vector<Index> vertices_of_points(const Built<Id>& built, const std::vector<Index>& names,
+// Returns, for each point, the name of its vertex.
+template <class Index>
+std::vector<Index> vertices_of_points(const Built& built, const std::vector<Index>& names,
                                       const Executor& executor)
 {
   const std::size_t n = built.order.size;
@@ -262,9 +259,9 @@ std::vector<Index> vertices_of_points(const Built<Id>& built, const std::vector<
   return vertices;
 }
 
-// The arrays of points in a plane: the triangles at the apex.
-template <class Index, class Id>
-Delaunay_3_arrays<Index> arrays_at_apex(const Built<Id>& built, const Executor& executor)
+// Makes the arrays of points in a plane from the triangles at the apex.
+template <class Index>
+Delaunay_3_arrays<Index> arrays_at_apex(const Built& built, const Executor& executor)
 {
   using Arrays = Delaunay_3_arrays<Index>;
   const std::vector<Index> names = names_of_vertices<Index>(built, executor);
@@ -273,12 +270,12 @@ Delaunay_3_arrays<Index> arrays_at_apex(const Built<Id>& built, const Executor& 
   return Arrays(2, finite, all, std::move(rows), vertices_of_points(built, names, executor));
 }
 
-// Vertices get these names, and links become the numbers of neighbours: -1 from `end` on.
-template <class Index, class Id>
-void rename_vertices(Compact_cell<Id>* first, Compact_cell<Id>* last,
-                     const std::vector<Index>& names, Index end)
+// Replaces vertices by these names, and links by the numbers of neighbours, or -1 from `end` on.
+template <class Index>
+void rename_vertices(Compact_cell* first, Compact_cell* last, const std::vector<Index>& names,
+                     Index end)
 {
-  for (Compact_cell<Id>* cell = first; cell != last; ++cell) {
+  for (Compact_cell* cell = first; cell != last; ++cell) {
     for (std::size_t k = 0; k < 4; ++k) { // in a vector
       const auto neighbor = Index(cell->links[k] >> 2);
       cell->links[k] = Id(neighbor < end ? neighbor : Index(-1));
@@ -288,10 +285,10 @@ void rename_vertices(Compact_cell<Id>* first, Compact_cell<Id>* last,
   }
 }
 
-// The arrays of points in space, of all cells or of finite ones alone. Vertices become indices of
-// points, and links the numbers of neighbours; the memory of the cells is kept.
-template <class Index, class Id>
-Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built, const Executor& executor,
+// Makes the arrays of points in space, with all cells or with finite ones alone. Vertices become
+// indices of points, and links the numbers of neighbours; the arrays reuse the memory of the cells.
+template <class Index>
+Delaunay_3_arrays<Index> arrays_in_space(Built& built, const Executor& executor,
                                          bool keeps_infinite)
 {
   using Arrays = Delaunay_3_arrays<Index>;
@@ -304,22 +301,21 @@ Delaunay_3_arrays<Index> arrays_in_space(Built<Id>& built, const Executor& execu
                    rename_vertices(built.cells + first, built.cells + last, names, Index(number));
                  });
   std::size_t capacity = 0;
-  Compact_cell<Id>* const cells = built.take_cells(capacity);
+  Compact_cell* const cells = built.take_cells(capacity);
   return Arrays(3, numbers.finite, number,
-                typename Arrays::Entries(Page_array<Compact_cell<Id>>(cells, capacity)),
+                typename Arrays::Entries(Page_array<Compact_cell>(cells, capacity)),
                 vertices_of_points(built, names, executor));
 }
 
-// The arrays of what was built of the points, with an apex if they lie in a plane; empty after a
-// stop. Throws a std::length_error if the cells are more than an Index can number. Linear, by as
-// many threads as the executor has; to leave infinite cells out costs nothing here.
+// Makes the arrays of the complex that was built, with an apex if the points lie in a plane; empty
+// after a stop. Throws a std::length_error if there are more cells than an Index can number.
+// Linear, with as many threads as the executor has; leaving out infinite cells costs nothing here.
 template <class Index>
-Delaunay_3_arrays<Index> arrays_of_built(Built<std::make_unsigned_t<Index>>& built,
-                                         Point_source& source, const Executor& executor,
-                                         bool keeps_infinite = true)
+Delaunay_3_arrays<Index> arrays_of_built(Built& built, Point_source& source,
+                                         const Executor& executor, bool keeps_infinite = true)
 {
-  if (built.outcome == Insertion_outcome::TOO_FEW_IDS)
-    throw Too_few_ids(std::numeric_limits<std::make_unsigned_t<Index>>::digits);
+  if (built.outcome == Insertion_outcome::TOO_MANY_CELLS)
+    throw Too_many_cells();
   if (built.outcome == Insertion_outcome::COMPLETE && !built.has_apex)
     return arrays_in_space<Index>(built, executor, keeps_infinite);
   Delaunay_3_arrays<Index> arrays;

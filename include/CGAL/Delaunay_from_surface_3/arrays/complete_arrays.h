@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_COMPLETE_ARRAYS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_COMPLETE_ARRAYS_H
 
-// Arrays with neighbours and infinite cells, from the simplices alone.
+// Makes arrays with neighbours and infinite cells from the simplices alone.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
@@ -28,9 +28,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The neighbours of simplices, from their vertices alone: two that share a facet.
+// Neighbours are found from the vertices alone: they are two simplices that share a facet.
 
-// Holds the vertices of a facet in ascending order, with 0 for those that it lacks, and whether an odd
+// Holds the vertices of a facet in ascending order, with 0 for missing ones, and whether an odd
 // permutation leads there from the order that the simplex induces.
 struct Facet_key
 {
@@ -38,7 +38,7 @@ struct Facet_key
   bool is_odd = false;
 };
 
-// Simplices: corner k of simplex c is rows[stride · c + k], one of 0, …, n-1.
+// Refers to simplices: corner k of simplex c is rows[stride · c + k], one of 0, …, n-1.
 template <class Index>
 struct Corners_view
 {
@@ -47,7 +47,7 @@ struct Corners_view
   std::size_t number;
 };
 
-// The key of facet f: that of simplex f / Corners which leaves out corner f % Corners.
+// Returns the key of facet f, which belongs to simplex f / Corners and omits corner f % Corners.
 template <std::size_t Corners, class Index>
 Facet_key key_of_facet(const Corners_view<Index>& simplices, std::size_t f)
 {
@@ -56,7 +56,7 @@ Facet_key key_of_facet(const Corners_view<Index>& simplices, std::size_t f)
     return std::uint32_t(row[(f % Corners + i) % Corners]);
   };
   Facet_key key;
-  key.is_odd = (Corners - 1) * f % 2 != 0; // so many swaps bring the corner to the front
+  key.is_odd = (Corners - 1) * f % 2 != 0; // the parity of the rotation
   key.least = vertex(1);
   if constexpr (Corners > 2) {
     const std::uint32_t v = vertex(2);
@@ -74,13 +74,13 @@ Facet_key key_of_facet(const Corners_view<Index>& simplices, std::size_t f)
   return key;
 }
 
-// Tells whether every facet belongs to at most two simplices, and whether these lie on its two sides.
+// Tells whether every facet belongs to at most two simplices, and whether they are on both sides.
 struct Matched_facets
 {
   bool are_pairs = true, are_oriented = true;
 };
 
-// Finds facets with the same least vertex by the two others.
+// Finds facets with the same least vertex by their other vertices.
 class Facet_table
 {
 public:
@@ -95,7 +95,7 @@ public:
     m_chains.assign(m_mask + 1, none);
   }
 
-  // Returns the other one with these vertices, or `none` if this is the first.
+  // Returns the earlier facet with these vertices, or `none` if this is the first.
   std::uint32_t add(const Facet_key& key, std::uint32_t number)
   {
     const std::uint64_t both = std::uint64_t(key.middle) << 32 | key.greatest;
@@ -111,7 +111,7 @@ public:
     return none;
   }
 
-  // Tells it of all facets so far.
+  // Returns the result for all facets so far.
   const Matched_facets& matched() const { return m_matched; }
 
 private:
@@ -128,9 +128,9 @@ private:
   Matched_facets m_matched;
 };
 
-// Calls set(c, k, d) for facet k of simplex c and the simplex d across, both ways; a facet that has no
-// partner is left out. If one has several, the simplices are not those of a triangulation. Throws if
-// there are 2^30 simplices; `set` is called by several threads. Expected linear; 16 bytes for each
+// Calls set(c, k, d) for facet k of simplex c and the simplex d across, both ways; a facet without
+// a partner is skipped. If a facet has several, the simplices form no triangulation. Throws if
+// there are 2^30 simplices; several threads call `set`. Expected linear; takes 16 bytes for each
 // simplex, and 4 for each of the n vertices.
 template <std::size_t Corners, class Index, class Set>
 Matched_facets match_facets(const Corners_view<Index>& simplices, std::size_t n, const Set& set,
@@ -177,8 +177,8 @@ Matched_facets match_facets(const Corners_view<Index>& simplices, std::size_t n,
   return all;
 }
 
-// The corners of facet k, as a simplex beyond it has them: with a point there as their last one, it is
-// positive where the simplex is. In a plane: has the same orientation.
+// Returns corner i of facet k in the order of an infinite cell beyond it: with a point there as
+// last corner, this cell has the orientation of the simplex, except on a line.
 template <std::size_t Corners>
 constexpr std::size_t corner_beyond(std::size_t k, std::size_t i)
 {
@@ -188,8 +188,8 @@ constexpr std::size_t corner_beyond(std::size_t k, std::size_t i)
     return Corners == 3 ? (k + 2 - i) % 3 : 1 - k;
 }
 
-// Returns arrays of simplices with this many corners, or nothing (see below). Infinite cells are linked
-// along the edges that their finite facets share.
+// Returns arrays of simplices with this many corners, or nothing (see complete_arrays()). Infinite
+// cells are linked where their finite facets share an edge, or a vertex in a plane.
 template <std::size_t Corners, class Index>
 std::optional<Delaunay_3_arrays<Index>>
 complete_simplices(const std::vector<std::array<Index, 4>>& simplices,
@@ -243,9 +243,9 @@ complete_simplices(const std::vector<std::array<Index, 4>>& simplices,
                                   std::move(vertices_of_points));
 }
 
-// Returns the arrays of simplices whose entries beyond the dimension are -1; the others are numbers of
-// points. Returns nothing if a facet belongs to more than two simplices, or to two on the same side, or if
-// the facets of the hull do not form a closed surface.
+// Returns the arrays of simplices whose entries beyond the dimension are -1; other entries are
+// numbers of points. Returns nothing if a facet belongs to more than two simplices, or to two on
+// the same side, or if the facets of the hull do not form a closed surface.
 template <class Index>
 std::optional<Delaunay_3_arrays<Index>>
 complete_arrays(int dimension, const std::vector<std::array<Index, 4>>& simplices,
@@ -274,9 +274,8 @@ complete_arrays(int dimension, const std::vector<std::array<Index, 4>>& simplice
   }
 }
 
-// Which vertices are joined by an edge.
-
-// Lists: that of v is items[first[v]], …, items[first[v+1] - 1], ascending.
+// Lists the vertices that are joined with v by an edge: items[first[v]], …, items[first[v+1] - 1],
+// in ascending order.
 template <class Index>
 struct Adjacent_vertices
 {
@@ -284,8 +283,8 @@ struct Adjacent_vertices
   std::vector<Index> items;
 };
 
-// Of n vertices and `number` simplices with corners vertex_of(c, k), k < corners. Linear, but for
-// sorting the lists.
+// Lists the edges of `number` simplices with corners vertex_of(c, k), k < corners, on n vertices.
+// Linear, apart from sorting the lists.
 template <class Index, class VertexOf>
 Adjacent_vertices<Index> adjacent_vertices(std::size_t number, std::size_t corners, std::size_t n,
                                            const VertexOf& vertex_of, const Executor& executor)

@@ -5,8 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_IS_VALID_ARRAYS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_IS_VALID_ARRAYS_H
 
-// What of arrays is checked by the points: the core's predicates, on cells that are put together
-// here.
+// Checks arrays against their points by the core's predicates, on cells that are put together here.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
@@ -32,7 +31,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What can be checked of arrays without looking at points.
+// Checks the properties of arrays that do not depend on coordinates.
 
 template <class Index>
 class Links_of_arrays
@@ -56,7 +55,7 @@ public:
                                             [&](std::size_t c) { return has_neighbors(c); });
   }
 
-  // Returns whether all vertices are points, are in a cell, and have the least index at their place.
+  // Returns whether all vertices are points, each in a cell and with the least index at its place.
   bool have_vertices() const
   {
     if (!holds_for_all(m_executor, m_arrays.number_of_cells(),
@@ -77,7 +76,8 @@ public:
     return true;
   }
 
-  // Which vertex of the neighbour lies opposite to vertex k of cell c; m_corners if none fits.
+  // Returns the place of the vertex across from vertex k of cell c in that neighbour, or m_corners
+  // if the neighbour does not lead back.
   std::size_t place_across(std::size_t c, std::size_t k) const
   {
     const Cell there = m_arrays.neighbors(std::size_t(m_arrays.neighbors(c)[k]));
@@ -86,7 +86,8 @@ public:
         there.begin());
   }
 
-  // Whether there is a sphere around each vertex, if links are valid; and whether all is connected.
+  // Returns whether the cells are connected, with the Euler characteristic of a sphere: of each
+  // vertex link in dimension 3, otherwise of the whole. are_valid() must hold.
   bool are_spheres() const
   {
     const std::size_t cells = m_arrays.number_of_cells(), n = m_arrays.number_of_vertices() + 1;
@@ -100,11 +101,11 @@ public:
     case 2:
       return cells + 4 == 2 * n;
     default:
-      using Id = std::make_unsigned_t<Index>; // the infinite vertex is number 0
-      return are_links_spheres<Id>(
+      using Number = std::make_unsigned_t<Index>; // the infinite vertex is number 0
+      return are_links_spheres<Number>(
           cells, m_arrays.number_of_points() + 1,
           [&](std::size_t c, unsigned k) {
-            return Id(m_arrays.vertices_data()[c * m_arrays.stride() + k] + 1);
+            return Number(m_arrays.vertices_data()[c * m_arrays.stride() + k] + 1);
           },
           m_executor);
     }
@@ -122,7 +123,7 @@ private:
         return false;
       if (std::find(v.begin(), v.begin() + std::ptrdiff_t(k), v[k]) !=
           v.begin() + std::ptrdiff_t(k))
-        return false; // twice
+        return false; // the vertex is there twice
     }
     return !m_arrays.is_infinite(Index(c)) ||
            std::count(v.begin(), v.begin() + std::ptrdiff_t(m_corners), Arrays::none) == 1;
@@ -141,8 +142,9 @@ private:
     return true;
   }
 
-  // The facet is the same, and seen from the other side: with the vertex across in place of vertex
-  // k the cell is the neighbour, turned inside out. Segments need not be oriented alike.
+  // Returns whether the facet is the same in the neighbour, seen from the other side: with the
+  // vertex across in place of vertex k, the cell is the neighbour turned inside out. Segments need
+  // not be oriented alike.
   bool shares_facet(std::size_t c, std::size_t k) const
   {
     const Cell there = m_arrays.vertices(std::size_t(m_arrays.neighbors(c)[k]));
@@ -174,17 +176,16 @@ private:
 
   const Arrays& m_arrays;
   const Executor& m_executor;
-  const std::size_t m_corners; // of a cell
+  const std::size_t m_corners; // the number of corners of a cell
 };
 
-// Arrays of dimension 2 or 3, cell by cell: in a plane each triangle with an apex off it on top
-// (arrays_of_built.h).
+// Presents arrays of dimension 2 or 3 as the core's cells: in a plane each triangle gets an apex
+// off the plane on top (arrays_of_built.h).
 template <class Index>
 class Cells_of_arrays
 {
   using Arrays = Delaunay_3_arrays<Index>;
-  using Id = std::make_unsigned_t<Index>;
-  using Complex = Compact_complex<Id>;
+  using Complex = Compact_complex<Compact_vertex>;
 
 public:
   // Keeps references. The links are valid; the dimension is that of the points.
@@ -196,22 +197,22 @@ public:
       m_is_turned = sign_of_cell(cell(0)) < 0;
   }
 
-  // Returns whether all cells are positive and, if that is asked, not in conflict with a vertex across a
-  // facet. A conflict is the same from both sides of a facet, so one side is asked. One pass.
+  // Returns whether all cells are positive and, if asked, not in conflict with a vertex across a
+  // facet. A conflict is the same from both sides of a facet, so one side is tested. One pass.
   bool are_right(bool are_without_conflict, const Executor& executor) const
   {
     const Links_of_arrays<Index> links(m_arrays, executor);
     return holds_for_all(executor, m_arrays.number_of_cells(), [&](std::size_t c) {
-      const Compact_cell<Id> here = cell(c);
+      const Compact_cell here = cell(c);
       if (!m_arrays.is_infinite(Index(c)) && sign_of_cell(here) <= 0)
         return false;
       Insertion_counts uncounted;
-      Compact_predicates<Id> predicates(m_vertices.complex, uncounted);
+      Compact_predicates<Compact_vertex> predicates(m_vertices.complex, uncounted);
       const auto neighbors = m_arrays.neighbors(c), corners = m_arrays.vertices(c);
       for (int k = 0; are_without_conflict && k <= m_arrays.dimension(); ++k) {
         const std::size_t d = std::size_t(neighbors[k]);
         if (d < c && corners[k] != Arrays::none)
-          continue; // seen from there
+          continue; // tested from the other side
         const Index across = m_arrays.vertices(d)[links.place_across(c, std::size_t(k))];
         if (across != Arrays::none && predicates.is_in_conflict(here, vertex(across)))
           return false;
@@ -220,17 +221,18 @@ public:
     });
   }
 
-  // Returns whether no point is in two cells, if are_right() holds: cells could still wind around an edge
-  // twice. Let x be a point of cell 0 infinitely close to its first vertex. If x lies on the inner side of
-  // every facet of the hull, the projection from x maps the hull onto a sphere around x and covers it as
-  // often as cells contain x. If only cell 0 contains x, the hull is star-shaped and does not meet itself.
-  // The number of cells that contain a point changes only across the hull, so it is 1 inside. Linear;
-  // nearly all cells are settled by comparing coordinates.
+  // Returns whether no point is in two cells, if are_right() holds: cells could still wind around
+  // an edge twice. Let x be a point of cell 0 infinitely close to its first vertex. If x lies on
+  // the inner side of every facet of the hull, the projection from x maps the hull onto a sphere
+  // around x and covers it as often as cells contain x. If only cell 0 contains x, the hull is
+  // star-shaped and does not meet itself. The number of cells that contain a point changes only
+  // across the hull, so it is 1 inside. Linear; nearly all cells are settled by comparing
+  // coordinates.
   bool are_apart(const Executor& executor) const
   {
-    const Compact_cell<Id> first = cell(0);
+    const Compact_cell first = cell(0);
     return holds_for_all(executor, m_arrays.number_of_cells(), [&](std::size_t c) {
-      const Compact_cell<Id> here = cell(c);
+      const Compact_cell here = cell(c);
       if (Complex::is_infinite(here))
         return side_of(first, here, 3) < 0;
       return c == 0 || is_outside(first.v[0], here) || side_of(first, here, 0) < 0 ||
@@ -240,9 +242,9 @@ public:
   }
 
 private:
-  // Returns the orientation of a cell with x in place of its vertex k. x lies where the first corner of
-  // cell 0 lies that is not in the plane of the other three vertices.
-  int side_of(const Compact_cell<Id>& first, Compact_cell<Id> cell, unsigned k) const
+  // Returns the orientation of a cell with x in place of its vertex k. x is on the same side as the
+  // first corner of cell 0 that is not in the plane of the other three vertices.
+  int side_of(const Compact_cell& first, Compact_cell cell, unsigned k) const
   {
     int side = 0;
     for (unsigned i = 0; i < 4 && side == 0; ++i) {
@@ -253,7 +255,7 @@ private:
   }
 
   // Returns whether a vertex lies outside the bounding box of a cell.
-  bool is_outside(Id v, const Compact_cell<Id>& cell) const
+  bool is_outside(Id v, const Compact_cell& cell) const
   {
     const auto& complex = m_vertices.complex;
     const double* const p = complex.exact_coordinates(v);
@@ -267,27 +269,28 @@ private:
     return false;
   }
 
-  // The vertices, in the order of the points; of the cells none is used.
-  static Ordered_complex<Id> vertices_of(const Point_array& points, const Starting_simplex& simplex)
+  // Returns a complex with the vertices in the order of the points; its cells are not used.
+  static Ordered_complex<Compact_vertex> vertices_of(const Point_array& points,
+                                                     const Starting_simplex& simplex)
   {
     std::vector<std::size_t> numbers(points.size());
     std::iota(numbers.begin(), numbers.end(), std::size_t(0));
     const Order_view order = {numbers.data(), numbers.size(), nullptr, 0, nullptr};
     if (simplex.dimension == 3)
-      return Ordered_complex<Id>(points, order, nullptr);
+      return Ordered_complex<Compact_vertex>(points, order, nullptr);
     const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
                                     points[simplex.points[2]]);
-    return Ordered_complex<Id>(points, order, apex.data());
+    return Ordered_complex<Compact_vertex>(points, order, apex.data());
   }
 
   bool is_flat() const { return m_arrays.dimension() == 2; }
   static Id vertex(Index i) { return i == Arrays::none ? Complex::infinite : Id(i) + 1; }
 
-  // With the infinite vertex last.
-  Compact_cell<Id> cell(std::size_t c) const
+  // Returns cell c with the infinite vertex, if it has one, last.
+  Compact_cell cell(std::size_t c) const
   {
     const auto v = m_arrays.vertices(c);
-    Compact_cell<Id> cell = {
+    Compact_cell cell = {
         {vertex(v[0]), vertex(v[1]), vertex(v[2]),
          is_flat() ? Complex::vertex_of_point(m_arrays.number_of_points()) : vertex(v[3])},
         {0, 0, 0, 0}};
@@ -301,18 +304,18 @@ private:
     return cell;
   }
 
-  int sign_of_cell(const Compact_cell<Id>& cell) const
+  int sign_of_cell(const Compact_cell& cell) const
   {
     const auto at = [&](unsigned k) { return m_vertices.complex.exact_coordinates(cell.v[k]); };
     return orientation(at(0), at(1), at(2), at(3));
   }
 
   const Arrays& m_arrays;
-  const Ordered_complex<Id> m_vertices;
+  const Ordered_complex<Compact_vertex> m_vertices;
   bool m_is_turned = false; // triangles are seen from the other side than the apex
 };
 
-// On a line: whether the segments are those between neighbours.
+// Returns whether the segments of points on a line join successive points.
 template <class Index>
 bool is_line_of_segments(const Delaunay_3_arrays<Index>& arrays, const Point_array& points)
 {
@@ -363,7 +366,7 @@ bool is_valid_if_linked(const Delaunay_3_arrays<Index>& arrays, const Point_arra
          (level < Level::DELAUNAY || cells.are_apart(executor));
 }
 
-// Returns whether arrays are valid up to a level. They must still have neighbours and infinite cells.
+// Returns whether arrays, which must have neighbours and infinite cells, are valid up to a level.
 template <class Index>
 bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
               Delaunay_validity_level level, const Executor& executor = Alone())

@@ -5,11 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_MEASURES_OF_SIMPLICES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ARRAYS_MEASURES_OF_SIMPLICES_H
 
-// Measures of tetrahedra: volumes, spheres through the corners, cells of the Voronoi diagram and
-// barycentric coordinates. All are quotients of polynomials in the differences of coordinates. Where
-// predicates are exact tetrahedra may be so flat that doubles know no digit of their volumes; so each
-// measure says which polynomials have to be known well, and is taken in doubles, which are enough for
-// most tetrahedra, in sums of two doubles if their bounds do not tell, and else in integers.
+// Measures tetrahedra: volumes, spheres through the corners, cells of the Voronoi diagram and
+// barycentric coordinates. All are quotients of polynomials in the differences of coordinates. With
+// exact predicates tetrahedra may be so flat that doubles give no correct digit of their volumes.
+// So each measure states which polynomials have to be known well. It is computed in doubles, which
+// are enough for most tetrahedra; if their error bounds are too large, in sums of two doubles; and
+// otherwise in integers.
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
@@ -31,14 +32,15 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// value 2^exponent: products of integers leave the range of doubles where quotients are in it.
+// Represents value 2^exponent: products of integers may exceed the range of doubles even if their
+// quotients do not.
 struct Scaled_double
 {
   double value;
   int exponent;
 };
 
-// n 2^exponent / d
+// Returns n 2^exponent / d.
 inline double quotient(const Scaled_double& n, const Scaled_double& d, int exponent = 0)
 {
   const int power = n.exponent - d.exponent + exponent;
@@ -52,8 +54,9 @@ inline bool is_larger(const Scaled_double& s, const Scaled_double& t)
                                   : std::abs(quotient(s, t)) > 1;
 }
 
-// The differences of N points and an origin, over 2^unit, with bounds of their errors (balanced_signs.h):
-// at most 4, so that what underflows adds less than 2^-1000 to a polynomial of degree 4.
+// Holds the differences of N points and an origin, divided by 2^unit, with error bounds
+// (balanced_signs.h). The differences are at most 4, so that underflow adds an error of less than
+// 2^-1000 to a polynomial of degree 4.
 template <class Numbers, int N>
 struct Bounded_rows
 {
@@ -78,7 +81,7 @@ struct Bounded_rows
       rows[k] = {difference(k, 0), difference(k, 1), difference(k, 2)};
   }
 
-  // Whether the error of n is negligible beside d; never if a number is not finite.
+  // Returns whether the error of n is negligible beside d; false if a number is not finite.
   static bool is_known(const Number& n, const Number& d)
   {
     return Numbers::error * n.size + 0x1p-1000 <= 0x1p-44 * std::abs(Numbers::high(d.value));
@@ -86,7 +89,7 @@ struct Bounded_rows
   static Scaled_double rounded(const Number& n) { return {Numbers::high(n.value), 0}; }
 };
 
-// The same in integers.
+// Holds the same differences in integers.
 template <int N>
 struct Integer_rows : Wide_differences<N>
 {
@@ -102,8 +105,8 @@ struct Integer_rows : Wide_differences<N>
   }
 };
 
-// Calls measure(the differences in numbers of a stage) until it returns true. Of numbers that are not
-// finite there is no measure.
+// Calls measure(rows), with the differences in the numbers of one stage after the other, until it
+// returns true. Points that are not finite have no measure.
 template <int N, class Measure>
 void measure_in_stages(const double* const* points, const double* origin, const Measure& measure)
 {
@@ -121,7 +124,7 @@ constexpr double no_measure = std::numeric_limits<double>::quiet_NaN();
 
 using Corners_of_tetrahedron = std::array<double, 3>[4];
 
-// The measure of a tetrahedron in the frame of one of its corners.
+// Measures a tetrahedron in the frame of one of its corners.
 template <class Measure>
 void measure_at_corner(const Corners_of_tetrahedron& corners, int origin, const Measure& measure)
 {
@@ -138,7 +141,7 @@ std::array<Number, 3> vector_of(const Row<Number>& row)
   return {row.x, row.y, row.z};
 }
 
-// The place of the largest coordinate, in absolute value.
+// Returns the place of the largest coordinate, in absolute value.
 template <class Rows, class Number>
 std::size_t largest_of(const std::array<Number, 3>& v)
 {
@@ -149,7 +152,7 @@ std::size_t largest_of(const std::array<Number, 3>& v)
   return largest;
 }
 
-// Whether the errors of a vector are negligible beside its length.
+// Returns whether the errors of a vector are negligible beside its length.
 template <class Rows, class Number>
 bool is_known(const std::array<Number, 3>& v)
 {
@@ -158,7 +161,7 @@ bool is_known(const std::array<Number, 3>& v)
          Rows::is_known(v[2], length);
 }
 
-// Positive where (b - a, c - a, d - a) is right-handed.
+// Returns the volume of a tetrahedron abcd, positive if (b - a, c - a, d - a) is right-handed.
 inline double volume_of(const Corners_of_tetrahedron& corners)
 {
   double volume = no_measure;
@@ -172,13 +175,13 @@ inline double volume_of(const Corners_of_tetrahedron& corners)
   return volume;
 }
 
-// The sphere through the corners of a tetrahedron.
+// Represents the sphere through the corners of a tetrahedron.
 struct Circumsphere
 {
   std::array<double, 3> center = {no_measure, no_measure, no_measure}; // relative to the origin
   double radius = no_measure;
 
-  // Whether these rows were enough to find it.
+  // Finds the sphere, and returns whether these rows were accurate enough.
   template <class Rows>
   bool find(const Rows& in)
   {
@@ -210,10 +213,11 @@ inline Circumsphere circumsphere_of(const Corners_of_tetrahedron& corners)
   return sphere;
 }
 
-// What its corners have of the tetrahedron on a triangle, whose apex is the centre of the sphere: corner,
-// middle of an edge, centre of the triangle and apex make one with three right angles at each of the
-// six flags. o is the apex relative to the first corner; positive on the inner side of the triangle,
-// which is counterclockwise as seen from outside.
+// Finds the shares that the corners of a triangle have of the tetrahedron on it whose apex is the
+// centre of the sphere: for each of the six flags, a corner, the middle of an edge, the centre of
+// the triangle and the apex form a tetrahedron with three right angles. o is the apex relative to
+// the first corner. Shares are positive if it is on the inner side of the triangle, which is
+// counterclockwise as seen from outside.
 template <class Rows, class Vector>
 bool find_shares(const Vector (&corners)[3], const std::array<double, 3>& o, int unit,
                  std::array<double, 3>& shares)
@@ -236,8 +240,8 @@ bool find_shares(const Vector (&corners)[3], const std::array<double, 3>& o, int
   return true;
 }
 
-// What the corners have of a tetrahedron by Voronoi's rule, with signs: the sum over the tetrahedra of
-// a vertex is the volume of its cell.
+// Returns the signed shares that the corners have of a tetrahedron by Voronoi's rule: their sum
+// over the tetrahedra of a vertex is the volume of its Voronoi cell.
 inline std::array<double, 4> voronoi_shares_of(const Corners_of_tetrahedron& corners)
 {
   std::array<double, 4> shares = {no_measure, no_measure, no_measure, no_measure};
@@ -263,7 +267,7 @@ inline std::array<double, 4> voronoi_shares_of(const Corners_of_tetrahedron& cor
   return shares;
 }
 
-// The barycentric coordinates of a point. They add up to 1; at a corner they are right to the last bit.
+// Returns the barycentric coordinates of a point. They add up to 1, and are exact at a corner.
 inline std::array<double, 4> barycentric_of(const Corners_of_tetrahedron& corners,
                                             const std::array<double, 3>& point)
 {
@@ -284,8 +288,8 @@ inline std::array<double, 4> barycentric_of(const Corners_of_tetrahedron& corner
   return weights;
 }
 
-// The gradients of the first three barycentric coordinates; not numbers where these change so fast that
-// rounding x - corners[3] and their products with it may be wrong by 1e-9 in the tetrahedron.
+// Returns the gradients of the first three barycentric coordinates, or NaNs if these change so fast
+// that rounding x - corners[3] and the products with it may cause an error of 1e-9 inside.
 inline std::array<std::array<double, 3>, 3> gradients_of(const Corners_of_tetrahedron& corners)
 {
   constexpr std::array<double, 3> none = {no_measure, no_measure, no_measure};
@@ -305,7 +309,7 @@ inline std::array<std::array<double, 3>, 3> gradients_of(const Corners_of_tetrah
         gradients[k][i] = quotient(in.rounded(normals[k][i]), in.rounded(six), -in.unit);
     return true;
   });
-  // Five roundings of each product: of the gradient, the difference, the product, and two of sums.
+  // Each product has five roundings: the gradient, the difference, the product, and two sums.
   constexpr double most = 1e-9 / (5 * 0x1p-53);
   for (const std::array<double, 3>& g : gradients) {
     double largest = 0;
@@ -315,7 +319,7 @@ inline std::array<std::array<double, 3>, 3> gradients_of(const Corners_of_tetrah
         sum += std::abs(g[i] * (corners[k][i] - corners[3][i]));
       largest = (std::max)(largest, sum);
     }
-    if (!(largest < most / 3)) // the fourth is 1 less the sum of the three
+    if (!(largest < most / 3)) // the fourth coordinate is 1 minus the sum of the three
       return {none, none, none};
   }
   return gradients;

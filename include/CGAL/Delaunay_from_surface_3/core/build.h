@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <cstddef>
 #include <memory>
 
 namespace CGAL {
@@ -30,6 +31,9 @@ struct Request
 
   // Whether points start where the order says. Otherwise each starts from the one before.
   bool uses_starting_places;
+
+  // How many cells there may be, dead ones included, before the outcome is TOO_MANY_CELLS.
+  std::size_t most_cells = Compact_numbers::max_cells;
 };
 
 // The order that the core makes itself: spaced rounds, within a budget, and then random rounds; or
@@ -46,10 +50,10 @@ const char* obstacle_of_core();
 // on surfaces like those measured, the order included; no more than what the budgets allow and an
 // order without one takes.
 //
-// Id: std::uint32_t or std::uint64_t. Crew: who inserts.
-template <class Id, class Crew>
-std::unique_ptr<Built<Id>> build(Point_source& points, Order_source& orders, const Request& request,
-                                 Watcher& watcher, const Executor& executor);
+// Crew: who inserts.
+template <class Crew>
+std::unique_ptr<Built> build(Point_source& points, Order_source& orders, const Request& request,
+                             Watcher& watcher, const Executor& executor);
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 } // namespace internal

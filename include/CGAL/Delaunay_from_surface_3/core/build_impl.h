@@ -34,8 +34,8 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The core's side of what build() makes.
-template <class Id>
-class Built_complex final : public Built<Id>
+template <class Vertex>
+class Built_complex final : public Built
 {
 public:
   // Keeps an order that has no other owner.
@@ -46,14 +46,15 @@ public:
   }
 
   // The complex of the points in the order, and its first four.
-  void start(const Point_array& points, const double* apex, const Executor& executor)
+  void start(const Point_array& points, const double* apex, const Executor& executor,
+             std::size_t most_cells)
   {
-    m_points = Ordered_complex<Id>(points, this->order, apex, executor);
+    m_points = Ordered_complex<Vertex>(points, this->order, apex, executor, most_cells);
     this->has_apex = apex != nullptr;
     show();
   }
 
-  Ordered_complex<Id>& points() { return m_points; }
+  Ordered_complex<Vertex>& points() { return m_points; }
 
   // To be called when cells have come.
   void show()
@@ -62,7 +63,6 @@ public:
     this->number_of_places = m_points.vertex_of.size();
     this->cells = m_points.complex.cells();
     this->cells_end = m_points.complex.cells_end();
-    this->vertices = m_points.complex.vertices();
     this->vertices_end = m_points.complex.vertices_end();
   }
 
@@ -72,13 +72,14 @@ public:
   }
   void give_up_cells() override { m_points.complex.memory_of_cells().deallocate(); }
   void give_up_vertices() override { m_points.complex.memory_of_vertices().deallocate(); }
-  Compact_cell<Id>* take_cells(std::size_t& capacity) override
+  Id cell_of(std::size_t v) const override { return m_points.complex.vertex(v).cell; }
+  Compact_cell* take_cells(std::size_t& capacity) override
   {
     return m_points.complex.memory_of_cells().give_away(capacity);
   }
 
 private:
-  Ordered_complex<Id> m_points;
+  Ordered_complex<Vertex> m_points;
   Insertion_order m_order;
 };
 
@@ -106,8 +107,8 @@ Insertion_outcome insert_in_rounds(Insert& insert, const Order_view& order, Watc
 }
 
 // The points in the order of `orders`: the order and the four points that come first.
-template <class Id>
-void begin_to_build(Built_complex<Id>& built, Point_source& source, Order_source& orders,
+template <class Vertex>
+void begin_to_build(Built_complex<Vertex>& built, Point_source& source, Order_source& orders,
                     const Request& request, Watcher& watcher, const Executor& executor)
 {
   using Phase = Surface_insertion_phase;
@@ -122,11 +123,11 @@ void begin_to_build(Built_complex<Id>& built, Point_source& source, Order_source
     built.order.starting_places = nullptr;
   watcher.phase_begins(Phase::SUBGRAPH);
   if (simplex.dimension == 3) {
-    built.start(points, nullptr, executor);
+    built.start(points, nullptr, executor, request.most_cells);
   } else if (simplex.dimension == 2 && request.adds_apex) {
     const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
                                     points[simplex.points[2]]);
-    built.start(points, apex.data(), executor);
+    built.start(points, apex.data(), executor, request.most_cells);
   }
   if (built.has_started())
     source.give_up();
@@ -149,18 +150,19 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE const char* obstacle_of_core()
   return obstacle_of_compiler();
 }
 
-template <class Id, class Crew>
-std::unique_ptr<Built<Id>> build(Point_source& points, Order_source& orders, const Request& request,
-                                 Watcher& watcher, const Executor& executor)
+template <class Crew>
+std::unique_ptr<Built> build(Point_source& points, Order_source& orders, const Request& request,
+                             Watcher& watcher, const Executor& executor)
 {
   for (;;) {
-    auto built = std::make_unique<Built_complex<Id>>();
+    auto built = std::make_unique<Built_complex<Compact_vertex>>();
     try {
       begin_to_build(*built, points, orders, request, watcher, executor);
       if (!built->has_started())
         return built;
       const Insertion_budget budget(orders.cells_per_point(), orders.is_spread());
-      typename Inserter_of<Crew>::template type<Id> insert(built->points(), executor, watcher);
+      typename Inserter_of<Crew>::template type<Compact_vertex> insert(built->points(), executor,
+                                                                       watcher);
       built->outcome = insert_in_rounds(insert, built->order, watcher, budget);
       built->counts = insert.counts();
       if (built->outcome == Insertion_outcome::COMPLETE) {
@@ -170,8 +172,8 @@ std::unique_ptr<Built<Id>> build(Point_source& points, Order_source& orders, con
         CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(
             is_valid(built->points().complex, Delaunay_validity_level::DELAUNAY));
       }
-    } catch (const Too_few_ids&) {
-      built->outcome = Insertion_outcome::TOO_FEW_IDS;
+    } catch (const Too_many_cells&) {
+      built->outcome = Insertion_outcome::TOO_MANY_CELLS;
     }
     if (built->outcome != Insertion_outcome::OVER_BUDGET) {
       built->show();

@@ -5,13 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_REGIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_REGIONS_H
 
-// The winding numbers of a closed surface at the centres of tetrahedra: whole numbers, 0 outside
-// the hull, which change from one tetrahedron to the next by the triangles that the way crosses.
-// Most triangles of a dense sample are facets; ways cross them there. The others are searched for.
+// Finds the winding numbers of a closed surface at the centres of tetrahedra. They are integers, 0
+// outside the hull, and change from one tetrahedron to the next by the triangles that the path
+// between the centres crosses. Most triangles of a dense sample are facets; paths cross them there.
+// A search finds the crossings with the others.
 //
-// Where no way is known a region remains without a number, and one of its tetrahedra is asked: that
-// with the largest inscribed sphere, as the centre of a flat one may lie on the wrong side.
-// Expected linear, but for what is no facet.
+// A region that no known path reaches remains without a number, so the number of one of its
+// tetrahedra is computed: the one with the largest inscribed sphere, as the centre of a flat one
+// may lie on the wrong side. Expected linear, apart from triangles that are no facets.
 
 #include <CGAL/Delaunay_from_surface_3/inside/Winding_field.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
@@ -33,11 +34,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Triangles in a hierarchy of boxes.
-//
-// Invariant: as that of Winding_tree.
+// Box_tree stores triangles in a hierarchy of boxes, with the invariant of Winding_tree.
 
-// A triangle that counts `number` times. The normal is as long as twice its area.
+// Holds a triangle that counts `number` times. The length of the normal is twice the area.
 struct Cutting_triangle
 {
   Triangle_3d corners;
@@ -54,7 +53,7 @@ struct Cutting_triangle
 
 class Box_tree
 {
-  static constexpr std::size_t leaf = 4; // triangles, at most
+  static constexpr std::size_t leaf = 4; // the largest number of triangles in a leaf
 
   struct Node
   {
@@ -70,7 +69,7 @@ public:
       build(0, m_triangles.size());
   }
 
-  // Calls visit(t) for each triangle that stands in a leaf whose box meets this one.
+  // Calls visit(t) for each triangle in a leaf whose box meets the given one.
   template <class Visit>
   void visit(const Box_3d& box, const Visit& visit) const
   {
@@ -110,19 +109,20 @@ private:
   std::vector<Node> m_nodes;
 };
 
-// The triangles of a surface by their vertices: how often the surface has each, those turned round
-// taken off. Most facets of a triangulation are none, as a word for each vertex tells.
+// Triangle_table finds the triangles of a surface by their vertices, and counts how often each is
+// there, minus how often it is there with the opposite orientation. Most facets of a triangulation
+// are not in the table, as one word per vertex usually tells.
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// Without branches, which nobody could foretell.
+// Sorts three vertices without branches, which would be unpredictable.
 inline Corners ascending(const Corners& t)
 {
   const std::uint32_t low = (std::min)(t[0], t[1]), high = (std::max)(t[0], t[1]);
   return {(std::min)(low, t[2]), (std::max)(low, (std::min)(high, t[2])), (std::max)(high, t[2])};
 }
 
-// Whether ascending order turns three different vertices round.
+// Returns whether sorting three different vertices reverses their orientation.
 inline bool is_turned(const Corners& t)
 {
   return ((t[0] > t[1]) != (t[1] > t[2])) != (t[0] > t[2]);
@@ -134,12 +134,12 @@ public:
   struct Row
   {
     std::uint32_t middle, greatest;
-    int number; // how often these, with the least vertex first, are in order, less how often turned
+    int number; // counts least, middle, greatest in this order, minus the opposite orientation
   };
 
   static constexpr std::uint32_t none = std::uint32_t(-1);
 
-  // Of triangles on n vertices.
+  // Takes triangles on n vertices.
   Triangle_table(const std::vector<Corners>& triangles, std::size_t n)
     : m_first(n + 1, 0)
     , m_words(n, 0)
@@ -161,7 +161,7 @@ public:
   std::size_t size() const { return m_rows.size(); }
   const Row& operator[](std::size_t r) const { return m_rows[r]; }
 
-  // The row of three vertices in ascending order.
+  // Returns the row of three vertices in ascending order, or `none`.
   std::uint32_t find(const Corners& t) const
   {
     if ((m_words[t[0]] & bit(t[1], t[2])) == 0)
@@ -173,7 +173,7 @@ public:
     return found != last && !is_less(row, *found) ? std::uint32_t(found - m_rows.begin()) : none;
   }
 
-  // Calls visit(least vertex, number of a row) for all.
+  // Calls visit(least vertex, number of the row) for all rows.
   template <class Visit>
   void for_each(const Visit& visit) const
   {
@@ -209,16 +209,17 @@ private:
     m_rows.resize(end);
   }
 
-  std::vector<std::uint32_t> m_first; // row of each vertex
+  std::vector<std::uint32_t> m_first; // the first row of each vertex
   std::vector<Row> m_rows;
-  std::vector<std::uint64_t> m_words; // of each vertex: the bits of its rows
+  std::vector<std::uint64_t> m_words; // the bits of the rows of each vertex
 };
 
-// By how much a winding number changes on the way from the centre of a tetrahedron to those of
-// its facets, where these ways cross triangles. A way that comes so near to the border of a
-// triangle, or ends so near to its plane, that rounding might decide is not known: another will do.
+// Crossings finds by how much the winding number changes on the paths from the centre of a
+// tetrahedron to the centres of its facets, where these paths cross triangles. If a path comes so
+// near the border of a triangle, or ends so near its plane, that rounding might decide, the change
+// is unknown: another path will do.
 
-// For each facet of a tetrahedron, by the corner opposite to it.
+// Holds the change for each facet of a tetrahedron, indexed by the corner opposite to it.
 using Jumps = std::array<std::int8_t, 4>;
 constexpr int unknown_jump = -128;
 
@@ -227,19 +228,20 @@ inline std::int8_t as_jump(int j)
   return std::int8_t(std::abs(j) < -unknown_jump ? j : unknown_jump);
 }
 
-// A distance that is no rounding, in a frame of size 1.
+// A distance that exceeds rounding errors, in a frame of size 1.
 constexpr double no_rounding = 1e-10;
 
-// Whether a triangle passes through the inside of a tetrahedron, and not only along its surface: no
-// direction separates them, neither a normal of one of them nor what an edge of each spans.
+// Returns whether a triangle passes through the interior of a tetrahedron, and not only along its
+// boundary: no direction separates them, neither a normal of one of them nor the cross product of
+// an edge of each.
 inline bool passes_inside(const Cutting_triangle& t, const std::array<Vector_3d, 4>& p,
                           const Box_3d& box_of_p)
 {
-  for (std::size_t j = 0; j < 3; ++j) // most are not even near
+  for (std::size_t j = 0; j < 3; ++j) // most triangles are not even near
     if ((std::max)({t.corners[0][j], t.corners[1][j], t.corners[2][j]}) <= box_of_p.low[j] ||
         (std::min)({t.corners[0][j], t.corners[1][j], t.corners[2][j]}) >= box_of_p.high[j])
       return false;
-  const Vector_3d& origin = t.corners[0]; // it is not far from 0, as corners of tetrahedra may be
+  const Vector_3d& origin = t.corners[0]; // unlike corners of tetrahedra, it is never far from 0
   const auto ends_of = [&](const auto& corners, const Vector_3d& direction) {
     std::array<double, 2> ends = {dot(direction, minus(corners[0], origin)), 0};
     ends[1] = ends[0];
@@ -272,7 +274,7 @@ inline bool passes_inside(const Cutting_triangle& t, const std::array<Vector_3d,
 class Crossings
 {
 public:
-  // From the centre of tetrahedron c of the cells.
+  // Returns the changes on the paths from the centre of tetrahedron c.
   template <class Cells>
   static Jumps of(const Box_tree& tree, const Cells& cells, std::size_t c)
   {
@@ -288,8 +290,8 @@ public:
   }
 
 private:
-  // Returns a bound of what rounding does to the centres and to differences from them. Corners may lie far
-  // from the surface.
+  // Returns a bound on the rounding errors of the centres and of differences from them. Corners may
+  // lie far from the surface.
   static double tolerance_for(const std::array<Vector_3d, 4>& p)
   {
     double largest = 0;
@@ -299,7 +301,7 @@ private:
     return no_rounding + 1e-14 * largest;
   }
 
-  // The box of the centres, and a little more.
+  // Returns the box of the centres of the facets, slightly enlarged; it contains the paths.
   static Box_3d box_of_ways(const std::array<Vector_3d, 4>& p)
   {
     Box_3d box;
@@ -313,8 +315,8 @@ private:
     return box;
   }
 
-  // The centre of a facet has the same bits in both tetrahedra: vertices are added in ascending
-  // order.
+  // Computes the centres. A facet's centre has the same bits in both tetrahedra: its vertices are
+  // added in ascending order.
   template <class Cells>
   void set(const Cells& cells, std::size_t c)
   {
@@ -354,7 +356,7 @@ private:
     }
   }
 
-  // Whether the line to q passes through a triangle: 1 if so, 0 if not, -1 if this is not known.
+  // Returns 1 if the line to q passes through a triangle, 0 if not, -1 if this is unknown.
   int passes_through(const Triangle_3d& corners, const Vector_3d& q) const
   {
     const Vector_3d way = minus(q, m_center);
@@ -377,8 +379,8 @@ template <class Cells>
 class Regions
 {
 public:
-  // Of positively oriented cells, whose neighbors_of(c) are numbers, and those at the hull none of
-  // theirs.
+  // Takes positively oriented cells: neighbors_of(c) are numbers of cells, or at the hull numbers
+  // that are out of range.
   Regions(const Cells& cells, const std::vector<Corners>& triangles, const Executor& executor)
     : m_cells(cells)
     , m_executor(executor)
@@ -387,10 +389,11 @@ public:
     cross_facets(Triangle_table(triangles, cells.points.size()));
   }
 
-  // The triangles that are no facets; each once, with how often it counts, which is not 0.
+  // Returns the triangles that are no facets, each once, with its number, which is not 0.
   const std::vector<Cutting_triangle>& no_facets() const { return m_no_facets; }
 
-  // Of the triangles less those that close them. ask(c) is the number of tetrahedron c.
+  // Returns the winding numbers of the triangles, minus those of the triangles that close them.
+  // ask(c) returns this number for tetrahedron c, before rounding.
   template <class Ask>
   std::vector<std::int32_t> numbers(const std::vector<Triangle_3d>& closing, const Ask& ask)
   {
@@ -403,7 +406,7 @@ public:
     const std::size_t m = m_cells.number;
     std::vector<std::int32_t> numbers(m);
     const Place outside = place(std::uint32_t(m));
-    std::map<std::uint32_t, std::uint32_t> roundest; // of the regions not reached, by their roots
+    std::map<std::uint32_t, std::uint32_t> roundest; // by the root of each region not reached
     for (std::uint32_t c = 0; c < m; ++c) {
       const Place p = place(c);
       numbers[c] = p.number - outside.number;
@@ -427,8 +430,8 @@ public:
   }
 
 private:
-  // Counts facets that are triangles, between two tetrahedra at the first one; keeps the triangles
-  // that are none.
+  // Counts facets that are triangles, in the first one of two tetrahedra; keeps the triangles that
+  // are no facets.
   void cross_facets(const Triangle_table& table)
   {
     std::vector<char> is_facet(table.size(), 0);
@@ -459,7 +462,7 @@ private:
       if (r == Triangle_table::none)
         continue;
       is_facet[r] = 1;
-      const bool is_inward = is_turned(facet) != (k % 2 == 1); // if its vertices ascend
+      const bool is_inward = is_turned(facet) != (k % 2 == 1); // when its vertices are sorted
       m_jumps[c][k] = as_jump(is_inward ? table[r].number : -table[r].number);
     }
   }
@@ -480,14 +483,14 @@ private:
                    });
   }
 
-  // A tetrahedron as one of a set; the number is its own less that of the root.
+  // Places a tetrahedron in a set; `number` is its winding number minus that of the root.
   struct Place
   {
     std::uint32_t root;
     std::int32_t number;
   };
 
-  // Tetrahedra between which a way is known, and what is outside, the last one.
+  // Joins tetrahedra between which a path is known, and the outside, which is the last element.
   void join()
   {
     const std::size_t m = m_cells.number;
@@ -508,17 +511,17 @@ private:
     }
   }
 
-  // The number of d is larger by the difference than that of c.
+  // Joins c and d, where the number of d exceeds the number of c by the difference.
   void join(std::uint32_t c, std::uint32_t d, int difference)
   {
     const Place p = place(c), q = place(d);
-    if (p.root < q.root) // and so they are no deep trees
+    if (p.root < q.root) // the smaller root wins, which keeps the trees flat
       m_places[q.root] = {p.root, p.number + difference - q.number};
     else if (p.root > q.root)
       m_places[p.root] = {q.root, q.number - difference - p.number};
   }
 
-  // Halves the path to the root; a root has the number 0.
+  // Finds the root, whose number is 0, and halves the path to it.
   Place place(std::uint32_t c)
   {
     std::int32_t number = 0;

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_WINDING_FIELD_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_WINDING_FIELD_H
 
-// The faces of a soup as triangles in a box of size 1, and their winding numbers.
+// Puts the faces of a soup as triangles into a box of size 1, and finds their winding numbers.
 
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -25,12 +25,12 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The solid angle of a triangle (van Oosterom, Strackee 1983): its tangent of a half is a quotient,
-// positive where the triangle is seen from behind.
+// The tangent of half the solid angle of a triangle is a quotient (van Oosterom, Strackee 1983); it
+// is positive where the triangle is seen from behind.
 
 using Vector_3d = std::array<double, 3>;
 
-// A vector of the same direction whose largest coordinate is at least 1/2 and less than 1; 0 of 0.
+// Scales a vector so that its largest absolute coordinate is in [1/2, 1); 0 remains 0.
 inline Vector_3d over_power_of_2(const Vector_3d& v)
 {
   int exponent = 0;
@@ -38,25 +38,25 @@ inline Vector_3d over_power_of_2(const Vector_3d& v)
   return {std::ldexp(v[0], -exponent), std::ldexp(v[1], -exponent), std::ldexp(v[2], -exponent)};
 }
 
-// Half of that of the triangle with these corners as seen from q. On the triangle itself it is π or
-// -π, at its corners 0.
+// Returns half the solid angle of the triangle with these corners, seen from q. On the triangle
+// itself it is π or -π, at its corners 0.
 inline double half_solid_angle(const Vector_3d* corners, const Vector_3d& q)
 {
   Vector_3d a = minus(corners[0], q), b = minus(corners[1], q), c = minus(corners[2], q);
   double aa = std::sqrt(dot(a, a)), bb = std::sqrt(dot(b, b)), cc = std::sqrt(dot(c, c));
-  if (aa * bb * cc < 0x1p-400) { // products may vanish; lengths do not matter
+  if (aa * bb * cc < 0x1p-400) { // products may underflow; only the directions matter
     a = over_power_of_2(a), b = over_power_of_2(b), c = over_power_of_2(c);
     aa = std::sqrt(dot(a, a)), bb = std::sqrt(dot(b, b)), cc = std::sqrt(dot(c, c));
   }
   const double y = dot(a, cross(b, c));
   const double x = aa * bb * cc + dot(a, b) * cc + dot(b, c) * aa + dot(c, a) * bb;
   const double t = y / x;
-  if (x > 0 && t * t < 0.0004) // the series is as good, and most triangles are far away
+  if (x > 0 && t * t < 0.0004) // the series is accurate, and most triangles are far away
     return t * (1 - t * t * (1. / 3 - t * t * (1. / 5 - t * t / 7)));
   return std::atan2(y, x);
 }
 
-// A box around points; of none at first.
+// Holds a box around points, which is empty at first.
 struct Box_3d
 {
   Vector_3d low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
@@ -77,7 +77,7 @@ struct Box_3d
         return false;
     return true;
   }
-  // Along which axis it is longest.
+  // Returns the axis along which the box is longest.
   std::size_t longest_side() const
   {
     std::size_t longest = 0;
@@ -88,14 +88,15 @@ struct Box_3d
   }
 };
 
-// What oriented triangles look like from far away: the expansion of their solid angle around a
-// centre, to the third order (Barill et al. 2018). The field r / |r|³ is a gradient, so only the
-// symmetric parts of the moments of area vectors n and places y count: Σ n, Σ n y, ½ Σ ∫ n y y.
+// Multipole represents oriented triangles as seen from far away, by the expansion of their solid
+// angle around a centre to the third order (Barill et al. 2018). The field r / |r|³ is a gradient,
+// so only the symmetric parts of the moments of area vectors n and places y count: Σ n, Σ n y,
+// ½ Σ ∫ n y y.
 
 using Triangle_3d = std::array<Vector_3d, 3>;
 using Symmetric_matrix = std::array<double, 6>; // xx, yy, zz, xy, xz, yz
 
-// v w, symmetric.
+// Returns the symmetric part of v w.
 inline Symmetric_matrix product(const Vector_3d& v, const Vector_3d& w)
 {
   return {v[0] * w[0],
@@ -134,7 +135,7 @@ public:
     add_third(n, squares);
   }
 
-  // Adds another expansion, whose centre is at d relative to that of this one.
+  // Adds another expansion, whose centre is at d relative to this one's centre.
   void add(const Multipole& other, const Vector_3d& d)
   {
     for (std::size_t j = 0; j < 3; ++j)
@@ -149,7 +150,7 @@ public:
     add_third(other.m_dipole, square);
   }
 
-  // The solid angle of all, seen from where r leads to the centre.
+  // Returns the solid angle of all triangles, seen from the point from which r leads to the centre.
   double solid_angle(const Vector_3d& r) const
   {
     const double x = r[0], y = r[1], z = r[2], xx = x * x, yy = y * y, zz = z * z;
@@ -176,7 +177,7 @@ private:
       m[k] += factor * other[k];
   }
 
-  // The symmetric part of v m.
+  // Adds the symmetric part of v m.
   void add_third(const Vector_3d& v, const Symmetric_matrix& m)
   {
     const double terms[10] = {v[0] * m[0],
@@ -204,9 +205,9 @@ inline Vector_3d vector_of(const double* p)
   return {p[0], p[1], p[2]};
 }
 
-// Moves a box to 0, and shrinks it to about 1: no product of coordinates overflows. That is the box
-// of a surface: points that it does not use may lie anywhere, so what is extremely far from the box
-// is drawn nearer, in its direction.
+// Moves a box to 0 and scales it to about 1, so that no product of coordinates overflows. The box
+// is that of a surface; other points may lie anywhere, so a point extremely far from the box is
+// moved nearer, along its direction.
 class Unit_frame
 {
   static constexpr double farthest = 0x1p200;
@@ -243,26 +244,26 @@ public:
 
 private:
   Vector_3d m_half_middle = {0, 0, 0};
-  double m_factors[2] = {1, 1}; // powers of 2; their product may be too large for one
+  double m_factors[2] = {1, 1}; // powers of 2; their product may overflow
 };
 
-// Generalised winding numbers (Jacobson, Kavan, Sorkine-Hornung 2013): the sum of the solid angles
-// of oriented triangles over 4π. It is a whole number where they are closed, and nearly one where
-// they nearly are. Triangles far away are taken together (Barill et al. 2018).
+// Computes generalised winding numbers (Jacobson, Kavan, Sorkine-Hornung 2013): the sum of the
+// solid angles of oriented triangles over 4π. It is an integer if the triangles are closed, and
+// nearly one if they are nearly closed. Triangles far away are taken together (Barill et al. 2018).
 //
 // Invariant: the clusters stand in preorder, each before its two halves; `next` leads past these.
-// Cost: O(n log n) for n triangles; a query O(log n) clusters where these are spread evenly.
+// Cost: O(n log n) for n triangles; a query visits O(log n) clusters if these are spread evenly.
 
 class Winding_tree
 {
   static constexpr double four_pi = 12.566370614359172954;
-  // The distance, in radii, from which on a cluster is taken as a whole.
+  // The distance, in radii, beyond which a cluster is taken as a whole.
   static constexpr double far = 2;
 
   struct Cluster
   {
     Vector_3d center = {0, 0, 0};
-    double reach = 0; // the distance from which on it is far
+    double reach = 0; // the distance beyond which it is far
     double area = 0;
     Multipole field;
     std::uint32_t first = 0, last = 0; // its triangles
@@ -270,8 +271,8 @@ class Winding_tree
   };
 
 public:
-  // Keeps the triangles. What is so far away that all together would not change a number by `least`
-  // is left out.
+  // Keeps the triangles. A query ignores clusters so far away that all triangles together, at that
+  // distance, would change its number by less than `least`.
   explicit Winding_tree(std::vector<Triangle_3d>&& triangles, double least = 0)
     : m_triangles(std::move(triangles))
     , m_leaf(least > 0 ? 2 : 8)
@@ -280,14 +281,14 @@ public:
       return;
     m_clusters.reserve(4 * m_triangles.size() / m_leaf + 1);
     build(0, m_triangles.size());
-    // No number shows less than `faint`; much farther away powers of the distance would overflow.
+    // Changes below `faint` are lost to rounding; powers of much larger distances would overflow.
     constexpr double faint = 1e-30;
     m_horizon = std::sqrt(m_clusters.front().area / (four_pi * (std::max)(least, faint)));
   }
 
-  static constexpr std::size_t most = 16; // queries at a time
+  static constexpr std::size_t most = 16; // the largest number of queries at a time
 
-  // Answers n ≤ most queries near each other, which see the same clusters as far.
+  // Answers n ≤ most queries that are near each other, and treat the same clusters as far.
   void operator()(const Vector_3d* q, std::size_t n, double* numbers) const
   {
     double angles[most] = {0}, half_angles[most] = {0};
@@ -362,12 +363,12 @@ private:
     cluster.reach = (std::max)(far * radius_of(cluster.center, first, last), nearest);
   }
 
-  // Of what is still nearer powers of the distance would vanish.
+  // The least reach of a cluster: powers of shorter distances would underflow.
   static constexpr double nearest = 0x1p-100;
 
   static double sum(const Triangle_3d& t, std::size_t j) { return t[0][j] + t[1][j] + t[2][j]; }
 
-  // By the longest side of the box of the centres.
+  // Splits triangles along the longest side of the box of their centres.
   void split(std::size_t first, std::size_t middle, std::size_t last)
   {
     Box_3d sums;
@@ -380,7 +381,7 @@ private:
     });
   }
 
-  // Of few triangles: the middle by area, and the moments from there.
+  // Makes a cluster of few triangles, with the centroid of their areas as its centre.
   Cluster cluster_of(std::size_t first, std::size_t last) const
   {
     Cluster cluster;
@@ -392,7 +393,7 @@ private:
       cluster.area += area;
       for (std::size_t j = 0; j < 3; ++j) {
         weighted[j] += area * sum(m_triangles[t], j) / 3;
-        cluster.center[j] += share * sum(m_triangles[t], j) / 3; // what is left if all are flat
+        cluster.center[j] += share * sum(m_triangles[t], j) / 3; // used if all areas are 0
       }
     }
     for (std::size_t j = 0; cluster.area > 0 && j < 3; ++j)
@@ -407,7 +408,7 @@ private:
     return cluster;
   }
 
-  // The union of two clusters.
+  // Returns the union of two clusters.
   static Cluster joined(const Cluster& a, const Cluster& b)
   {
     Cluster cluster;
@@ -433,7 +434,7 @@ private:
 
   std::vector<Triangle_3d> m_triangles;
   std::vector<Cluster> m_clusters;
-  std::size_t m_leaf; // triangles, at most
+  std::size_t m_leaf; // the largest number of triangles in a leaf
   double m_horizon = 0;
 };
 
@@ -443,8 +444,8 @@ struct Winding_field
   Winding_tree tree;
 };
 
-// Calls visit(i, j, k, f) with the points of the triangles of faces, f = 0, 1, …; a polygon is a fan
-// at its first point. Throws Surface_input_error if a face has an index that is not less than n.
+// Calls visit(i, j, k, f) with the points of the triangles of face f = 0, 1, …; a polygon is a fan
+// of triangles at its first point. Throws Surface_input_error if an index is not one of 0, …, n-1.
 template <class FaceRange, class Visit>
 void for_each_triangle(const FaceRange& faces, std::size_t n, const Visit& visit)
 {
@@ -464,8 +465,8 @@ void for_each_triangle(const FaceRange& faces, std::size_t n, const Visit& visit
   }
 }
 
-// The frame of the points of the triangles of faces: others must not make these small. A triangle
-// that has a point twice adds nothing, nor do its points.
+// Returns the frame of the points of all triangles: other points must not make these small. A
+// triangle that has a point twice is ignored, and so are its points.
 template <class FaceRange>
 Unit_frame frame_of(const FaceRange& faces, const Point_array& points)
 {
@@ -480,7 +481,7 @@ Unit_frame frame_of(const FaceRange& faces, const Point_array& points)
   return Unit_frame(box);
 }
 
-// Throws Surface_input_error if a face has an index out of range.
+// Makes the field of faces. Throws Surface_input_error if a face has an index out of range.
 template <class FaceRange>
 Winding_field winding_field(const Point_array& points, const FaceRange& faces)
 {

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_FIND_INSIDE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INSIDE_FIND_INSIDE_H
 
-// The winding numbers of tetrahedra, and whether they make an inside.
+// Finds the winding numbers of tetrahedra, and whether they define an inside.
 
 #include <CGAL/Delaunay_from_surface_3/Inside_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -37,22 +37,22 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The orientation of triangles, and where they are not closed.
+// The following finds the orientation of triangles, and where they are not closed.
 //
 // turn_alike() turns triangles of a surface whose parts were put together carelessly, so that
 // neighbours agree.
 //
-// open_edges() finds the edges that triangles pass more often in one direction than in the other. The
-// winding number jumps nowhere else but at triangles, and it is a whole number if there is no such
-// edge. How large the openings are is estimated: each connected set of these edges is joined with its
-// middle by triangles, which would close it. Linear, but for what is open.
+// open_edges() finds the edges that triangles pass more often in one direction than in the other.
+// The winding number jumps at triangles only, and it is an integer if there is no such edge. The
+// size of the openings is estimated: each connected set of these edges is joined with its middle by
+// triangles, which would close it. Linear, apart from open edges.
 
-// The sides of triangles, those of an edge together. Side 3 t + k of triangle t leads from its
-// corner k to the next one, or back if the triangle has been turned.
+// Groups the sides of triangles by edges. Side 3 t + k of triangle t leads from its corner k to the
+// next one, or back if the triangle has been turned.
 class Sides
 {
 public:
-  // Of triangles on n vertices, none of which has one twice. Keeps a reference to them.
+  // Takes triangles on n vertices, none of which has a vertex twice. Keeps a reference to them.
   Sides(const std::vector<Corners>& triangles, std::size_t n)
     : m_triangles(triangles)
     , m_is_turned(triangles.size(), 0)
@@ -80,7 +80,7 @@ public:
   template <class Visit>
   void for_each_edge(const Visit& visit) const
   {
-    std::vector<std::pair<std::size_t, std::uint32_t>> others; // at a vertex: other end, and side
+    std::vector<std::pair<std::size_t, std::uint32_t>> others; // the other end of a side, and it
     std::vector<std::uint32_t> sides;
     for (std::size_t low = 0; low < m_lists.size(); ++low) {
       others.clear();
@@ -102,7 +102,7 @@ private:
   Lists<std::uint32_t> m_lists;
 };
 
-// For each side the other one of its edge; `none` if there is none, or more than one.
+// Finds for each side the other side of its edge, or `none` if there is no or more than one other.
 class Other_sides
 {
 public:
@@ -123,7 +123,7 @@ public:
 
   std::uint32_t operator[](std::size_t side) const { return m_others[side]; }
 
-  // Whether all edges of two triangles are passed once in each direction.
+  // Returns whether each edge with two triangles is passed once in each direction.
   bool do_agree() const { return m_do_agree; }
 
 private:
@@ -131,11 +131,12 @@ private:
   bool m_do_agree = true;
 };
 
-// Turns triangles so that those agree that are joined by edges with two triangles: in a component that
-// is not coherent, those that disagree with most of its area. Where both sides have the same area, as
-// halves of a sphere, those are turned by which it has a positive volume. A component that is coherent
-// stays: if it looks inwards, it is the wall of a cavity. So does what is not orientable; returns how many
-// components are not. point_of(v) are coordinates that need no care. Linear.
+// Turns triangles so that those joined by edges with two triangles agree: in a component that is
+// not coherent, it turns the triangles that disagree with most of the area. If both kinds have the
+// same area, like the halves of a sphere, it turns the kind that makes the volume positive. A
+// coherent component stays as it is: if it looks inwards, it is the wall of a cavity. A component
+// that is not orientable stays, too; returns how many of these there are. The coordinates
+// point_of(v) must be safe from overflow. Linear.
 template <class PointOf>
 std::size_t turn_alike(Sides& sides, const PointOf& point_of)
 {
@@ -144,14 +145,14 @@ std::size_t turn_alike(Sides& sides, const PointOf& point_of)
   if (others.do_agree())
     return not_orientable;
   const std::vector<Corners>& triangles = sides.triangles();
-  // Whether each disagrees with the first of its component; -1 if it has not been seen yet.
+  // Tells whether a triangle disagrees with the first of its component; -1 if it is not seen yet.
   std::vector<signed char> kind(triangles.size(), -1);
   std::vector<std::uint32_t> component;
   for (std::size_t first = 0; first < triangles.size(); ++first) {
     if (kind[first] >= 0)
       continue;
     bool is_orientable = true;
-    double areas[2] = {0, 0}, volume = 0; // volume: if those of kind 1 are turned
+    double areas[2] = {0, 0}, volume = 0; // the volume if the triangles of kind 1 are turned
     kind[first] = 0;
     component.assign(1, std::uint32_t(first));
     for (std::size_t i = 0; i < component.size(); ++i) {
@@ -190,8 +191,8 @@ std::size_t turn_alike(Sides& sides, const PointOf& point_of)
 
 struct Open_edge
 {
-  std::size_t ends[2]; // in the direction in which they pass it more often
-  std::size_t times;   // how much more often
+  std::size_t ends[2]; // in the direction in which triangles pass it more often
+  std::size_t times;   // the excess over the other direction
 };
 
 inline std::vector<Open_edge> open_edges(const Sides& sides)
@@ -207,7 +208,7 @@ inline std::vector<Open_edge> open_edges(const Sides& sides)
   return open;
 }
 
-// Numbers the connected sets of the edges: that of each edge, and how many there are.
+// Numbers the connected sets of the edges: returns the set of each edge, and how many there are.
 inline std::pair<std::vector<std::size_t>, std::size_t>
 connected_sets(const std::vector<Open_edge>& edges)
 {
@@ -233,8 +234,8 @@ connected_sets(const std::vector<Open_edge>& edges)
   return {std::move(sets), count};
 }
 
-// The triangles that would close them, and the area of those of each connected set; point_of(v) are
-// coordinates that need no care.
+// Returns the triangles that would close open edges, and their area for each connected set.
+// The coordinates point_of(v) must be safe from overflow.
 template <class PointOf>
 std::pair<std::vector<Triangle_3d>, std::vector<double>>
 closing_triangles(const std::vector<Open_edge>& edges, const PointOf& point_of)
@@ -268,7 +269,7 @@ inline std::string percent(double share)
   return std::to_string(std::lround(100 * share)) + " %";
 }
 
-// What the numbers say, weighted by volumes.
+// Judges the winding numbers, weighted by volumes.
 class Judge_inside
 {
   double m_sure = 0, m_doubtful = 0, m_inside = 0, m_crossed = 0, m_crossed_inside = 0;
@@ -314,10 +315,10 @@ public:
   }
 
 private:
-  // Where more is in doubt than surely inside, and the openings are wide, the surface is no border
-  // of a solid. Where an opening lies in a plane, as that of a hull without a deck, the numbers are
-  // more than 1/2 up to there, however wide it is: then it is enough if not more is in doubt than
-  // inside, and the other openings are small; those of a tube are not.
+  // Returns whether the surface bounds a solid. It does if more volume is surely inside than in
+  // doubt. If one opening lies in a plane, like the open deck of a ship's hull, the numbers exceed
+  // 1/2 up to there, however wide it is: then it is enough that no more is in doubt than inside,
+  // the openings are not too wide, and the others are small, unlike the two ends of a tube.
   bool has_inside(double share_of_openings, double share_of_largest) const
   {
     constexpr double widest = 0.3;
@@ -327,7 +328,7 @@ private:
   }
 };
 
-// The tetrahedra vertices_of(c) of a triangulation, in the frame of a field.
+// Refers to the tetrahedra vertices_of(c) of a triangulation, in the frame of a field.
 template <class VerticesOf, class NeighborsOf>
 struct Tetrahedra
 {
@@ -352,7 +353,7 @@ struct Tetrahedra
   }
 };
 
-// Those of all tetrahedra, in an order in which successive ones are near each other.
+// Finds the numbers of all tetrahedra, in an order in which successive ones are near each other.
 template <class Cells>
 void find_numbers(const Winding_tree& tree, const Cells& cells, double* numbers,
                   const Executor& executor)
@@ -386,13 +387,14 @@ void find_numbers(const Winding_tree& tree, const Cells& cells, double* numbers,
                  });
 }
 
-// The same by regions: the number of the surface less that of the triangles that close it is a whole one.
+// Does the same by regions: the number of the surface minus the number of the triangles that close
+// it is an integer.
 template <class Cells, class Ask>
 void find_numbers_by_regions(const Cells& cells, Regions<Cells>& regions,
                              const std::vector<Triangle_3d>& closing, const Ask& ask,
                              double* numbers, const Executor& executor)
 {
-  constexpr double unseen = 0.002; // of a number that is compared with one half
+  constexpr double unseen = 0.002; // a negligible part of a number that is compared with 1/2
   const Winding_tree closing_tree(std::vector<Triangle_3d>(closing), unseen);
   const auto of_closing = [&](std::size_t c) {
     return closing.empty() ? 0 : closing_tree(cells.center(c));
@@ -407,7 +409,7 @@ void find_numbers_by_regions(const Cells& cells, Regions<Cells>& regions,
                  });
 }
 
-// The tetrahedra that these triangles pass through.
+// Marks the tetrahedra that these triangles pass through.
 template <class Cells>
 std::vector<char> crossed_cells(const Cells& cells, const std::vector<Cutting_triangle>& triangles,
                                 const Executor& executor)
@@ -432,11 +434,11 @@ std::vector<char> crossed_cells(const Cells& cells, const std::vector<Cutting_tr
   return is_crossed;
 }
 
-// The triangles of faces on n points by their vertices; not those with a vertex twice.
+// Holds the triangles of faces on n points by their vertices, without those with a vertex twice.
 struct Triangles_of_faces
 {
   std::vector<Corners> triangles;
-  std::vector<std::uint32_t> faces; // of which face each is
+  std::vector<std::uint32_t> faces; // the face of each triangle
 
   template <class FaceRange, class VertexOf>
   Triangles_of_faces(const FaceRange& of_faces, std::size_t n, const VertexOf& vertex_of)
@@ -451,7 +453,7 @@ struct Triangles_of_faces
     });
   }
 
-  // Turns those round that sides have turned; returns how many faces they are of.
+  // Reverses the triangles that are turned in `sides`; returns the number of their faces.
   std::size_t turn(const Sides& sides)
   {
     std::size_t number = 0, last = std::size_t(-1);
@@ -481,14 +483,14 @@ std::vector<Open_edge> orient(Triangles_of_faces& surface, std::size_t n, const 
   return open;
 }
 
-// An inside is found of m tetrahedra on n points.
+// Throws if there are too many tetrahedra (m) or points (n) to find an inside.
 inline void check_sizes(std::size_t m, std::size_t n)
 {
   if (m >= std::size_t(1) << 30 || n >= std::size_t(1) << 31)
     throw std::length_error("an inside is found of fewer than 2^30 tetrahedra and 2^31 points");
 }
 
-// Those of tetrahedra on n points whose neighbours are not known; -1 where there is none.
+// Finds the neighbours of tetrahedra on n points, from their corners; -1 stands for none.
 template <class Index>
 std::vector<std::array<Index, 4>> neighbors_of_corners(const Corners_view<Index>& tetrahedra,
                                                        std::size_t n, const Executor& executor)
@@ -501,7 +503,7 @@ std::vector<std::array<Index, 4>> neighbors_of_corners(const Corners_view<Index>
   return neighbors;
 }
 
-// The area of triangles.
+// Returns the area of triangles.
 inline double area_of(const std::vector<Corners>& triangles, const std::vector<Vector_3d>& points)
 {
   double area = 0;
@@ -512,7 +514,7 @@ inline double area_of(const std::vector<Corners>& triangles, const std::vector<V
   return area;
 }
 
-// What the numbers of all tetrahedra mean, for triangles with this area, and openings with these.
+// Judges the numbers of all tetrahedra, given the area of the triangles and of each opening.
 template <class Cells>
 void judge_inside(const Cells& cells, const std::vector<Cutting_triangle>& no_facets, double area,
                   const std::vector<double>& openings, Inside_3& inside, const Executor& executor)
@@ -536,7 +538,7 @@ void judge_inside(const Cells& cells, const std::vector<Cutting_triangle>& no_fa
   judge.finish(share_of_largest, inside);
 }
 
-// What may be wrong in an inside, and the remedies; empty if little may be.
+// Tells what may be wrong with an inside, and the remedies; returns no text if little may be wrong.
 inline std::string warning_of(const Inside_3& inside)
 {
   constexpr double much_doubtful = 0.05, much_crossed = 0.1;
@@ -556,8 +558,9 @@ inline std::string warning_of(const Inside_3& inside)
   return text;
 }
 
-// Of m tetrahedra vertices_of(c), opposite to which lie the tetrahedra neighbors_of(c), or other
-// numbers where there are none, and faces whose points have the vertices vertex_of(i).
+// Finds the inside for m tetrahedra vertices_of(c), across whose facets lie the tetrahedra
+// neighbors_of(c), or numbers out of range where there are none, and for faces whose point i is
+// vertex vertex_of(i).
 template <class FaceRange, class VerticesOf, class NeighborsOf, class VertexOf>
 Inside_3 find_inside(const Point_array& points, const FaceRange& faces, std::size_t m,
                      const VerticesOf& vertices_of, const NeighborsOf& neighbors_of,

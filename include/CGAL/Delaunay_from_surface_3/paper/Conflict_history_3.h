@@ -5,19 +5,18 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_CONFLICT_HISTORY_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_CONFLICT_HISTORY_3_H
 
-// Choi 2002, §2: the location structure Q. "We start at the root and traverse all the intermediate
-// Delaunay tetrahedra whose circumspheres contain s_i" (Boissonnat and Teillaud's Delaunay tree;
-// Clarkson, Mehlhorn and Seidel's history).
+// Implements the location structure Q of Choi 2002, §2: "We start at the root and traverse all the
+// intermediate Delaunay tetrahedra whose circumspheres contain s_i" (Boissonnat and Teillaud's
+// Delaunay tree; Clarkson, Mehlhorn and Seidel's history).
 //
-// Invariant: a new cell on the facet f is in conflict with no point that is in conflict neither
-// with its father, the destroyed cell behind f, nor with its stepfather, the cell across f that
-// survived. For its sphere goes through the circle of f, between the spheres of these two. So
-// whoever knows all cells of one triangulation in conflict with a point finds all later ones by
-// sons and stepsons. The stepsons of a facet stood on it one after the other, each the son of the
-// one before, and their spheres turn about its circle towards the stepfather. Of those in conflict
-// with a point there the youngest are, if it is on the stepfather's side of the facet; else they
-// are sons of cells in conflict. So they are tested from the youngest on until one is not in
-// conflict.
+// Invariant: if a point is in conflict with a new cell on the facet f, it is in conflict with the
+// cell's father, the destroyed cell behind f, or its stepfather, the surviving cell across f. For
+// the sphere of the new cell goes through the circle of f, between the spheres of these two. So all
+// cells of one triangulation in conflict with a point lead to all later ones by sons and stepsons.
+// The stepsons of a facet stood on it one after the other, each the son of the one before, and
+// their spheres turn about its circle towards the stepfather's. If a point is on the stepfather's
+// side of the facet, the stepsons in conflict with it are the youngest; otherwise they are sons of
+// cells in conflict. So they are tested from the youngest on until one is not in conflict.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
@@ -46,8 +45,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The facets of the boundary of a conflict zone, each with its two cells: finds, by the cell
-// across, which survives, the cell behind, which does not.
+// Stores the facets of the boundary of a conflict zone, each with its two cells. From the cell
+// across, which survives, it finds the cell behind, which does not.
 template <class Node>
 class Zone_boundary
 {
@@ -57,10 +56,10 @@ public:
   // Adds facet `index` of the cell `across`.
   void add(Node across, int index, Node behind) { m_facets.push_back({across, index, behind}); }
 
-  // To be called when all are added. O(m log m) for m facets.
+  // Must be called when all facets are added. Takes O(m log m) for m facets.
   void sort() { std::sort(m_facets.begin(), m_facets.end()); }
 
-  // O(log m).
+  // Returns the cell behind in O(log m).
   Node behind(Node across, int index) const
   {
     const auto facet =
@@ -85,8 +84,8 @@ private:
   std::vector<Facet> m_facets;
 };
 
-// Whether a point is in conflict with a cell that may be gone: of the cell only the vertices are
-// known. The answers are those of CGAL's find_conflicts(), perturbation included.
+// Conflict_test tells whether a point is in conflict with a cell, which may be destroyed: only its
+// vertices are needed. The answers agree with CGAL's find_conflicts(), perturbation included.
 
 enum class Conflict { NO, YES, AT_VERTEX };
 
@@ -97,8 +96,8 @@ class Conflict_test
   using Point = typename Triangulation::Point;
   using Vertex = typename Triangulation::Vertex_handle;
 
-  // Gives access to CGAL's perturbed predicates: protected members, which use nothing of the
-  // triangulation but its traits.
+  // Gives access to CGAL's perturbed predicates: protected members, which use only the traits of
+  // the triangulation.
   struct Exposed : Delaunay_triangulation_3<Geom_traits>
   {
     using Base = Delaunay_triangulation_3<Geom_traits>;
@@ -108,7 +107,7 @@ class Conflict_test
   };
 
 public:
-  using Vertices = std::array<Vertex, 4>; // of a cell, in its orientation
+  using Vertices = std::array<Vertex, 4>; // in the orientation of the cell
 
   explicit Conflict_test(const Triangulation& tr)
     : m_tr(tr)
@@ -130,7 +129,7 @@ public:
     return answer(m_exposed.side_of_oriented_sphere(a, b, c, d, p, true) == ON_POSITIVE_SIDE);
   }
 
-  // The finite vertex at p; none if there is none.
+  // Returns the finite vertex at p, or Vertex() if there is none.
   Vertex vertex_at(const Vertices& v, const Point& p) const
   {
     for (const Vertex u : v)
@@ -145,7 +144,7 @@ private:
     return is_in_conflict ? Conflict::YES : Conflict::NO;
   }
 
-  // Beyond the finite facet, or in its plane and inside its circle.
+  // Tests whether p is beyond the finite facet, or in its plane and inside its circle.
   Conflict with_infinite_cell(const Vertices& v, std::size_t infinite, const Point& p) const
   {
     std::array<const Point*, 4> q;
@@ -321,7 +320,7 @@ public:
   /// returns whether there is no node, because the triangulation is not 3-dimensional yet.
   bool is_empty() const { return m_records.empty(); }
 
-  /// returns the number of nodes, which is that of all cells that ever existed.
+  /// returns the number of nodes, which is the number of all cells that ever existed.
   std::size_t number_of_nodes() const { return m_records.size(); }
 
   /// returns the number of nodes of the root, all of which a search from the root tests.
@@ -345,11 +344,11 @@ private:
   struct Record
   {
     std::array<Vertex, 4> vertices;
-    Cell cell; // none once it is destroyed
+    Cell cell; // Cell() once it is destroyed
     Node first_son = none;
-    Node next_son = none; // of its father's sons
+    Node next_son = none; // the next of its father's sons
     std::array<Node, 4> youngest_stepson = {none, none, none, none};
-    Node next_older_stepson = none; // of its stepfather's, on the same facet
+    Node next_older_stepson = none; // the one before it on the same facet of its stepfather
   };
 
   void make_root()
@@ -359,7 +358,8 @@ private:
     m_root_end = m_records.size();
   }
 
-  // The memory of a destroyed cell may hold a new one: that is then what its address stands for.
+  // Adds a node for c. Its memory may have held a destroyed cell; from now on its address stands
+  // for the new one.
   void add_node(Cell c)
   {
     m_node_of_cell[c] = m_records.size();
@@ -367,7 +367,7 @@ private:
     m_marks.push_back(0);
   }
 
-  // Node n stands on facet `index` of its stepfather.
+  // Links node n, which stands on facet `index` of its stepfather.
   void link(Node n, Node stepfather, int index)
   {
     Node& first_son = m_records[m_boundary.behind(stepfather, index)].first_son;
@@ -384,7 +384,7 @@ private:
     return {Vertex(), 0, 0};
   }
 
-  // Whether n is in conflict with p. If it is, it waits to be looked at; it does so once.
+  // Returns whether n is in conflict with p. If it is, pushes it on the stack, but only once.
   bool is_visited(Node n, const Point& p, Search& search)
   {
     if (m_marks[n] / 2 == m_search)
@@ -424,19 +424,20 @@ private:
   Unique_hash_map<Cell, Node> m_node_of_cell;
   Node m_root_end = 0;
   std::vector<Cell> m_zone;                 // not empty while an update is under way
-  internal::Zone_boundary<Node> m_boundary; // of the zone
-  std::vector<std::size_t> m_marks; // twice the search that has tested it last, plus its answer
+  internal::Zone_boundary<Node> m_boundary; // the boundary of the zone
+  std::vector<std::size_t> m_marks; // twice the last search that tested the node, plus the answer
   std::size_t m_search = 0;
   std::vector<Node> m_stack;
 };
 
-// Choi 2002, Fig. 1, lines 2a and 2b, with the paper's Q: s_i is located by a search through all
-// cells in conflict with it, from those of D(S_{N_h}), which a trace has recorded.
+// Conflict_history_hints_3 implements Choi 2002, Fig. 1, lines 2a and 2b, with the paper's Q: s_i
+// is located by a search through all cells in conflict with it, from the conflicting cells of
+// D(S_{N_h}), which a trace has recorded.
 //
 // Invariant: the record of a point is its whole conflict set in the triangulation of the last
-// trace, or its vertex if there was one there. Cost: see Conflict_history_3 for s_i; O(n) expected
-// cells per trace (Theorem 3), and the sizes of all conflict sets, which is O(n) expected too where
-// an insertion destroys O(1) cells.
+// trace, or the vertex that was at the point. Cost: see Conflict_history_3 for s_i; a trace takes
+// O(n) expected cells (Theorem 3) and the sizes of all conflict sets, which add up to O(n) expected
+// if an insertion destroys O(1) cells.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
@@ -444,11 +445,11 @@ private:
 starts every insertion in a cell in conflict with the point, found in the history of all conflicts,
 the paper's own location structure (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). The search
 starts at the conflict set that the last trace recorded for the point, or at the root if there was
-no trace. A root of more than 256 cells is not searched, but the point is located by a walk from the
-vertex inserted last: the history began with a triangulation that had vertices, or with many points
-in a plane. A trace is that of `Traced_hints_3`, but records sets of nodes instead of vertices. The
-paper records only the cell that contains the point; a search from that cell alone can miss cells
-(`Conflict_history_3`).
+no trace. If the root has more than 256 cells, because the history began with a triangulation that
+had vertices, or with many points in a plane, the point is located by a walk from the vertex
+inserted last instead. A trace works as in `Traced_hints_3`, but records sets of nodes instead of
+vertices. The paper records only the cell that contains the point; a search from that cell alone can
+miss cells (`Conflict_history_3`).
 
 This policy serves the study of the theory: it takes several times the memory of the triangulation,
 and is slower than a walk on all surfaces measured.
@@ -574,14 +575,14 @@ public:
   std::size_t nodes_tested() const { return m_nodes_tested; }
 
 private:
-  // A search from the root tests every cell of it: from here on a walk is shorter.
+  // A search from the root tests all its cells: if there are more than these, a walk is shorter.
   static constexpr std::size_t largest_root = 256;
 
   struct Record
   {
     std::ptrdiff_t first = 0,
                    last = 0; // in the list of nodes; there is none before the first trace
-    Vertex vertex = {};      // that stood at the point at the last trace
+    Vertex vertex = {};      // the vertex at the point at the last trace
   };
 
   Record record(std::size_t i, const typename Target::Location& location,
@@ -601,7 +602,7 @@ private:
     return result;
   }
 
-  // What search(out) finds.
+  // Returns the start that search(out) finds.
   template <class Search>
   Cell found_start(const Search& search)
   {

@@ -23,8 +23,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A graph on 0, …, n-1 in the form that nets are made from: for each vertex the neighbours with
-// smaller numbers, every edge once. It also models boost::VertexListGraph and boost::EdgeListGraph.
+// Represents a graph on 0, …, n-1 in the form from which nets are made: it lists for each vertex
+// the neighbours with smaller numbers, so that every edge is there once. It also models
+// boost::VertexListGraph and boost::EdgeListGraph.
 class Lower_neighbor_graph
 {
 public:
@@ -73,16 +74,16 @@ public:
     std::size_t m_upper = 0, m_k = 0;
   };
 
-  // Without vertices.
+  // Makes a graph without vertices.
   Lower_neighbor_graph() = default;
 
-  // On `number_of_vertices` vertices, without edges.
+  // Makes a graph on `number_of_vertices` vertices, without edges.
   explicit Lower_neighbor_graph(std::size_t number_of_vertices)
     : m_number_of_vertices(number_of_vertices)
   {
   }
 
-  // With these lists.
+  // Makes a graph with these lists.
   explicit Lower_neighbor_graph(Lists<std::uint32_t> lists)
     : m_lists(std::move(lists))
     , m_number_of_vertices(m_lists.size())
@@ -98,8 +99,8 @@ private:
   std::size_t m_number_of_vertices = 0;
 };
 
-// The same with the faces that its edges come from, for subgraphs that need more than edges. Keeps
-// a reference to the faces.
+// Adds the faces from which the edges come, for subgraphs that need more than edges. Keeps a
+// reference to the faces.
 template <class FaceRange>
 class Graph_of_faces : public Lower_neighbor_graph
 {

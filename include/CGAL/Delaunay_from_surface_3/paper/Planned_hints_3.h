@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_PLANNED_HINTS_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_PLANNED_HINTS_3_H
 
-// Beyond the paper: the plan already knows where a point starts, so that nothing need be searched
-// or stored while points are inserted.
+// Goes beyond the paper: the plan already knows where a point starts, so that nothing need be
+// searched or stored while points are inserted.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -48,8 +48,8 @@ struct Null_update_observer
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Whether a hint policy needs no trace and is built into the core. The header of such a policy says
-// so.
+// Tells whether a hint policy needs no trace and is built into the core. The header of such a
+// policy specializes it.
 template <template <class Target, class Subgraph> class InsertionHints>
 struct Starts_in_core : std::false_type
 {
@@ -59,8 +59,8 @@ struct Starts_in_core : std::false_type
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
-// The control: every point starts from the point inserted before it, as in CGAL's own range
-// insertion.
+// Previous_hint_3 is the control: every point starts from the point inserted before it, as in
+// CGAL's own range insertion.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
@@ -116,9 +116,8 @@ struct Starts_in_core<Previous_hint_3> : std::true_type
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
-// Beyond the paper: no trace at all. When a point's turn comes, its neighbours on the surface are
-// asked which of them are in the triangulation by now; late in the insertion nearly always some
-// are.
+// Neighbor_hints_3 goes beyond the paper: it needs no trace at all. When a point's turn comes, some
+// of its neighbours on the surface are nearly always in the triangulation, except early on.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints

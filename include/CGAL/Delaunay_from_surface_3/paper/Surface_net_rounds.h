@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SURFACE_NET_ROUNDS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SURFACE_NET_ROUNDS_H
 
-// Beyond the paper: rounds, order and starting points from the surface. Good spacing takes the
-// place of randomness; that the nets are random keeps the numbering of the mesh out of it. Rounds of
-// well-spaced points (Spaced_rounds) do as well without a surface.
+// Goes beyond the paper: takes rounds, order and starting points from the surface. Good spacing
+// replaces randomness; the nets are random so that the numbering of the mesh has no influence.
+// Rounds of well-spaced points (Spaced_rounds) do as well without a surface.
 //
 // Invariant: when a round begins, the points inserted are a maximal independent set of the graph
 // of the points inserted by its end (contracted level by level), so that each point of the round
@@ -44,37 +44,37 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// See Surface_net_rounds.
+// Surface_net_rounds documents these constants.
 constexpr double net_stall = 0.9;
 constexpr std::size_t coarsest_net = 64;
 constexpr std::size_t large_cluster = 32;
 
-// A net of a graph, that is a maximal independent set, with the cluster of every net vertex: itself
-// and neighbours of it; of several net vertices beside it a vertex belongs to the nearest, or,
-// where there are many vertices, to the first.
+// A net of a graph is a maximal independent set. The cluster of a net vertex consists of the vertex
+// and neighbours of it; a vertex beside several net vertices belongs to the nearest, or, if there
+// are many vertices, to the first.
 //
 // The net is the greedy one in a random order of the vertices. In the order of the numbers it would
-// be as regular as the numbering, and CAD numbers along profiles and rings: whole rings would come
-// one after the other. Where there are many vertices, blocks of successive numbers come one after
-// the other, and the order is random inside each. That keeps memory together, and stays near the
-// order of the numbers, which is a good one on scans. Hubs come before all others: the middle of a
-// fan is better there before the fan than after it. Chains of vertices of which each waits for the
-// one before have logarithmic length in random orders (Blelloch, Fineman, Shun 2012; Fischer,
+// be as regular as the numbering, and CAD programs number along profiles and rings: whole rings
+// would come one after the other. If there are many vertices, blocks of successive numbers follow
+// each other, and the order is random inside each. That keeps memory accesses together, and stays
+// near the order of the numbers, which is a good one on scans. Hubs come before all others: it is
+// better to insert the middle of a fan before the fan. Chains of vertices, each of which waits for
+// the one before, have logarithmic length in random orders (Blelloch, Fineman, Shun 2012; Fischer,
 // Noever 2018).
 //
-// Cost: linear in vertices and edges. Every edge is stored at one of its ends only, at which it is
-// seen from both: a vertex asks those in its list, and tells them when it joins.
+// Cost: linear in vertices and edges. Every edge is stored at one of its ends only, which handles
+// it for both: a vertex asks the vertices in its list, and tells them when it joins.
 
-// The numbers 0, …, n-1 in random order; where they are many, block by block, in random order
-// inside each. The blocks share one permutation, each with a twist of its own. What belongs to one
-// of many blocks of a graph fits into the cache nearest to the processor.
+// Visits the numbers 0, …, n-1 in random order; if there are many, block by block, in random order
+// inside each. The blocks share one permutation, each with a shift and flip of its own. The part of
+// a graph that belongs to one of many blocks fits into the cache nearest to the processor.
 class Random_blocks
 {
 public:
   static constexpr std::size_t largest_block = std::size_t(1) << 15;
   static constexpr std::size_t one_of_many = std::size_t(1) << 10;
 
-  // `block`: the size of one of many, rounded up to a power of 2.
+  // Makes blocks of `block` numbers, rounded up to a power of 2, if there are many numbers.
   Random_blocks(std::size_t n, std::uint64_t seed, std::size_t block = one_of_many)
     : m_n(n)
   {
@@ -110,14 +110,14 @@ private:
 
   std::size_t m_n;
   std::vector<Block> m_blocks;
-  std::vector<std::uint32_t> m_inner; // as many as a block has, a power of 2
+  std::vector<std::uint32_t> m_inner; // a permutation of a block, whose size is a power of 2
 };
 
-// The points at the vertices of a graph.
+// Refers to the points at the vertices of a graph.
 class Vertex_points
 {
 public:
-  // Vertex v is at the point names[v]; or at v, if there are no names.
+  // Vertex v is at the point names[v], or at point v if there are no names.
   explicit Vertex_points(const Point_array& points, const std::uint32_t* names = nullptr)
     : m_points(points)
     , m_names(names)
@@ -138,12 +138,11 @@ private:
 
 struct Net
 {
-  Large_vector<std::uint32_t> centers;    // by cluster: its net vertex, in ascending order
-  Large_vector<std::uint32_t> cluster_of; // by vertex: the number of its cluster
+  Large_vector<std::uint32_t> centers;    // the net vertex of each cluster, in ascending order
+  Large_vector<std::uint32_t> cluster_of; // the cluster of each vertex
 };
 
-// The vertices with more than three times as many edges as the others have on average, in random
-// order.
+// Returns the vertices with more than three times as many edges as the average, in random order.
 inline std::vector<std::uint32_t> hubs_of(const Lists_view<std::uint32_t>& lower,
                                           std::uint64_t seed)
 {
@@ -163,8 +162,8 @@ inline std::vector<std::uint32_t> hubs_of(const Lists_view<std::uint32_t>& lower
   return result;
 }
 
-// By vertex: itself if it is in the greedy net of the graph with these lower neighbours, else a
-// neighbour that is. `hubs` come first.
+// Returns for each vertex itself if it is in the greedy net of the graph with these lower
+// neighbours, otherwise a neighbour that is. `hubs` come first.
 inline Large_vector<std::uint32_t> random_net(const Lists_view<std::uint32_t>& lower,
                                               const std::vector<std::uint32_t>& hubs,
                                               std::uint64_t seed, std::size_t block)
@@ -194,7 +193,7 @@ inline Large_vector<std::uint32_t> random_net(const Lists_view<std::uint32_t>& l
   return center;
 }
 
-// Of several net vertices beside a vertex that is_wanted, makes the nearest one its centre.
+// Makes the nearest net vertex beside a vertex its centre, for each vertex with is_wanted(v).
 template <class Is_wanted>
 void choose_nearest_centers(const Lists_view<std::uint32_t>& lower, const Is_wanted& is_wanted,
                             const Vertex_points& points, Large_vector<std::uint32_t>& center)
@@ -220,9 +219,9 @@ void choose_nearest_centers(const Lists_view<std::uint32_t>& lower, const Is_wan
         offer(v, *u);
 }
 
-// The same for the vertices in the clusters of hubs. A hub would keep all that are beside it,
-// however far away, and its cluster those of the next level, until one cluster has half of all
-// vertices.
+// Does the same for the vertices in the clusters of hubs. A hub would keep all vertices beside it,
+// however far away, and its cluster the adjacent clusters on the next level, until one cluster has
+// half of all vertices.
 inline void choose_nearest_instead_of_hubs(const Lists_view<std::uint32_t>& lower,
                                            const std::vector<std::uint32_t>& hubs,
                                            const Vertex_points& points,
@@ -239,8 +238,8 @@ inline void choose_nearest_instead_of_hubs(const Lists_view<std::uint32_t>& lowe
       lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, points, center);
 }
 
-// Whether every centre is its own, every other vertex is beside its own centre, and no centre
-// beside another. By vertex: the centre. Linear.
+// Returns whether center[v], the centre of each vertex v, defines a net: every centre is its own,
+// every other vertex is beside its centre, and no centre is beside another. Linear.
 inline bool is_net(const Lists_view<std::uint32_t>& lower,
                    const Large_vector<std::uint32_t>& center)
 {
@@ -260,9 +259,9 @@ inline bool is_net(const Lists_view<std::uint32_t>& lower,
   return true;
 }
 
-// The net and its clusters. Distances are those of neighbours, one of which is in the net; where
-// there are many vertices, of those beside hubs only: a pass over all points is dear there, for a
-// small gain.
+// Makes the net and its clusters. Distances are computed between neighbours, one of which is in the
+// net; if there are many vertices, only in clusters of hubs: a pass over all points would then cost
+// much, for a small gain.
 inline Net net_of(const Lists_view<std::uint32_t>& lower, std::uint64_t seed,
                   const Vertex_points& points, std::size_t block = Random_blocks::one_of_many)
 {
@@ -278,7 +277,7 @@ inline Net net_of(const Lists_view<std::uint32_t>& lower, std::uint64_t seed,
   else
     choose_nearest_instead_of_hubs(lower, hubs, points, center);
   CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(is_net(lower, center));
-  Large_vector<Index> number(n); // of the cluster of a net vertex
+  Large_vector<Index> number(n); // the cluster of a net vertex
   for (std::size_t v = 0; v < n; ++v)
     if (center[v] == v) {
       number[v] = Index(net.centers.size());
@@ -289,20 +288,20 @@ inline Net net_of(const Lists_view<std::uint32_t>& lower, std::uint64_t seed,
   return net;
 }
 
-// Nets of a graph, each a maximal independent set of the one before, with the clusters of their
-// vertices.
+// Net_hierarchy makes nets of a graph, each a maximal independent set in the contracted graph of
+// the one before, with the clusters of their vertices.
 //
-// A graph is given by the neighbours of each vertex that have smaller numbers: each edge once, at
-// the end that is looked at last.
+// A graph is given by the neighbours of each vertex that have smaller numbers: each edge is stored
+// once, at the end that is visited last.
 //
-// Invariant: a level's vertices are numbered in the order in which those of the level below are, so
-// that a mesh that is coherent in memory gives levels that are. No search through the graph: where
-// the mesh is not coherent it would miss the cache at every vertex.
+// Invariant: the vertices of a level are numbered in the order of the level below, so that a mesh
+// that is coherent in memory gives coherent levels. There is no search through the graph: if the
+// mesh is not coherent, it would miss the cache at every vertex.
 // Cost: every level is linear in its vertices and edges. On the surfaces measured the levels shrink
 // by a constant factor (4 to 5) and their edges with them: linear altogether. In other graphs a
 // level may keep nearly all its vertices; such a level ends the hierarchy.
 
-// The members of every cluster, its net vertex first, the others in ascending order.
+// Lists the members of every cluster, its net vertex first, the others in ascending order.
 inline Lists<std::uint32_t> members(const Net& net)
 {
   using Index = std::uint32_t;
@@ -322,15 +321,15 @@ inline Lists<std::uint32_t> members(const Net& net)
   return lists;
 }
 
-// The graph of the clusters: two are neighbours if members of theirs are. An edge is met from each
-// of its clusters at most once, so that it is there twice at most.
+// Returns the graph of the clusters: two are neighbours if members of them are. An edge is found
+// from each of its clusters at most once, so that it is there at most twice.
 inline Lists<std::uint32_t> contracted(const Lists_view<std::uint32_t>& lower,
                                        const Large_vector<std::uint32_t>& cluster_of,
                                        const Lists<std::uint32_t>& clusters)
 {
   using Index = std::uint32_t;
   Large_vector<Numbered_edge> edges;
-  edges.reserve(4 * clusters.size()); // on a surface
+  edges.reserve(4 * clusters.size()); // enough on a surface
   Large_vector<Index> last_met_by(clusters.size(), Index(clusters.size()));
   const std::size_t last_item = clusters.items.size() - 1;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
@@ -351,18 +350,17 @@ inline Lists<std::uint32_t> contracted(const Lists_view<std::uint32_t>& lower,
   return lower_neighbors(edges, clusters.size());
 }
 
-// The levels, finest first. clusters[l] lists the clusters of the vertices of level l; they are the
-// vertices of level l + 1. names[l] tells which point a vertex of level l is; at level 0 every
-// vertex is its own number, and nothing is stored.
+// Holds the levels, finest first. clusters[l] lists the clusters of the vertices of level l; they
+// are the vertices of level l + 1. names[l] has the point of each vertex of level l; at level 0 the
+// vertices are the points themselves, and nothing is stored.
 struct Net_hierarchy
 {
   std::vector<Lists<std::uint32_t>> clusters;
   std::vector<Large_vector<std::uint32_t>> names;
   std::size_t number_of_coarsest;
 
-  // Makes nets of the graph with these edges, of which there are some, until at most `coarsest_net`
-  // vertices are left, or a net keeps more than the share `net_stall` of them. `block`: see
-  // Random_blocks.
+  // Makes nets of the graph with these edges (at least one) until at most `coarsest_net` vertices
+  // are left, or a net keeps more than the share `net_stall` of them. `block` is for Random_blocks.
   Net_hierarchy(Lists_view<std::uint32_t> lower, const Point_array& points, unsigned int seed,
                 std::size_t block = Random_blocks::one_of_many)
     : names(1)
@@ -394,8 +392,8 @@ struct Net_hierarchy
   }
 };
 
-// The median of squared distances from members to net vertices of a level, of about a thousand
-// clusters.
+// Returns the median squared distance from a member to the net vertex, over about a thousand
+// clusters of a level.
 inline double median_of_distances(const Point_array& points, const Net_hierarchy& nets,
                                   std::size_t level)
 {
@@ -412,12 +410,12 @@ inline double median_of_distances(const Point_array& points, const Net_hierarchy
   return *middle;
 }
 
-// Whether the graph joins points that are near. On a surface the squared distance of a vertex from
-// its net vertex grows from level to level as the number of vertices falls, and in a volume as
-// its power 2/3; where edges join points at random it stays the same.
+// Returns whether the graph joins points that are near each other. From level to level, the squared
+// distance of a vertex from its net vertex grows on a surface as the number of vertices falls, and
+// in a volume as the power 2/3 of that; if edges join points at random, it stays the same.
 inline bool joins_near_points(const Point_array& points, const Net_hierarchy& nets)
 {
-  std::size_t level = nets.clusters.size(); // the coarsest that is large enough, and 1
+  std::size_t level = nets.clusters.size(); // becomes 1 + the coarsest level that is large enough
   while (level > 0 && nets.clusters[level - 1].items.size() < 128)
     --level;
   if (level < 2)
@@ -439,13 +437,13 @@ inline Insertion_order rounds_behind_nets(const Point_array& points, unsigned in
 // Appends one round after the other to an order, from the coarsest net to the finest.
 class Rounds_of_nets
 {
-  // A vertex of a level, and the place of its point in the order.
+  // Holds a vertex of a level, and the place of its point in the order.
   struct Placed
   {
     std::uint32_t vertex, place;
   };
 
-  // All vertices of a level, in their order.
+  // Lists all vertices of a level in their order.
   using Sequence = Large_vector<Placed>;
 
 public:
@@ -468,7 +466,7 @@ public:
   }
 
 private:
-  // The vertex of a level as the next of the order. Returns its place.
+  // Appends a vertex of a level to the order. Returns its place.
   std::uint32_t append(std::size_t level, std::size_t vertex, std::size_t starting_place)
   {
     const std::size_t place = m_result.order.size();
@@ -477,7 +475,7 @@ private:
     return static_cast<std::uint32_t>(place);
   }
 
-  // The first rounds: the vertices of the coarsest level. Returns them in their order.
+  // Appends the first rounds: the vertices of the coarsest level. Returns them in their order.
   Sequence append_coarsest()
   {
     const std::size_t level = m_nets.number_of_levels() - 1;
@@ -496,8 +494,8 @@ private:
     return sequence;
   }
 
-  // The round of the vertices of a level that are not in its net. `parents` are those in the net,
-  // in their order; returns all vertices of the level in theirs.
+  // Appends the round of the vertices of a level that are not in its net. `parents` are the
+  // vertices in the net, in their order; returns all vertices of the level in their order.
   Sequence append_round(std::size_t level, const Sequence& parents)
   {
     const Lists<std::uint32_t>& clusters = m_nets.clusters[level];
@@ -516,9 +514,9 @@ private:
     return sequence;
   }
 
-  // The members of one cluster but its net vertex, which was placed last. A walk from there would
-  // lead through half of the fan: they come in random rounds, and start at the point before if that
-  // is nearer.
+  // Appends the members of one cluster except its net vertex, the last of `sequence`. A walk from
+  // there would lead through half of the fan: so the members come in random rounds, and start at
+  // the previous point if that is nearer.
   void append_large_cluster(std::size_t level, const std::uint32_t* first,
                             const std::uint32_t* last, Sequence& sequence)
   {
@@ -547,7 +545,7 @@ private:
     return rounds_behind_nets(points, m_seed);
   }
 
-  // Of the points name(0), …, name(n-1).
+  // Returns the coordinates of the points name(0), …, name(n-1).
   template <class Name>
   std::vector<double> coordinates_of(std::size_t n, const Name& name) const
   {
@@ -564,8 +562,8 @@ private:
   Insertion_order m_result;
 };
 
-// The order of points whose graph has these lower neighbours. Without edges it is that of the points
-// alone; without starting places if edges do not tell which points are near each other.
+// Returns the order of points whose graph has these lower neighbours. Without edges it depends on
+// the points alone. It has no starting places if edges join points that are not near each other.
 inline Insertion_order surface_net_rounds(const Point_array& points,
                                           const Lists_view<std::uint32_t>& lower, unsigned int seed,
                                           std::size_t block)
@@ -580,8 +578,8 @@ inline Insertion_order surface_net_rounds(const Point_array& points,
                                          : rounds_behind_nets(points, seed);
 }
 
-// The neighbours of each of the n vertices of a graph that have smaller numbers; no lists if vertices
-// or edges are too many for numbers of 32 bits.
+// Lists, for each of the n vertices of a graph, its neighbours with smaller numbers; returns no
+// lists if there are no edges, or too many vertices or edges for 32-bit numbers.
 template <class Graph, class VertexIndexMap>
 Lists<std::uint32_t> lower_neighbors(const Graph& graph, VertexIndexMap index_map, std::size_t n)
 {
@@ -605,8 +603,8 @@ Lists<std::uint32_t> lower_neighbors(const Graph& graph, VertexIndexMap index_ma
 \ingroup PkgDelaunayFromSurface3Plans
 
 makes rounds and order from the surface graph. A net of the graph is a maximal independent set.
-Every other vertex joins the cluster of an adjacent net vertex: of the nearest if there are no more
-than 32768 vertices, or if the first of these has many edges; otherwise of the one chosen first.
+Every other vertex joins the cluster of an adjacent net vertex: the nearest if there are at most
+32768 vertices, or if the first that was chosen has many edges; otherwise the first.
 Contracting the clusters gives a smaller graph, and so on, until at most `coarsest` vertices are
 left. Rounds go from the coarsest net to the finest and grow four- to fivefold. Inside a round the
 points follow the clusters, children in the order of their parents. This order is local on the
@@ -623,10 +621,10 @@ middle of a fan before the fan. The members of a cluster of more than `large_clu
 in the order of `Geometric_rounds`, and start at the previous point if that is nearer than the net
 vertex.
 
-If there are no edges or more than \f$2^{32}\f$, the order is that of `Spaced_rounds`, in the budget of
-this plan, which a quadratic number of cells exceeds. If they join
-points that are not near each other (a thousand of them are examined on two levels),
-`Geometric_rounds` orders the points. Then there are no starting places.
+If there are no edges or more than \f$2^{32}\f$, the order is that of `Spaced_rounds`, within the
+budget of this plan, which a quadratic number of cells exceeds. If the edges join points that are
+not near each other (a thousand are examined on two levels), `Geometric_rounds` orders the points.
+Then there are no starting places.
 
 A level that keeps more than 90 % of its vertices (isolated vertices, graphs with few edges) ends
 the hierarchy. `Geometric_rounds` orders the vertices left at the end.
@@ -654,7 +652,7 @@ public:
   /// of the points; on adversarial surfaces any number.
   static constexpr std::size_t cells_per_point = internal::cells_per_point_of_core;
 
-  /// the size from which the inside of a cluster is ordered by `Geometric_rounds`.
+  /// the largest size of a cluster whose members are not ordered by `Geometric_rounds`.
   static constexpr std::size_t large_cluster = internal::large_cluster;
 
   /*!

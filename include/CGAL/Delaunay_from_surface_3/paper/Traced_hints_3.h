@@ -5,11 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_TRACED_HINTS_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_TRACED_HINTS_3_H
 
-// Choi 2002, Fig. 1, line 2a: "trace T through D(S_{N_h}) to determine d_{N_h}(s_k) for all k >
-// N_h", and line 2b: s_i is then located "starting from d_{N_{h-1}}(s_i)".
+// Implements Choi 2002, Fig. 1, line 2a: "trace T through D(S_{N_h}) to determine d_{N_h}(s_k) for
+// all k > N_h", and line 2b: s_i is then located "starting from d_{N_{h-1}}(s_i)".
 //
 // Invariant: after a trace, the record of every point not yet inserted is a finite vertex of the
-// cell that contains it. A vertex never dies while points are only inserted; the cell would.
+// cell that contains it. While points are only inserted, a vertex is never destroyed, but the cell
+// can be.
 // Cost: one walk per edge of a spanning forest of T; expected O(n) cells per trace if T consists of
 // Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
 
@@ -79,7 +80,7 @@ public:
   }
 
 private:
-  // Depth first, with a stack of our own.
+  // Traces a component depth first, without recursion.
   template <class Record>
   std::size_t trace_component(std::size_t root, Cell start, const Record& record)
   {

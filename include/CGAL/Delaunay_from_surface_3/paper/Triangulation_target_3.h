@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_TRIANGULATION_TARGET_3_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_TRIANGULATION_TARGET_3_H
 
-// Choi 2002, Fig. 1, line 2c: "Insert s_i and update D(S_i)", through CGAL's own insertion; and the
-// walk that stands for Q in lines 2a and 2b.
+// Implements Choi 2002, Fig. 1, line 2c: "Insert s_i and update D(S_i)", through CGAL's own
+// insertion, and the walk that replaces Q in lines 2a and 2b.
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
@@ -32,14 +32,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A user's plan may be wrong; an insertion by it would lose points or read out of bounds.
+// A user's plan may be wrong; inserting by it would lose points or read out of bounds.
 
 [[noreturn]] inline void refuse_plan(const std::string& what)
 {
   throw std::invalid_argument("insertion plan: " + what);
 }
 
-// Throws unless the rounds end in ascending order and the last at n.
+// Throws unless the rounds end in ascending order, and the last one at n.
 inline void check_round_ends(const std::vector<std::size_t>& ends, std::size_t n)
 {
   for (std::size_t h = 0; h < ends.size(); ++h)
@@ -52,7 +52,7 @@ inline void check_round_ends(const std::vector<std::size_t>& ends, std::size_t n
                 std::to_string(n) + " points");
 }
 
-// Throws unless there are none, or each but the first comes before its point.
+// Throws unless there are no starting places, or n, of which all but the first precede their point.
 inline void check_starting_places(const std::vector<std::size_t>& places, std::size_t n)
 {
   if (!places.empty() && places.size() != n)
@@ -64,7 +64,7 @@ inline void check_starting_places(const std::vector<std::size_t>& places, std::s
                   std::to_string(places[k]) + ", which is not before it");
 }
 
-// The place of each of n points in the order; throws unless it is a permutation of 0, …, n-1.
+// Returns the place of each point in the order; throws unless this is a permutation of 0, …, n-1.
 inline std::vector<std::size_t> places_in_order(const std::vector<std::size_t>& order,
                                                 std::size_t n)
 {
@@ -84,8 +84,8 @@ inline std::vector<std::size_t> places_in_order(const std::vector<std::size_t>& 
   return places;
 }
 
-// Throws a std::invalid_argument that says what is wrong with the plan for n points and where.
-// Returns the place of each point. Linear.
+// Checks the plan for n points and returns the place of each point. Throws a std::invalid_argument
+// that tells what is wrong and where. Linear.
 inline std::vector<std::size_t> check_plan(const Insertion_order& plan, std::size_t n)
 {
   check_round_ends(plan.round_ends, n);
@@ -165,7 +165,7 @@ public:
   {
     Location location = {start, Triangulation::OUTSIDE_AFFINE_HULL, 0, 0};
     const Cell found = m_tr.locate(m_points[i], location.type, location.li, location.lj, start);
-    if (found != Cell()) // none outside the affine hull: the next walk may start where this one did
+    if (found != Cell()) // otherwise the next walk may start where this one did
       location.cell = found;
     return location;
   }
@@ -188,9 +188,9 @@ public:
 
   /// inserts point `i` where it was just located, and tells `observer` (a model of
   /// `UpdateObserver_3`). If there is already a vertex at the point, the point gets this vertex.
-  /// The time is linear in the number of cells destroyed and created, plus that of the upper levels
-  /// of `Fast_location`. After an exception of CGAL's insertion the triangulation may only be
-  /// cleared or destroyed.
+  /// The time is linear in the number of cells destroyed and created, plus the time for the upper
+  /// levels of `Fast_location`. After an exception of CGAL's insertion the triangulation may only
+  /// be cleared or destroyed.
   template <class Observer>
   void insert(std::size_t i, const Location& location, Observer& observer)
   {
@@ -215,7 +215,7 @@ private:
     return m_tr.insert(m_points[i], location.type, location.cell, location.li, location.lj);
   }
 
-  // The cell where a point is located is in conflict with it, outside the convex hull too.
+  // Inserts point i. The cell where it is located is in conflict with it, also outside the hull.
   template <class Observer>
   Vertex insert_in_conflict_zone(std::size_t i, const Location& location, Observer& observer)
   {
@@ -238,7 +238,7 @@ private:
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Choi 2002, Fig. 1: the loop, on CGAL's own triangulation.
+// The following is the loop of Choi 2002, Fig. 1, on CGAL's own triangulation.
 
 // Round h ends before s_{N_h}, N_h = round_ends[h]. Returns false if the watcher stopped it.
 template <class Target, class Hints, class Watcher>
@@ -269,7 +269,7 @@ bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints&
   return true;
 }
 
-// The vertices of the points, none where the work ended before; by point.
+// Holds the vertex of each point, or a null handle if the work ended before.
 template <class Vertex_handle>
 struct Inserted_points
 {
@@ -278,8 +278,8 @@ struct Inserted_points
 };
 
 // Inserts the points in the order of the plan. T, `subgraph`, is a graph on the places in the
-// order. The points are copied in this order: in that of the mesh nearly every point would miss the
-// cache.
+// order. The points are copied in this order: in the order of the mesh nearly every access would
+// miss the cache.
 template <template <class, class> class Hints, class Triangulation, class Watcher>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_through_cgal(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
@@ -298,8 +298,8 @@ insert_through_cgal(Triangulation& tr, const std::vector<typename Triangulation:
 // The number of points at which the core is as fast as CGAL.
 constexpr std::size_t few_points = 30;
 
-// Inserts a few points, in their own order, into an empty triangulation: to order and export them
-// would take longer than to insert them. Of equal points the first one gives the vertex.
+// Inserts a few points, in their own order, into an empty triangulation: ordering and exporting
+// them would take longer than inserting them. The first of equal points provides the vertex.
 template <class Triangulation>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_few_points(Triangulation& tr, const std::vector<typename Triangulation::Point>& points)
@@ -313,7 +313,7 @@ insert_few_points(Triangulation& tr, const std::vector<typename Triangulation::P
   return inserted;
 }
 
-// The paper's way: order and T from the surface, then Choi 2002, Fig. 1, on CGAL's own triangulation.
+// Follows the paper: takes order and T from the surface, then runs Fig. 1 on CGAL's triangulation.
 
 template <class Traits, class Triangulation, class Input, class Watcher>
 Inserted_points<typename Triangulation::Vertex_handle>

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_INSERTION_PLANS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_INSERTION_PLANS_H
 
-// The core's orders for the points of any kernel: what the plans with a public face share.
+// Provides the core's orders for the points of any kernel, and code that the public plans share.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
@@ -38,8 +38,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The plans sort indices by the points behind them. Sorting (point, index) pairs keeps the points
-// beside each other in memory; sorting bare indices would miss the cache at every comparison.
+// Sorts indices by their points. Sorting (point, index) pairs keeps the points beside each other in
+// memory; sorting bare indices would miss the cache at every comparison.
 template <class Point, class GeomTraits, class Sort>
 void sort_indices(const std::vector<Point>& points, const GeomTraits& gt,
                   std::vector<std::size_t>::iterator first, std::vector<std::size_t>::iterator last,
@@ -80,7 +80,7 @@ inline std::vector<std::size_t> identity_order(std::size_t n)
   return order;
 }
 
-// A uniformly random permutation of 0, …, n-1, the same for the same seed everywhere.
+// Returns a uniformly random permutation of 0, …, n-1, the same for the same seed everywhere.
 inline std::vector<std::size_t> random_order(std::size_t n, unsigned int seed)
 {
   std::vector<std::size_t> order = identity_order(n);
@@ -89,7 +89,7 @@ inline std::vector<std::size_t> random_order(std::size_t n, unsigned int seed)
   return order;
 }
 
-// x, y and z of one point after the other, as doubles near them.
+// Returns x, y and z of one point after the other, as doubles near them.
 template <class Point>
 Large_vector<double> rounded_coordinates(const std::vector<Point>& points)
 {
@@ -114,7 +114,7 @@ Insertion_order order_by_core(const std::vector<Point>& points, const Order_requ
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
-// The public face of core/order/spaced_rounds.h.
+// Geometric_rounds is the public face of core/order/spaced_rounds.h.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -185,7 +185,7 @@ private:
   std::size_t m_first_round;
 };
 
-// The public face of core/order/spaced_rounds.h.
+// Spaced_rounds is the public face of core/order/spaced_rounds.h.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -244,7 +244,7 @@ private:
   unsigned int m_seed;
 };
 
-// The control: the order of CGAL's own insert(first, last), in one round.
+// Spatial_sort_order is the control: the order of CGAL's own insert(first, last), in one round.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -260,7 +260,7 @@ function insertion by insertion. The seed is not used: `spatial_sort()` has its 
 class Spatial_sort_order
 {
 public:
-  /// is the same for every seed.
+  /// makes the plan, which is the same for every seed.
   explicit Spatial_sort_order(unsigned int /* seed */ = 0) {}
 
   /// returns the order of `points`. The graph is not used.
@@ -279,8 +279,8 @@ public:
   }
 };
 
-// Choi 2002, §2: "Let s_1, s_2, …, s_n be a random ordering", and Fig. 1, line 2a: the traces come
-// after s_i with i = N_h = ⌈n / log^(h) n⌉, 1 <= h <= log* n.
+// Log_star_rounds follows Choi 2002, §2: "Let s_1, s_2, …, s_n be a random ordering", and Fig. 1,
+// line 2a: the traces come after s_i with i = N_h = ⌈n / log^(h) n⌉, 1 <= h <= log* n.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans

@@ -25,14 +25,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A graph on the indices of the points. Every edge is stored in both directions, so that
-// adjacent_vertices() gives all neighbours.
+// Represents a graph on the indices of the points. Every edge is stored in both directions, so that
+// adjacent_vertices() returns all neighbours.
 using Index_graph =
     boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                        boost::no_property, std::size_t, std::size_t>;
 
 // Runs the functor `subgraph` on `graph` and keeps the edges it writes as a graph on indices, in
-// which vertex v has the number `numbers[index_map[v]]`. O(n + m).
+// which vertex v has the number `numbers[index_map[v]]`. Takes O(n + m).
 template <class SurfaceSubgraph, class Graph, class VertexIndexMap>
 Index_graph index_graph(const SurfaceSubgraph& subgraph, const Graph& graph,
                         VertexIndexMap index_map, const std::vector<std::size_t>& numbers)
@@ -50,7 +50,7 @@ Index_graph index_graph(const SurfaceSubgraph& subgraph, const Graph& graph,
                      numbers.size());
 }
 
-// T, made by the functor of the traits. If the functor needs more than the graph has, such as
+// Makes T by the functor of the traits. If the functor needs more than the graph has, such as
 // faces, or refuses the surface by a Surface_input_error, a spanning forest is used, and the
 // visitor is told why.
 template <class SurfaceSubgraph, class Graph, class VertexIndexMap, class Visitor>

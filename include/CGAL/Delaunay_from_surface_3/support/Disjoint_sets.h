@@ -17,8 +17,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Disjoint sets of 0, …, n-1, united by rank, with paths that are halved on the way. Not Boost's:
-// the Python module is built without it.
+// Disjoint sets of 0, …, n-1, united by rank, with path halving. Boost's are not used, because the
+// Python module is built without Boost.
 template <class Index>
 class Disjoint_sets
 {
@@ -46,7 +46,7 @@ public:
     return true;
   }
 
-  // One element of the set of i, the same for all of them.
+  // Returns one element of the set of i, the same for all of its elements.
   Index root(Index i)
   {
     while (m_parent[i] != i)

@@ -22,7 +22,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// What an executor runs; it must not throw.
+// A function that an executor runs; it must not throw.
 class Task
 {
 public:
@@ -32,13 +32,13 @@ protected:
   ~Task() = default;
 };
 
-// Runs tasks by one thread or by many: those of TBB, or any others that the caller has.
+// Runs tasks by one thread or many: the threads of TBB, or any others that the caller has.
 class Executor
 {
 public:
   virtual ~Executor() = default;
 
-  // At least 1; the same whenever it is asked.
+  // Returns at least 1, and always the same number.
   virtual std::size_t number_of_workers() const = 0;
 
   // Calls task(0) in the thread that calls this, and task(1), …, task(number - 1) at the same time,
@@ -53,7 +53,7 @@ public:
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Runs all in the caller's thread.
+// Runs all tasks in the caller's thread.
 class Alone final : public Executor
 {
 public:
@@ -66,13 +66,13 @@ public:
   }
 };
 
-// Into how many blocks of `least` or more an executor cuts n things.
+// Returns into how many blocks of `least` or more an executor cuts n things.
 inline std::size_t number_of_blocks(const Executor& executor, std::size_t n, std::size_t least)
 {
   return (std::max)(std::size_t(1), (std::min)(executor.number_of_workers(), n / least));
 }
 
-// A body as a task, rounding to nearest, that counts its calls.
+// Runs a body as a task, rounding to nearest, and counts its calls.
 template <class Body>
 class Counted_task final : public Task
 {
@@ -107,14 +107,14 @@ void call_each(const Executor& executor, std::size_t n, const Body& body)
                            " were executed");
 }
 
-// How many of n things a block has, but for the last ones.
+// Returns how many of n things a block has; the last blocks may have fewer.
 inline std::size_t size_of_block(std::size_t n, std::size_t blocks)
 {
   return (n + blocks - 1) / blocks;
 }
 
-// Calls body(first, last, block) for as many blocks of 0, …, n-1, which may be empty. When all are
-// done, throws what the first of those that threw has thrown.
+// Calls body(first, last, block) for so many blocks of 0, …, n-1, which may be empty. When all are
+// done, throws the exception of the first block that has thrown.
 template <class Body>
 void for_each_block(const Executor& executor, std::size_t n, std::size_t blocks, const Body& body)
 {
@@ -169,7 +169,7 @@ bool holds_for_all(const Executor& executor, std::size_t n, const Predicate& is_
   return std::find(is_wrong.begin(), is_wrong.end(), 1) == is_wrong.end();
 }
 
-// result[k] = items[order[k]]
+// Returns the items with result[k] = items[order[k]].
 template <class T>
 std::vector<T> permuted(const std::vector<T>& items, const std::vector<std::size_t>& order,
                         const Executor& executor = Alone())
@@ -193,7 +193,7 @@ std::vector<T> permuted(const std::vector<T>& items, const std::vector<std::size
   return result;
 }
 
-// result[order[k]] = k
+// Returns the permutation with result[order[k]] = k.
 inline std::vector<std::size_t> inverse(const std::size_t* order, std::size_t n)
 {
   std::vector<std::size_t> result(n);

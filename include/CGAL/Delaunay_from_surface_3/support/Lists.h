@@ -23,7 +23,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Lists of numbers, one after the other, owned elsewhere: that of i is items[first[i]], …,
+// Lists of numbers, one after the other, owned elsewhere: list i is items[first[i]], …,
 // items[first[i+1] - 1].
 template <class Index>
 struct Lists_view
@@ -37,7 +37,7 @@ struct Lists_view
   const Index* end(std::size_t i) const { return items + first[i + 1]; }
 };
 
-// Lists of numbers, one after the other: that of i is items[first[i]], …, items[first[i+1] - 1].
+// Lists of numbers, one after the other: list i is items[first[i]], …, items[first[i+1] - 1].
 template <class Index>
 struct Lists
 {
@@ -48,7 +48,7 @@ struct Lists
   const Index* begin(std::size_t i) const { return items.data() + first[i]; }
   const Index* end(std::size_t i) const { return items.data() + first[i + 1]; }
 
-  // Also where there is no list.
+  // Works also if there is no list.
   operator Lists_view<Index>() const
   {
     return {first.data(), items.data(), first.empty() ? 0 : size(), items.size()};
@@ -101,9 +101,8 @@ private:
   std::size_t m_first, m_size;
 };
 
-// The numbers of items of n lists, by block of items, become the places of the first of them:
-// those of a list come one after the other, and in it those of a block. Returns how many items
-// there are.
+// Turns the numbers of items that each block has for n lists into the places of the first of these
+// items: lists come one after the other, and in each list its blocks. Returns the number of items.
 template <class Index>
 std::size_t numbers_to_places(std::size_t n, const std::vector<Index*>& blocks,
                               const Executor& executor)
@@ -126,8 +125,8 @@ std::size_t numbers_to_places(std::size_t n, const std::vector<Index*>& blocks,
   return begin[ranges];
 }
 
-// Puts items that come in blocks into n lists: a counting sort, which keeps their order. Every block is
-// the work of one thread, which has n numbers of its own.
+// Puts items that come in blocks into n lists: a counting sort, which keeps their order. One thread
+// does each block, with n numbers of its own.
 template <class Index>
 class Sort_into_lists
 {
@@ -139,10 +138,10 @@ public:
     , m_places(blocks)
   {
     m_lists.first.assign(n + 1, 0);
-    m_places.back() = m_lists.first.data() + 1; // becomes the array of where lists end
+    m_places.back() = m_lists.first.data() + 1; // becomes the array of the ends of lists
   }
 
-  // Before anything is placed: count(b, numbers) adds 1 to numbers[list] for each item of block b.
+  // Before place(): count(b, numbers) must add 1 to numbers[list] for each item of block b.
   template <class Count>
   void count(const Count& count)
   {
@@ -175,7 +174,7 @@ private:
   std::vector<Index*> m_places;
 };
 
-// Puts the items of a block to where the places say that their lists go on.
+// Puts each item of a block at the next free place of its list.
 template <class Index, class Items>
 void place_items(const Items& items, Index* places, Index* all)
 {
@@ -185,7 +184,7 @@ void place_items(const Items& items, Index* places, Index* all)
   }
 }
 
-// All items of these blocks. Throws if an Index cannot number them.
+// Returns lists of all items of these blocks. Throws if an Index cannot number them.
 template <class Index, class Items>
 Lists<Index> in_lists(std::size_t n, const std::vector<Items>& blocks,
                       const Executor& executor = Alone())
@@ -204,7 +203,7 @@ Lists<Index> in_lists(std::size_t n, const std::vector<Items>& blocks,
       [&](std::size_t b, Index* places, Index* items) { place_items(blocks[b], places, items); });
 }
 
-// The same for items in one piece, which is cut into blocks where there are many.
+// Does the same for items in one piece, which is cut into blocks if there are many.
 template <class Index, class Items>
 Lists<Index> in_lists(std::size_t n, const Items& items, const Executor& executor = Alone())
 {

@@ -31,14 +31,14 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 constexpr std::size_t large_page = std::size_t(1) << 21;
 
-// Whether an array of so many bytes begins at a large page. Smaller ones lie in the heap as any
-// memory does, whose pages the next call finds again, without page faults.
+// Returns whether an array of so many bytes begins at a large page. Smaller ones lie in the heap
+// like other memory, whose pages the next call finds again, without page faults.
 constexpr bool begins_at_large_page(std::size_t bytes)
 {
   return bytes >= 16 * large_page;
 }
 
-// What this thread has taken of a processor: on a busy machine the turns of others are not its own.
+// The processor time of this thread, so that on a busy machine the turns of others do not count.
 struct Thread_clock
 {
   static std::chrono::nanoseconds now()
@@ -55,12 +55,12 @@ struct Thread_clock
 // Large pages for the memory of one array, as long as they are cheap: the first touch of one is one
 // page fault instead of 512.
 //
-// Where a host takes free memory back from a virtual machine, it takes large pages, and leaves small
-// ones. One that it must give again costs as much as eight or ten do in small pages. So each is
-// advised and touched, by the clock, just before it is used, and after the first that is dear there
-// are no more. Each array finds out for itself, since what was dear a moment ago may be cheap now,
-// and no state has to outlive the array: it loses one page at most. Those that are too small to gain
-// as much take none; glibc maps the others aside, so that no advice stays with the heap.
+// If a host takes free memory back from a virtual machine, it takes large pages and leaves small
+// ones. To get one again costs as much as eight or ten in small pages. So each page is advised and
+// touched just before it is used, and timed; the first that is dear is the last. Each array finds
+// out for itself, since a page that was dear a moment ago may be cheap now, and no state has to
+// outlive the array: it loses one page at most. Arrays that are too small to gain as much take no
+// large pages; glibc maps the others aside, so that no advice stays with the heap.
 class Large_pages
 {
 public:
@@ -70,8 +70,8 @@ public:
   {
   }
 
-  // The bytes first, …, last - 1 of the array, which begins at a large page, are written next, for
-  // the first time. Several threads may say so, each of its own.
+  // To be called before the bytes first, …, last - 1 of the array, which begins at a large page,
+  // are written for the first time. Several threads may call it, each for bytes of its own.
   template <class Clock = Thread_clock>
   void touch(void* array, std::size_t first, std::size_t last)
   {
@@ -81,12 +81,12 @@ public:
         store_relaxed(m_end, std::size_t(0));
   }
 
-  // So many bytes are in large pages, if the system has them, once they have been touched.
+  // Bytes before this end are in large pages, if the system has any, once they have been touched.
   std::size_t end() const { return load_relaxed(m_end); }
 
 private:
-  // Advice: it is no error if it is not taken. A page at hand takes a tenth of a millisecond, one
-  // that is not some five.
+  // Advice may be ignored, which is no error. A page at hand takes a tenth of a millisecond, any
+  // other about five.
   template <class Clock>
   static bool is_cheap(char* page)
   {
@@ -104,8 +104,8 @@ private:
   std::size_t m_end = 0;
 };
 
-// Memory for large arrays that live for a short time and are filled at once: in large pages where
-// the system has them at hand.
+// Memory for large arrays that live for a short time and are filled at once, in large pages if the
+// system has them at hand.
 template <class T>
 struct Large_page_allocator
 {
@@ -124,7 +124,7 @@ struct Large_page_allocator
     return data;
   }
 
-  // For who touches it little by little.
+  // For callers that touch the memory little by little.
   T* allocate_untouched(std::size_t n)
   {
     if (n > (std::numeric_limits<std::size_t>::max)() / sizeof(T))
@@ -147,9 +147,9 @@ private:
 template <class T>
 using Large_vector = std::vector<T, Large_page_allocator<T>>;
 
-// A growing array of trivial elements, made for hundreds of megabytes: memory that is not cleared
-// first, of which what is never written takes nothing, and parts can be given back while others are
-// still read. Elements up to capacity() may be written; there is no size to keep.
+// A growing array of trivial elements, made for hundreds of megabytes: its memory is not cleared
+// first, parts that are never written take none, and parts can be given back while others are still
+// read. Elements up to capacity() may be written; there is no size to keep.
 template <class T>
 class Page_array
 {
@@ -161,7 +161,7 @@ public:
   Page_array& operator=(const Page_array&) = delete;
   ~Page_array() { deallocate(); }
 
-  // Takes the memory of another, also one of a larger type whose objects hold nothing but such
+  // Takes the memory of another array, even of a larger type if its objects consist of such
   // elements.
   template <class U>
   explicit Page_array(Page_array<U>&& other)
@@ -171,7 +171,7 @@ public:
     m_data = reinterpret_cast<T*>(std::exchange(other.m_data, nullptr));
     m_pages = std::exchange(other.m_pages, Large_pages());
   }
-  // What another has given away.
+  // Takes memory that another array has given away.
   Page_array(T* data, std::size_t capacity)
     : m_data(data)
     , m_capacity(capacity)
@@ -204,8 +204,8 @@ public:
   const T& operator[](std::size_t i) const { return m_data[i]; }
   std::size_t capacity() const { return m_capacity; }
 
-  // Makes room for at least n elements and keeps the first `used`. Who writes others says so before,
-  // by touch().
+  // Makes room for at least n elements and keeps the first `used`. Before others are written,
+  // touch() must be called.
   void reserve(std::size_t n, std::size_t used)
   {
     if (n <= m_capacity)
@@ -214,7 +214,7 @@ public:
     larger.m_data = Large_page_allocator<T>().allocate_untouched(n);
     larger.m_capacity = n;
     larger.m_pages = Large_pages(n * sizeof(T));
-    for (std::size_t i = 0; i < used;) { // those that were moved take no memory twice
+    for (std::size_t i = 0; i < used;) { // parts that were moved do not take memory twice
       const std::size_t end = (std::min)(used, larger.end_of_page(i));
       larger.touch(i, end);
       std::memcpy(static_cast<void*>(larger.m_data + i), m_data + i, (end - i) * sizeof(T));
@@ -224,7 +224,7 @@ public:
     larger.swap(*this);
   }
 
-  // n elements, all of which are written next.
+  // Makes room for n elements, all of which are written next.
   void allocate(std::size_t n)
   {
     deallocate();
@@ -232,23 +232,23 @@ public:
     touch(0, n);
   }
 
-  // The elements first, …, last - 1 are written next, for the first time. Several threads may say so,
-  // each of its own.
+  // To be called before the elements first, …, last - 1 are written for the first time. Several
+  // threads may call it, each for elements of its own.
   void touch(std::size_t first, std::size_t last)
   {
     m_pages.touch(m_data, first * sizeof(T), last * sizeof(T));
   }
 
-  // With which element the large page after that of element i begins, or the array ends.
+  // Returns the first element of the large page after that of element i, or the end of the array.
   std::size_t end_of_page(std::size_t i) const
   {
     constexpr std::size_t size = large_page / sizeof(T);
     return (std::min)(m_capacity, i / size * size + size);
   }
 
-  // The elements first, …, last - 1 are not read any more. Whole pages of theirs go back to the
-  // system: large ones where the array may have such, which would be torn otherwise. Small pages
-  // have 64 kB at most, nearly everywhere; where they have more, this may be refused.
+  // To be called when the elements first, …, last - 1 are not read any more. Whole pages go back to
+  // the system; they are large if the array may have large ones, which would be torn otherwise.
+  // Small pages have 64 kB at most, nearly everywhere; if they have more, the system may refuse.
   void release(std::size_t first, std::size_t last)
   {
 #if defined(__linux__)
@@ -264,7 +264,7 @@ public:
 #endif
   }
 
-  // As release(), for an array that ends soon: small ones leave their pages to the heap.
+  // Does the same for an array that ends soon: small arrays leave their pages to the heap.
   void release_before_end(std::size_t first, std::size_t last)
   {
     if (begins_at_large_page(m_capacity * sizeof(T)))

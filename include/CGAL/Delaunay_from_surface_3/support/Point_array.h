@@ -35,7 +35,7 @@ std::array<Number, 3> minus(const std::array<Number, 3>& a, const std::array<Num
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// The squared distance of two points, rounded; infinite where it overflows.
+// Returns the squared distance of two points, rounded; it is infinite in case of overflow.
 inline double squared_distance(const double* p, const double* q)
 {
   const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
@@ -68,7 +68,7 @@ private:
   std::size_t m_size;
 };
 
-// Where points come from. They may be asked for again after they were given up.
+// A source of points. They may be asked for again after they were given up.
 class Point_source
 {
 public:
@@ -76,7 +76,7 @@ public:
 
   virtual Point_array points() = 0;
 
-  // Points will not be needed for a long time: what can be read again need not be kept.
+  // Says that points will not be needed for long: those that can be read again need not be kept.
   virtual void give_up() {}
 };
 
@@ -84,8 +84,8 @@ public:
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Whether a coordinate is a finite number, by its bits: with -ffast-math, compilers take
-// std::isfinite() for true.
+// Returns whether a coordinate is a finite number, judging by its bits: with -ffast-math, compilers
+// assume that std::isfinite() is true.
 inline bool is_finite_number(double x)
 {
   std::uint64_t bits;
@@ -93,7 +93,7 @@ inline bool is_finite_number(double x)
   return (bits >> 52 & 0x7ff) != 0x7ff;
 }
 
-// Points that are there all the time.
+// Points that are available all the time.
 class Given_points final : public Point_source
 {
 public:

@@ -18,19 +18,19 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The floating-point mode of a thread: how it rounds, and whether it takes denormal numbers for
-// zero, a mode that some libraries for sound, images or learning leave behind.
+// The floating-point mode of a thread: how it rounds, and whether it treats denormal numbers as
+// zero, which some libraries for sound, images or learning leave switched on.
 class Floating_point_mode
 {
 public:
-  // The mode of this thread.
+  // Reads the mode of this thread.
   Floating_point_mode()
     : m_rounding(std::fegetround())
     , m_word(word() & mask)
   {
   }
 
-  // All results are the nearest ones; of the numbers of a word, none of the bits is set.
+  // Returns whether all results are rounded to nearest, and no bit of the word is set.
   bool is_to_nearest() const { return m_rounding == FE_TONEAREST && m_word == 0; }
 
   void set() const { set(m_rounding, m_word); }
@@ -38,7 +38,7 @@ public:
 
 private:
 #if defined(__SSE2_MATH__) || defined(_M_X64)
-  // std::fegetround() knows the mode of the older unit only, and CGAL changes this one alone.
+  // std::fegetround() reads only the mode of the older unit, and CGAL changes only this one.
   using Word = unsigned int;
   static constexpr Word mask = 0xe040; // flush to zero, rounding, denormals are zeros
   static Word word()
@@ -83,9 +83,9 @@ private:
   Word m_word;
 };
 
-// Rounds to nearest while it lives, to denormal numbers, too, as the error bounds of the filters
-// assume; a caller may be inside CGAL's Protect_FPU_rounding. What is the caller's is called in the
-// caller's mode.
+// Rounds to nearest while it lives, and keeps denormal numbers, as the error bounds of the filters
+// assume; a caller may be inside CGAL's Protect_FPU_rounding. Functions of the caller are called in
+// the caller's mode.
 class Rounding_to_nearest
 {
 public:

@@ -21,7 +21,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Has threads of its own, for programs without TBB. They live as long as it does: the first is
+// Has threads of its own, for programs without TBB. They live as long as the executor; the first is
 // started when there is a second task. If the system gives fewer, these do all.
 class Thread_executor final : public Executor
 {
@@ -72,7 +72,7 @@ private:
     try {
       while (m_threads.size() + 1 < m_number && m_threads.size() + 1 < tasks)
         m_threads.emplace_back([this] { work(); });
-    } catch (const std::system_error&) { // as many as there are
+    } catch (const std::system_error&) { // those that have started suffice
     }
   }
 
@@ -101,7 +101,7 @@ private:
   }
 
   const std::size_t m_number;
-  mutable std::mutex m_mutex; // guards all that follows
+  mutable std::mutex m_mutex; // guards all members below
   mutable std::condition_variable m_work, m_done;
   mutable std::vector<std::thread> m_threads;
   mutable const Task* m_task = nullptr;

@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_ASSERTIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_ASSERTIONS_H
 
-// Invariants of the core, which does not know CGAL's assertions, but is switched by the same macros:
-// off with NDEBUG, if CGAL_DEBUG is not defined, and with CGAL_NO_ASSERTIONS; expensive ones, which
-// look at more than what was just written, on with CGAL_CHECK_EXPENSIVE.
+// Checks invariants of the core, which does not know CGAL's assertions but obeys the same macros:
+// checks are off with NDEBUG, if CGAL_DEBUG is not defined, and with CGAL_NO_ASSERTIONS; expensive
+// ones, which look at more than what was just written, are on with CGAL_CHECK_EXPENSIVE.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -18,7 +18,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Reports a broken invariant: throws, also where assertions are off.
+// Reports a broken invariant. It throws even if assertions are off.
 [[noreturn]] inline void fail(const char* invariant)
 {
   throw std::logic_error(invariant);

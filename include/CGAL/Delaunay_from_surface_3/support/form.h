@@ -12,14 +12,15 @@
 #include <limits>
 #include <type_traits>
 
-// The form in which the package is used, as the names of two inline namespaces, so that one program
-// may mix forms: header-only (the default) or with the core compiled
+// The form in which the package is used gives the names of two inline namespaces, so that one
+// program may mix forms: header-only (the default) or with the core compiled
 // (CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED, which the target Delaunay_from_surface_3::compiled
 // defines), this version or another, units with more instructions or more checks than others. Of
-// two functions of one name a linker keeps any, even one with instructions that the machine lacks.
+// two functions with one name a linker keeps either, even one with instructions that the machine
+// lacks.
 //
-//   …_FORM       what each unit compiles for itself: bodies, and types that only they see;
-//   …_INTERFACE  what the compiled core and those who call it share: declarations, abstract classes,
+//   …_FORM       code that each unit compiles for itself: bodies, and types that only they see;
+//   …_INTERFACE  code that the compiled core and its callers share: declarations, abstract classes,
 //                structs of pointers and numbers. Nothing there depends on a unit's options.
 
 #define CGAL_DELAUNAY_FROM_SURFACE_3_VERSION v0_1_0
@@ -70,7 +71,7 @@
       CGAL_DELAUNAY_FROM_SURFACE_3_CHECKS, CGAL_DELAUNAY_FROM_SURFACE_3_INSTRUCTIONS,              \
       CGAL_DELAUNAY_FROM_SURFACE_3_ARITHMETIC)
 
-// ThreadSanitizer knows atomic words, and neither fences nor vectors.
+// ThreadSanitizer understands atomic words, but neither fences nor vectors.
 #if defined(__SANITIZE_THREAD__)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED
 #elif defined(__has_feature)
@@ -79,7 +80,7 @@
 #endif
 #endif
 
-// Of functions that are no templates.
+// For functions that are no templates.
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INLINE
 #else
@@ -125,15 +126,15 @@ struct Detected_or<Default, std::void_t<Operation<Types...>>, Operation, Types..
   using type = Operation<Types...>;
 };
 
-// Whether Operation<Types...> is a type.
+// Tells whether Operation<Types...> is a type.
 template <template <class...> class Operation, class... Types>
 constexpr bool is_detected = Detected_or<void, void, Operation, Types...>::value;
 
-// That type, or else Default.
+// Is Operation<Types...> if this is a type, and else Default.
 template <class Default, template <class...> class Operation, class... Types>
 using detected_or_t = typename Detected_or<Default, void, Operation, Types...>::type;
 
-// Whether faces may have such indices: integers, or classes that are converted to them.
+// Tells whether faces may have such indices: integers, or classes that are converted to them.
 template <class Index>
 constexpr bool is_index = std::is_integral<Index>::value ||
                           (std::is_class<Index>::value &&

@@ -5,13 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_SHARED_WORDS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_SHARED_WORDS_H
 
-// Words in ordinary memory that several threads read and write: std::atomic_ref of C++20, for
-// C++17, and no more of it than is used.
+// Words in ordinary memory that several threads read and write: the part of C++20's std::atomic_ref
+// that is used, for C++17.
 //
 // On x86 every load acquires and every store releases, and compilers keep volatile accesses in
-// their order: volatile words are enough, if all that is shared is read and written by these
-// functions. GCC takes an atomic access for one of all memory, and loads every pointer again after
-// it.
+// their order: volatile words suffice if all shared data is read and written by these functions.
+// GCC treats an atomic access as one to all memory, and loads every pointer again after it.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -24,14 +23,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// How many steps ahead of its use a loop prefetches memory; and, where an earlier step gives the
-// address, how many steps ahead of that. Surface_net_rounds for a scan of 603,000 points: 0.139 s
-// without, 0.130 at 4 steps, 0.119 to 0.126 at 8, 16, 32 or 64; 0.169, 0.146, and 0.144 to 0.160
-// with its vertices shuffled (medians of 8 in turn). So anything near 16 will do.
+// A loop prefetches memory so many steps ahead of its use; if the address is itself in prefetched
+// memory, the nearer distance is for what is there. Surface_net_rounds for a scan of 603,000 points
+// takes 0.139 s without, 0.130 at 4 steps, 0.119 to 0.126 at 8, 16, 32 or 64; with its vertices
+// shuffled 0.169, 0.146, and 0.144 to 0.160 (medians of 8 in turn). So anything near 16 will do.
 constexpr std::size_t prefetch_distance = 16;
 constexpr std::size_t near_prefetch_distance = 8;
 
-// Tells the processor that *address will be read soon; only a hint, and any address will do.
+// Tells the processor that *address will be read soon. It is only a hint, and any address will do.
 inline void prefetch(const void* address)
 {
 #if defined(__GNUC__)
@@ -95,7 +94,7 @@ void store_release(Word& w, Word value)
 
 #else
 
-// A std::atomic of an integer that is always lock-free is that integer, on all compilers known.
+// On all known compilers, a std::atomic of an integer that is always lock-free is that integer.
 template <class Word>
 std::atomic<Word>& as_atomic(const Word& w)
 {
@@ -126,8 +125,8 @@ void store_release(Word& w, Word value)
 
 #endif
 
-// Nothing where no instruction is needed. ThreadSanitizer sees no fences, and its compilers warn of
-// them.
+// Fences are empty if no instruction is needed. ThreadSanitizer does not see them, and its
+// compilers warn of them.
 inline void acquire_fence()
 {
 #if !defined(__x86_64__) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED)
@@ -141,8 +140,8 @@ inline void release_fence()
 #endif
 }
 
-// Between the stores before it and the loads after it. Where ThreadSanitizer looks on, an exchange
-// of a word that nobody else has does the same on x86.
+// Separates the stores before it from the loads after it. For ThreadSanitizer, an exchange of a
+// word that no other thread has does the same on x86.
 inline void full_fence()
 {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_IS_WATCHED

@@ -5,11 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_VECTORS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_VECTORS_H
 
-// Functions in vector instructions that the user need not compile for: they are marked with their
-// target, and called where the machine has it. It fuses products into sums if the compiler's options
+// Functions in vector instructions for which the user need not compile: they are marked with their
+// target, and called if the machine has it. Products are fused into sums if the compiler's options
 // allow it (-ffp-contract), and filters are proved for either. A vector that is read from a vertex
-// holds one word more than the point. Other threads may write that word, and its lane is never used.
-// ThreadSanitizer cannot know this, so vectors are left out where it watches.
+// has one word more than the point. Other threads may write that word, but its lane is never used.
+// ThreadSanitizer cannot know this, so there are no vectors if it watches.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -21,7 +21,7 @@
 
 #define CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 #define CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS __attribute__((target("avx2,fma,popcnt")))
-// A function for vectors is never inlined into one without; so all that it calls goes into it.
+// A function with vectors is never inlined into one without; so all that it calls goes into it.
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ALL_IN_VECTORS                                                \
   __attribute__((target("avx2,fma,popcnt"), flatten))
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS                                             \
@@ -38,13 +38,13 @@ inline bool machine_has_vectors()
          __builtin_cpu_supports("popcnt");
 }
 
-// Vectors of four, with the operators that GCC and clang give them.
+// Vectors with four or eight lanes, and the operators that GCC and clang give them.
 using Four_doubles = double __attribute__((vector_size(32)));
 using Four_longs = long long __attribute__((vector_size(32)));
 using Four_words = unsigned __attribute__((vector_size(16)));
 using Eight_words = unsigned __attribute__((vector_size(32)));
 
-// The lanes with these numbers of a, 0 to 3, and b, 4 to 7.
+// Returns the lanes with these numbers, where 0 to 3 are lanes of a, and 4 to 7 lanes of b.
 template <int i, int j, int k, int l, class Vector>
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Vector lanes_of(Vector a, Vector b)
 {
@@ -61,8 +61,8 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Vector lanes_of(Vector a)
   return lanes_of<i, j, k, l>(a, a);
 }
 
-// At any address of a double: copied, as clang takes a vector type for aligned whatever its attributes
-// say in an alias. One instruction each.
+// Loads and stores at any address of a double, by copying: clang assumes that a vector type is
+// aligned whatever its attributes say in an alias. Each is one instruction.
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles load_four(const double* from)
 {
   Four_doubles v;
@@ -79,7 +79,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles max_of(Four_doubles 
   return a > b ? a : b;
 }
 
-// What has no operator.
+// There is no operator for the square root.
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles sqrt_of(Four_doubles v)
 {
 #if defined(__clang__) && __clang_major__ >= 18
@@ -89,7 +89,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Four_doubles sqrt_of(Four_doubles
 #endif
 }
 
-// Those of eight words that `which` numbers.
+// Returns the words of v with the numbers in `which`.
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Eight_words words_of(Eight_words v,
                                                                     Eight_words which)
 {
@@ -98,7 +98,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Eight_words words_of(Eight_words 
       reinterpret_cast<Eight_ints>(v), reinterpret_cast<Eight_ints>(which)));
 }
 
-// Bit i: what a comparison says of lane i.
+// Returns bits, of which bit i is the result of a comparison in lane i.
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS unsigned bits_of(Four_longs comparison)
 {
   return unsigned(__builtin_ia32_movmskpd256(reinterpret_cast<Four_doubles>(comparison)));

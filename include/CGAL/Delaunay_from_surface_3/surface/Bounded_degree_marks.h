@@ -5,18 +5,18 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BOUNDED_DEGREE_MARKS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BOUNDED_DEGREE_MARKS_H
 
-// The composition: from a rotation system to marks on the darts of a subgraph of bounded degree.
+// Composes the steps from a rotation system to marks on the darts of a bounded-degree subgraph H.
 //
-//     1. try the surface as one sphere or one disc, if its counts are such: peel from one opened
-//        face, or from the one boundary loop; what is reached hangs together, so reaching every
-//        vertex proves the counts to be one component's
-//     2. else: search the triangles, prune to the cut graph, open along it, open a face of every
-//        sphere, peel
-//     3. for a tree: drop the cycles
+//     1. try the surface as one sphere or one disc, if its counts allow it: peel from one opened
+//        face, or from the one boundary loop; all that is reached is connected, so reaching every
+//        vertex proves that there is only one component
+//     2. otherwise search the triangles, prune to the cut graph, open along it, open a face of
+//        every sphere, and peel
+//     3. for a tree, drop the cycles
 //
 // Result: H spans every component, is connected there, and has degree at most 3 on spheres and
-// discs, elsewhere 4h (closed) or 4h + 2b + 1 where χ = 2 - h - b is the component's Euler
-// characteristic and b its number of boundary loops.
+// discs, elsewhere at most 4h (closed) or 4h + 2b + 1, where χ = 2 - h - b is the component's
+// Euler characteristic and b its number of boundary loops.
 // Cost: O(n), with no recursion; 28 bytes per vertex for the rotation system and at most 12 more at
 // any time, plus what the copies on the cut need.
 
@@ -36,19 +36,19 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The tree variant: drops edges of H until no cycle is left, at the heaviest vertices first.
+// Makes H a tree: drops edges until no cycle is left, at the heaviest vertices first.
 //
 // All cycles of H lie in the rim (the cut graph, the boundary and opened faces); the rest hangs on
-// it as trees. So: Kruskal on the rim's edges, each weighted by the larger degree in H of its two
-// ends, light edges first; what closes a cycle is dropped.
+// it as trees. So Kruskal's algorithm runs on the rim's edges, each weighted by the larger degree
+// in H of its two ends, light edges first; an edge that closes a cycle is dropped.
 // Invariant: of all spanning trees of H this is one in which the heaviest vertex keeps as few edges
 // as it can.
 // Bound: with h = 2 - χ - b, H's degree exceeds max(3, 3h + 2b) at one vertex at most (at two on an
-// annulus, on one rim cycle each), and dropping at that vertex brings it down to 3h + 2b; only on
-// the projective plane 4 remain.
+// annulus, on one rim cycle each), and dropping edges there brings it down to 3h + 2b; only on the
+// projective plane it remains 4.
 // Cost: O(n + r α(r)) for r rim edges; 9 bytes per vertex after all else has been freed.
 
-// An edge of the rim, by the dart at which H marks it.
+// Stores an edge of the rim and the dart at which H marks it.
 template <class Index>
 struct Rim_edge
 {
@@ -94,7 +94,7 @@ private:
     return (std::max)(m_degree[edge.source], m_degree[edge.target]);
   }
 
-  // Sorted by counting.
+  // Sorts the edges by counting.
   std::vector<Rim_edge<Index>> light_edges_first(const std::vector<Rim_edge<Index>>& edges) const
   {
     std::vector<std::size_t> begin_of_weight(1, 0);
@@ -118,7 +118,8 @@ private:
 
 enum class Subgraph_kind { SUBGRAPH, TREE };
 
-// The marks that are not boundary edges are the cut graph's edges, each at both its darts.
+// Finds the cut graph. Its edges and the boundary edges are marked at both darts; marks at vertices
+// that have degree 0 in the result mean nothing.
 template <class Index>
 Cut_candidate<Index> find_cut_graph(const Rotation_system<Index>& surface)
 {
@@ -142,7 +143,7 @@ public:
         m_count.add(m_surface, v);
   }
 
-  // Each edge of H, or of the tree, is marked at one of its darts.
+  // Returns the marks: each edge of H, or of the tree, is marked at one of its darts.
   Dart_marks operator()()
   {
     if (m_count.vertices > 0 && !peel_as_one_piece())
@@ -150,14 +151,14 @@ public:
     return finish();
   }
 
-  // With a cut graph from elsewhere.
+  // Does the same with a cut graph that the caller provides.
   Dart_marks operator()(Cut_candidate<Index> cut)
   {
     cut_and_peel(std::move(cut));
     return finish();
   }
 
-  // Glues the surface together again: its lists name its own vertices, as they did at first.
+  // Glues the surface together again: its lists name its own vertices again, no copies.
   void close()
   {
     for (Index& u : m_surface.neighbor)

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BOUNDED_DEGREE_SUBGRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_BOUNDED_DEGREE_SUBGRAPH_H
 
-// A spanning subgraph T of bounded degree, as Choi 2002, §3.2 asks for.
+// Offers the spanning subgraph T of bounded degree that Choi 2002, §3.2 asks for.
 
 #include <CGAL/Delaunay_from_surface_3/surface/Face_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Halfedge_graph_reader.h>
@@ -21,7 +21,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The reader for a mesh, and that for the graph that insert_points_3() makes of a soup.
+// Returns the reader for a mesh, or for the graph that insert_points_3() makes of a soup.
 template <class Graph, class VertexIndexMap,
           class = typename boost::graph_traits<Graph>::halfedge_descriptor>
 Halfedge_graph_reader<Graph, VertexIndexMap> reader_of(const Graph& graph, VertexIndexMap index_map)

@@ -5,13 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_EMBEDDING_READER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_EMBEDDING_READER_H
 
-// A Boost graph with the cyclic orders of its edges as a rotation system, and marked darts back as
-// edges.
+// Reads a Boost graph with the cyclic orders of its edges as a rotation system, and turns marked
+// darts back into edges.
 //
-// Invariant: as Rotation_system.h says; the lists are the user's, unchanged. What is outside the
-// definition is refused by name: loops, doubled edges, edges that are missing from a list, boundary
-// edges that do not stand at the ends of a list, lists that disagree on a triangle
-// (Check_triangles).
+// Invariant: see Rotation_system.h; the lists are the user's, unchanged. Input outside the
+// definition is refused, and the message names the fault: a loop, a doubled edge, an edge missing
+// from a list, a boundary edge that does not stand at an end of a list, or lists that disagree on
+// a triangle (Check_triangles).
 // Cost: two passes over the lists. Edges are not paired: in a simple graph the ends name the edge.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -33,12 +33,12 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Checks that lists which were given, not derived from faces, describe triangles: where v's list
-// has a next to b, a's list must have b next to v, and b's list v next to a.
+// Checks that lists which are given, not derived from faces, describe triangles: where v's list
+// has a next to b, a's list must have b next to v, and b's list must have v next to a.
 //
 // Each triangle is looked up from its heaviest corner only (by degree, then index) in the lists of
-// the other two. When all these are there, and heaviest, middle and lightest corners are equally
-// many, then no corner is left over.
+// the other two corners. If all of these are found, and there are equally many heaviest, middle and
+// lightest corners, then no corner is left over.
 // Cost: the sum over the edges of the smaller degree of its two ends, O(n) on surfaces of bounded
 // genus (Chiba, Nishizeki 1985), one list with a million entries included; no memory.
 
@@ -49,7 +49,7 @@ struct Check_triangles
 
   void operator()() const
   {
-    std::size_t corners[3] = {0, 0, 0}; // by how many of the other two are heavier
+    std::size_t corners[3] = {0, 0, 0}; // by the number of heavier ones among the other two
     for (Index v = 0; v < surface.number_of_vertices(); ++v) {
       if (surface.degree(v) == 2 && !surface.on_boundary[v])
         check_pair_of_triangles(v);
@@ -86,7 +86,7 @@ private:
   bool has_corner(Index v, Index a, Index b) const
   {
     const Star<Index> star = surface.star(v);
-    if (star.size() == 0) // though others' lists lead to v
+    if (star.size() == 0) // other lists may still lead to v
       return false;
     const Index last = star.size() - 1;
     for (Index i = 0; i < last; ++i)
@@ -96,7 +96,7 @@ private:
            ((star[last] == a && star[0] == b) || (star[last] == b && star[0] == a));
   }
 
-  // v's list shows the triangle v, a, w at the edge to w, so w's list must too.
+  // Refuses the lists unless w's list shows the triangle v, a, w, which v's list shows.
   void require_corner(Index w, Index v, Index a) const
   {
     if (!has_corner(w, v, a))
@@ -105,7 +105,7 @@ private:
              " the edges to " + vertex_name(v) + " and " + vertex_name(a) + " are not");
   }
 
-  // Two edges around an inner vertex: only the sphere of two triangles has such.
+  // Refuses v, an inner vertex with two edges, unless it belongs to a sphere of two triangles.
   void check_pair_of_triangles(Index v) const
   {
     for (Index u : surface.star(v))
@@ -245,7 +245,7 @@ private:
       refuse(edge_name(i, surface.neighbor[begin]) + " lies in no triangle");
   }
 
-  // The lists do not hold every edge twice: finds an edge of which that is true.
+  // Finds an edge that the lists do not hold exactly twice, and refuses them by its name.
   [[noreturn]] void refuse_lists() const
   {
     using Ends = std::pair<std::size_t, std::size_t>;

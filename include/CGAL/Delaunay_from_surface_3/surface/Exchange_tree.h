@@ -5,12 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_EXCHANGE_TREE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_EXCHANGE_TREE_H
 
-// A spanning forest of a surface's edges, of which one is exchanged for another.
+// Maintains a spanning forest of a surface's edges while edges are exchanged one for another.
 //
 // Invariant: an edge of the forest is marked at both its darts; degrees and the links of
 // Link_cut_forest are those of the marked edges.
-// Cost: O(n) to build; an exchange O(log n) amortized. Besides, O(d log d) once for each vertex
-// with d edges in the surface, if these are many, and 8 d bytes, to look up the dart to a neighbour.
+// Cost: building takes O(n), an exchange O(log n) amortized. Looking up the dart to a neighbour
+// takes O(d log d) once, and 8 d bytes, for each vertex with many (d) edges in the surface.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
@@ -27,12 +27,12 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A forest whose edges come and go, asked for what lies on the path between two vertices
-// (Sleator, Tarjan 1985).
+// Represents a forest whose edges come and go, and answers which vertices lie on the path between
+// two others (Sleator, Tarjan 1985).
 //
-// Invariant: the forest falls into paths; each is a splay tree, ordered along the path, whose root
-// names the vertex above the path's upper end, if there is one. A subtree may have to be read
-// backwards.
+// Invariant: the forest is divided into paths; each is a splay tree, ordered along the path, whose
+// root names the vertex above the path's upper end, if there is one. A subtree that is marked as
+// turned is to be read backwards.
 // Cost: O(log n) for each operation, amortized; 13 bytes per vertex with indices of 32 bits.
 
 template <class Index>
@@ -48,7 +48,7 @@ public:
   {
   }
 
-  // Hangs the root v, which is alone on its path, below w. For building in any order.
+  // Hangs the root v, which is alone on its path, below w. This builds a forest in any order.
   void hang(Index v, Index w) { m_up[v] = w; }
 
   void link(Index v, Index w)
@@ -65,7 +65,7 @@ public:
     m_child[0][w] = none;
   }
 
-  // The neighbour of v on the path to another vertex u of its tree.
+  // Returns the neighbour of v on the path to another vertex u of its tree.
   Index neighbor_towards(Index v, Index u)
   {
     make_root(v);
@@ -74,8 +74,8 @@ public:
     return end_of(m_child[1][v], 0);
   }
 
-  // The two neighbours of p on the path between two other vertices u and v of its tree; none if p
-  // does not lie there.
+  // Returns the two neighbours of p on the path between two other vertices u and v of its tree, or
+  // twice `none` if p does not lie there.
   std::pair<Index, Index> neighbors_on_path(Index p, Index u, Index v)
   {
     make_root(u);
@@ -111,7 +111,7 @@ private:
     splay(v);
   }
 
-  // The first (side 0) or last vertex of the subtree at v, which becomes a little flatter.
+  // Returns the first (side 0) or last vertex of the subtree at v, which gets a little flatter.
   Index end_of(Index v, int side)
   {
     for (push_turn(v); m_child[side][v] != none; push_turn(v))
@@ -163,7 +163,7 @@ private:
     m_up[w] = v;
   }
 
-  std::vector<Index> m_up; // in the path's splay tree; of its root: the vertex above the path
+  std::vector<Index> m_up; // the parent in the splay tree; at its root, the vertex above the path
   std::vector<Index> m_child[2];
   std::vector<bool> m_is_turned;
   std::vector<Index> m_above; // scratch
@@ -199,7 +199,7 @@ public:
   Index degree(Index v) const { return m_degree[v]; }
 
   // Calls function(u, parent) for all vertices of the tree of `root`, each after its parent; the
-  // root counts as its own. `is_met` has none of them, and then all.
+  // root counts as its own parent. `is_met` is false for all of them before, and true after.
   template <class Function>
   void for_each_from(Index root, std::vector<bool>& is_met, const Function& function) const
   {
@@ -219,8 +219,8 @@ public:
 
   Index neighbor_towards(Index v, Index u) { return m_forest.neighbor_towards(v, u); }
 
-  // Adds the edge uv and drops one of the two at p on the path between them: that with the heavier
-  // other end. Returns false if p does not lie there.
+  // Adds the edge uv and drops one of the two edges at p on the path from u to v: the one whose
+  // other end is heavier. Returns false if p does not lie on the path.
   bool exchange_at(Index p, Index u, Index v)
   {
     const auto [a, b] = m_forest.neighbors_on_path(p, u, v);
@@ -239,7 +239,7 @@ public:
     set_edge(u, v, true);
   }
 
-  // The vertices that have come to degree 4 since the last call, some of them twice.
+  // Returns the vertices that have come to degree 4 since the last call, some of them repeatedly.
   std::vector<Index> take_risen() { return std::exchange(m_risen, {}); }
 
   // Leaves each edge marked at one dart.
@@ -263,7 +263,7 @@ private:
     }
   }
 
-  // The dart from v to w. A vertex may have millions of edges, and many of them in the tree.
+  // Returns the dart from v to w. A vertex may have millions of edges, many of them in the tree.
   std::size_t dart_between(Index v, Index w)
   {
     constexpr Index short_star = 64;

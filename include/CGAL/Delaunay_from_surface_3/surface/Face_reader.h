@@ -5,14 +5,15 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_FACE_READER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_FACE_READER_H
 
-// The triangles of a soup as a rotation system, and marked darts back as pairs of vertices.
+// Reads a triangle soup as a rotation system, and turns marked darts back into pairs of vertices.
 //
-// Invariant: as Rotation_system.h says. The list of v begins in the first face that has v, and goes
-// around as halfedges would that lead to v, if that face is oriented as it stands; how the others
-// are oriented does not matter. A boundary vertex begins at the end of its list that lies this way.
-// What is outside the definition is refused by name: faces that are not triangles, or have a vertex
-// twice, edges with more than two faces, vertices that are pinched. Cost: two passes over the
-// faces, and one over the corners at each vertex, all twice: linear.
+// Invariant: see Rotation_system.h. The list of v begins in the first face that has v, and
+// goes around as the halfedges that lead to v would if that face is oriented as given; how other
+// faces are oriented does not matter. The list of a boundary vertex begins at the border found by
+// going back from there. Input outside the definition is refused, and the message names the fault:
+// a face that is no triangle or has a vertex twice, an edge with more than two faces, a pinched
+// vertex. Cost: linear; reading takes two passes over the faces and one over the corners at each
+// vertex, and for_each_marked() reads again.
 
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -47,7 +48,7 @@ public:
         "faces have indices of vertices, which are integers: convert other numbers first");
   }
 
-  std::size_t number_of_darts() const // or more
+  std::size_t number_of_darts() const // an upper bound
   {
     return 6 * std::size_t(std::distance(std::begin(m_faces), std::end(m_faces)));
   }
@@ -77,8 +78,8 @@ public:
     }
   }
 
-  // Calls function(dart, edge) for every marked dart. What has been read may have been opened
-  // since, and lead to copies of vertices; so it is read again.
+  // Calls function(dart, edge) for every marked dart. The surface that was read may have been
+  // opened since, so that its lists name copies of vertices; so the faces are read again.
   template <class Index, class Function>
   void for_each_marked(const Rotation_system<Index>&, const Dart_marks& marks,
                        const Function& function) const
@@ -95,7 +96,7 @@ private:
   template <class Index>
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
-  // The edges at one vertex: the other end, and the one or two corners beside it.
+  // Holds the edges at one vertex, each with its other end and the one or two corners beside it.
   template <class Index>
   struct Scratch
   {
@@ -110,7 +111,7 @@ private:
     {
     }
 
-    std::vector<Index> place; // of a neighbour in `edges`
+    std::vector<Index> place; // the place of a neighbour in `edges`
     std::vector<Edge> edges;
   };
 
@@ -138,7 +139,7 @@ private:
     return triangles;
   }
 
-  // The ends of the two edges of corner k: that after v in its face, and that before.
+  // Returns the other ends of the edges at corner k: the next and the previous vertex of its face.
   template <class Index>
   static std::array<Index, 2> ends(const std::vector<std::array<Index, 3>>& triangles, Index k)
   {
@@ -167,13 +168,13 @@ private:
           refuse(edge_name(v, u) + " is in more than two faces");
       }
 
-    // From the edge that ends the first corner; on the boundary, back through that corner to the
-    // border.
+    // The walk starts at the edge to the previous vertex of the first face; on the boundary, it
+    // first goes back across that edge to the border.
     const std::size_t corners = std::size_t(end - begin);
     Index corner = *begin, start = scratch.place[ends(triangles, *begin)[1]];
     if (edges.size() == corners + 1) {
       surface.on_boundary[v] = true;
-      std::size_t steps = 0; // would not end if a closed fan is beside an open one
+      std::size_t steps = 0; // a closed fan beside an open one would make this loop endless
       for (Index back = other_corner(edges[start], corner); back != none<Index>;
            back = other_corner(edges[start], corner)) {
         if (++steps > corners)

@@ -5,13 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_HALFEDGE_GRAPH_READER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_HALFEDGE_GRAPH_READER_H
 
-// A halfedge graph as a rotation system, and marked darts back as edges of the graph.
+// Reads a halfedge graph as a rotation system, and turns marked darts back into edges of the graph.
 //
 // Invariant: vertex indices are a bijection onto 0 .. n-1 and the list of a vertex follows
 // `opposite(next(h))` around it, from the stored halfedge, or from the boundary where there is one.
-// What is outside the definition is refused here, by name: loops, edges doubled, faces that are not
-// triangles, vertices that are pinched.
-// Cost: one pass over the halfedges, one over the stars; nothing is kept of the halfedges.
+// Input outside the definition is refused here, and the message names the fault: a loop, a doubled
+// edge, a face that is no triangle, a pinched vertex.
+// Cost: one pass over the halfedges and one over the stars; no halfedges are stored.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
@@ -45,7 +45,7 @@ public:
   {
   }
 
-  // Or more, where some are removed.
+  // Returns an upper bound if some elements are removed.
   std::size_t number_of_darts() const { return num_halfedges(m_graph); }
   std::size_t number_of_vertices() const { return num_vertices(m_graph); }
 
@@ -128,23 +128,23 @@ private:
     }
   }
 
-  // A walk around one vertex.
+  // Holds the state of a walk around one vertex.
   template <class Index>
   struct Walk
   {
     Index v;
-    Index dart; // of the edge of h
+    Index dart; // belongs to the edge of h
     Index end;
-    Index after_border; // where the list of a boundary vertex will start
+    Index after_border; // the list of a boundary vertex will start here
     Halfedge start;
     Halfedge h;
     Halfedge following;
-    bool is_border; // whether h is one
+    bool is_border; // whether h is a border halfedge
   };
 
-  // Walks around every vertex for which start() says so, until step() says that there is no more.
-  // Several walks go side by side, and all look at the graph before any goes on: where the mesh
-  // lies in memory in no good order their cache misses overlap.
+  // Walks around every vertex for which start() returns true, until step() returns false. Several
+  // walks go side by side, and all look at the graph before any goes on, so that their cache misses
+  // overlap where the order of the mesh in memory is bad.
   template <class Index, class Start, class Look, class Step, class Finish>
   void walk_stars(const Start& start, const Look& look, const Step& step,
                   const Finish& finish) const
@@ -203,7 +203,7 @@ private:
     return true;
   }
 
-  // Notes one edge. Without branches, which would delay the next look.
+  // Notes one edge, without branches, which would delay the next look.
   template <class Index>
   void look(Walk<Index>& walk, Rotation_system<Index>& surface) const
   {
@@ -243,7 +243,7 @@ private:
                   surface.neighbor.begin() + walk.end);
   }
 
-  // Short lists are compared pair by pair, which touches no other memory.
+  // Compares the entries of a short list pair by pair, which touches no other memory.
   template <class Index>
   void refuse_repeated_neighbor(Index v, const Star<Index>& star, Index n,
                                 std::vector<Index>& last_seen_by) const
@@ -265,7 +265,7 @@ private:
     }
   }
 
-  // The count of halfedges does not fit triangles: finds a face that is to blame.
+  // Refuses a graph whose count of halfedges does not fit triangles: finds a face that is to blame.
   [[noreturn]] void refuse_face() const
   {
     for (Halfedge h : halfedges(m_graph))

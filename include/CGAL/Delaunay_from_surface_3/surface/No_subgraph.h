@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_NO_SUBGRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_NO_SUBGRAPH_H
 
-// T = F. Choi 2002, §3.1: "Some surface meshes already have bounded degree", such as isosurfaces.
+// Full_graph takes T = F. Choi 2002, §3.1: "Some surface meshes already have bounded degree", such
+// as isosurfaces.
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -5,13 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_OPEN_ALONG_CUT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_OPEN_ALONG_CUT_H
 
-// Step 3 of the cut: open the surface along the cut graph, with copies of the vertices on it.
+// Opens the surface along the cut graph, with copies of the vertices on it: step 3 of the cut.
 //
 // The edges of the cut graph divide the list of a vertex into sectors; a vertex with two sectors or
 // more gets one copy per sector, whose list is the sector with the cut edge at either end. Then the
-// neighbours' lists are turned to the copies: u hears from every copy that lists it, and names that
-// copy where it named the origin. Along a cut edge u-v two copies of v list u; the third corner of
-// the triangle on this side tells which is meant.
+// neighbours' lists are redirected to the copies: u hears from every copy that lists it, and names
+// that copy where it named the origin. Along a cut edge uv two copies of v list u; the third corner
+// of the triangle on this side tells which one is meant.
 // Invariant: afterwards every component is a disc and every list names a vertex by the copy that
 // lies in the same disc corner.
 // Cost: O(length of the lists of vertices on the cut), plus one pass over the vertices.
@@ -29,9 +29,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Groups values by a key below n in linear time: linked lists in flat arrays. It turns what each v
-// says of u into what u hears from all v: so the two darts of an edge meet where the cut needs it;
-// elsewhere they need not. Cost: the array of heads is the caller's; two words per value.
+// Groups values by a key below n in linear time, as linked lists in flat arrays. It turns what each
+// v says of u into what u hears from all v: so the two darts of an edge meet where the cut needs
+// it; elsewhere they need not. Cost: two words per value; the array of heads is the caller's.
 
 template <class Index>
 class Buckets
@@ -45,7 +45,7 @@ public:
     m_next.reserve(number_of_values);
   }
 
-  // The head of a bucket is wherever the caller keeps it; it starts as `empty`.
+  // Adds a value to a bucket. The caller keeps the head of the bucket, which starts as `empty`.
   void add(Index& head, Index value)
   {
     m_values.push_back(value);
@@ -65,16 +65,15 @@ private:
   std::vector<Index> m_next;
 };
 
-// Step 2 of the cut: prune G to the cut graph.
+// Prunes G to the cut graph: step 2 of the cut.
 //
 // Vertices of degree 1 are removed until none is left; then an edge is in the cut graph if and only
-// if both its ends still have a degree. The one neighbour of a vertex of degree 1 is the exclusive
-// or of its neighbours, so no list is looked at. The last step puts the mark of a cut edge on both
-// its darts.
+// if the degrees of both its ends are positive. The one neighbour of a vertex of degree 1 is the
+// exclusive or of its neighbours, so no list is read. The last step marks both darts of a cut edge.
 // Invariant: removing a leaf and its edge leaves the complement of G an open disc.
 // Bound: with χ = 2 - h - b the sum of (degree - 2) over the cut graph is 2(1 - χ) and no degree is
-// below 2. This is what bounds the degree of the subgraph; G itself has no bound. A sphere prunes
-// to a point.
+// below 2. This bounds the degree of the subgraph; the degree of G itself has no bound. On a sphere
+// G is pruned to a point.
 // Cost: O(n), one bit per vertex and two words per cut edge.
 
 template <class Index>
@@ -113,7 +112,7 @@ private:
   void mark_both_darts()
   {
     Buckets<Index> marked_at;
-    std::vector<Index>& heads = m_candidate.xor_of_neighbors; // no longer needed as such
+    std::vector<Index>& heads = m_candidate.xor_of_neighbors; // its values are no longer needed
     heads.assign(heads.size(), Buckets<Index>::empty);
     for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
       if (is_on_cut(v))
@@ -147,13 +146,13 @@ private:
   Cut_candidate<Index>& m_candidate;
 };
 
-// The surface cut open into discs: the rotation system, plus copies of the vertices on the cut.
+// Holds the surface cut open into discs: the rotation system, plus copies of vertices on the cut.
 //
 // Invariant: vertices 0 .. n-1 are the surface's own; n, n+1, … are the copies. A vertex that has
 // copies is dead itself: no list names it any more. Around a vertex on the rim of a disc (a copy, a
 // vertex with one sector on the boundary, a corner of an opened face) the live part of its list
 // lies between its two rim neighbours.
-// Cost: no memory where nothing is cut; 4 bytes per dart of a copy and 16 per copy.
+// Cost: 4 bytes per dart of a copy and 16 per copy; no memory if nothing is cut.
 
 template <class Index>
 struct Opened_surface
@@ -161,8 +160,8 @@ struct Opened_surface
   Rotation_system<Index>& surface;
   std::vector<Index> copy_first = {0}; // as Rotation_system::first, for the copies
   std::vector<Index> copy_neighbor;    // as Rotation_system::neighbor
-  std::vector<Index> copy_origin;      // the surface vertex a copy was made of
-  std::vector<Index> copy_start;       // where in its origin's list the copy's list starts
+  std::vector<Index> copy_origin;      // the surface vertex that a copy was made of
+  std::vector<Index> copy_start;       // the position in the origin's list where its list starts
   std::vector<Index> rim;              // every vertex on the rim of a disc, each once
 
   explicit Opened_surface(Rotation_system<Index>& s)
@@ -188,7 +187,7 @@ struct Opened_surface
     return {copy_neighbor.data() + copy_first[c], copy_neighbor.data() + copy_first[c + 1]};
   }
 
-  // The surface's dart that stands at a position of v's list.
+  // Returns the surface's dart at a position of v's list.
   std::size_t dart(Index v, Index position) const
   {
     if (!is_copy(v))
@@ -214,7 +213,8 @@ public:
   {
   }
 
-  // The rim gets the copies and the boundary vertices that need none. Spheres are opened elsewhere.
+  // Makes the copies, and puts them and the boundary vertices without copies on the rim. The caller
+  // opens spheres.
   void operator()()
   {
     m_slot.assign(m_surface.number_of_vertices(), Buckets<Index>::empty);
@@ -237,12 +237,12 @@ public:
   }
 
 private:
-  // m_slot[v] is v's first copy where v has copies, and the head of v's bucket elsewhere.
+  // m_slot[v] is v's first copy if v has copies, otherwise the head of v's bucket.
   bool has_copies(Index v) const { return m_cut.degree[v] > (m_surface.on_boundary[v] ? 2u : 1u); }
   Index& head(Index v) { return has_copies(v) ? m_head_of_copied[m_slot[v]] : m_slot[v]; }
   Index vertex_of_copy(Index c) const { return m_surface.number_of_vertices() + c; }
 
-  // Lists that grow would take three times their memory while they move.
+  // Reserves memory for the lists, which would take three times as much while they grow and move.
   void reserve()
   {
     std::size_t entries = 0;
@@ -283,8 +283,8 @@ private:
            m_opened.copy_origin[c + 1] != m_opened.copy_origin[c];
   }
 
-  // Each edge at the origin once: the last edge of a sector is the first of the following one, if
-  // there is one.
+  // Tells the neighbours in c's list of c, but each edge at the origin only once: the last edge of
+  // a sector is the first of the following one, if there is one.
   void tell_neighbors(Index c)
   {
     const bool at_end = m_surface.on_boundary[m_opened.copy_origin[c]] && is_last_copy(c);
@@ -320,7 +320,7 @@ private:
       v = vertex_of_copy(m_heard_of[m_slot[v]]);
   }
 
-  // The copy of v in whose list u and the third corner stand side by side.
+  // Replaces v by its copy in whose list u and the third corner stand side by side at an end.
   void turn_to_copy_across_cut(Index u, Index& v, Index third)
   {
     if (!has_copies(v))
@@ -345,7 +345,7 @@ private:
   Rotation_system<Index>& m_surface;
   std::vector<Index> m_slot;
   std::vector<Index> m_head_of_copied; // at the first copy of a vertex
-  std::vector<Index> m_heard_of;       // at the first copy of a vertex: the copy that told last
+  std::vector<Index> m_heard_of;       // at the first copy of a vertex: the last copy heard of
   Buckets<Index> m_told;
 };
 

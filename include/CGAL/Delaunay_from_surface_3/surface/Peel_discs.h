@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_PEEL_DISCS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_PEEL_DISCS_H
 
-// Choi 2002, Fig. 3, bsg(G, C), inspired by a proof of Thomassen, unrolled into a forward loop: no
-// recursion, nothing to undo.
+// Computes bsg(G, C) of Choi 2002, Fig. 3, which was inspired by a proof of Thomassen. The
+// recursion is unrolled into a forward loop, with nothing to undo.
 //
 //     H := C                                                                          (line 1)
 //     while a vertex is strictly inside C:
@@ -17,24 +17,25 @@
 //
 // Line by line, and where this differs from the paper:
 //   line 1  The caller marks H := C, the rims of the discs (Bounded_degree_marks::add_rim_edge).
-//           |V(G)| = 3 is not waited for: with no vertex inside, all that follow have m = 2.
-//   line 2  peel_next(). A triangle C needs no case: it has no chord, and while a vertex is inside
-//           and the surface is simple, none of its corners has degree two.
+//           The loop does not go on until |V(G)| = 3: with no vertex inside, all further z have
+//           m = 2.
+//   line 2  is peel_next(). A triangle C is no special case: it has no chord, and while a vertex is
+//           inside and the surface is simple, none of its corners has degree two.
 //   line 3  peel() finds z1 and zm, advance_cycle() goes on to C', join_cycle() updates the chords.
 //           On its way out of the recursion the paper puts C into H and takes z1 z2 and z(m-1) zm
-//           back. Here these two are never put in, so that nothing is to be done for z1 z and zm z.
-//           A list may run either way around: it does not matter which end of the arc is z1.
+//           out again. Here these two are never added, so z1 z and zm z need no work either. A list
+//           may run either way around: it does not matter which end of the arc is z1.
 //
 // Invariant: G is the induced subgraph of the vertices that are not peeled, C is its rim, and
 // count[v] is the number of v's neighbours on C for every v of C. So v has count[v] - 2 chords; and
-// a v without chord has exactly two neighbours on C, which are z1 and zm: C needs no links. Counts,
-// not the paper's marks (Lemma 8): when z with m = 2 goes, the chord z1 zm becomes an edge of C and
-// frees z1 and zm. New vertices join C one at a time, each counting those that are there already;
-// joined all at once, edges among them would count twice. A vertex gets at most 2 edges of H when
-// it joins C and 1 when it is peeled, hence degree 3 (Lemma 7).
-// Several discs peel side by side: nothing below ever looks from one into another.
+// a v without chord has exactly two neighbours on C, which are z1 and zm: C needs no links. Counts
+// replace the paper's marks (Lemma 8): when a z with m = 2 is peeled, the chord z1 zm becomes an
+// edge of C and frees z1 and zm. New vertices join C one at a time, each counting those that are
+// there already; if all joined at once, edges among them would count twice. A vertex gets at most 2
+// edges of H when it joins C and 1 when it is peeled, hence degree 3 (Lemma 7).
+// Several discs are peeled side by side: no step looks from one into another.
 // Cost: two scans of each list, about 12 neighbour visits per vertex (Lemma 8); 4 bytes per vertex
-// and the stack, at most as long as C.
+// and a stack at most as long as C.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
@@ -52,8 +53,7 @@ template <class Index>
 class Peel_discs
 {
 public:
-  // H's edges are written into `subgraph`, each at one dart; the rim's edges are left to the
-  // caller.
+  // H's edges are marked in `subgraph`, each at one dart; the caller marks the rim's edges.
   Peel_discs(const Opened_surface<Index>& discs, Dart_marks& subgraph)
     : m_discs(discs)
     , m_subgraph(subgraph)
@@ -71,7 +71,7 @@ public:
     return m_inside;
   }
 
-  // Line 1: C becomes the rim.
+  // Makes the rim C: line 1.
   void start(std::size_t number_of_inner_vertices)
   {
     m_inside = number_of_inner_vertices;
@@ -81,7 +81,7 @@ public:
       push_if_free(v);
   }
 
-  // Line 2, one round of the loop; returns whether a vertex was peeled.
+  // Does one round of the loop, line 2; returns whether a vertex was peeled.
   bool peel_next()
   {
     while (m_inside > 0 && !m_candidates.empty()) {
@@ -99,15 +99,15 @@ public:
   bool is_on_cycle(Index v) const { return Index(m_state[v] - 1) < peeled - 1; }
 
 private:
-  // The state of a vertex: 0 inside; 1 + count on C, with a bit for being on the stack; peeled.
+  // The state of a vertex is 0 inside, 1 + count on C, with a bit if it is on the stack, or peeled.
   static constexpr Index peeled = Index(1) << (std::numeric_limits<Index>::digits - 1);
   static constexpr Index queued = peeled >> 1;
   static constexpr Index inside = 0;
   static constexpr Index free = 3; // a count of two: no chord
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
-  // Returns zj's state once it stands on C, and counts zj at its neighbours there. Adds the edge
-  // from the previous one, z(j-1) zj, to H.
+  // Returns the state that zj has on C, and counts zj at its neighbours there. Adds the edge from
+  // the previous vertex, z(j-1) zj, to H.
   Index join_cycle(Index zj, Index previous)
   {
     const Star<Index> star = m_discs.star(zj);
@@ -115,7 +115,7 @@ private:
     for (Index i = 0; i < star.size(); ++i) {
       const Index u = star[i];
       if (!is_on_cycle(u)) {
-        if (m_state[u] == inside) // never a copy; its star is read soon
+        if (m_state[u] == inside) // u is no copy, and its star will be read soon
           prefetch(&m_discs.surface.first[u]);
         continue;
       }
@@ -135,7 +135,7 @@ private:
     }
   }
 
-  // Line 3.
+  // Peels z: line 3.
   void peel(Index z)
   {
     const Star<Index> star = m_discs.star(z);
@@ -150,7 +150,7 @@ private:
     m_state[z] = peeled;
     --m_state[z1];
     --m_state[zm];
-    // One of the two arcs between z1 and zm is in G, the other was peeled or lies outside.
+    // One of the two arcs between z1 and zm is in G; the other was peeled or lies outside.
     Index i2 = i1 + 1;
     if (i2 == im || m_state[star[i2]] != inside)
       i2 = im + 1 < degree ? im + 1 : 0;
@@ -159,7 +159,7 @@ private:
     push_if_free(zm);
   }
 
-  // Puts z2, …, z(m-1), which stand in z's list from i2 on, on C.
+  // Puts z2, …, z(m-1) on C; they stand in z's list from i2 on.
   void advance_cycle(Index z, const Star<Index>& star, Index i2)
   {
     m_fan.clear();

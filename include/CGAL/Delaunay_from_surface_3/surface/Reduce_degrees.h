@@ -5,26 +5,27 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_REDUCE_DEGREES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_REDUCE_DEGREES_H
 
-// Exchanges edges of spanning trees until each has a largest degree of 3, or of at most one more
-// than any spanning tree of its component.
+// Exchanges edges of spanning trees until the degree of each is at most 3, or at most one more than
+// the least possible in its component.
 //
 //     while the largest degree k of the tree is 4 or more:
 //         for every vertex v of degree k: look for an edge between two neighbours of v that closes
 //         a cycle through v, and exchange it for an edge at v
-//         if there was none anywhere: a phase of Fürer and Raghavachari (1994), which looks
-//         everywhere; if that finds nothing either, stop: it has a witness
+//         if there was none anywhere: run a phase of Fürer and Raghavachari (1994), which searches
+//         everywhere; if it finds nothing either, stop: it has a witness
 //
 // Around v on a closed surface the edges between successive neighbours form a cycle, and without v
-// the tree has k parts: so there are k such edges at least, of which one end at most may be heavy.
-// Nearly all exchanges are found so, at the few heavy vertices, which all lie on the cut.
-// Bound: an exchange of the first kind, and a phase that finds something, takes one vertex of degree k away and makes
-// none. A tree on n vertices has at most (n - 2) / (k - 1) of them, so there are at most
-// (n - 2) ln((K - 1) / 2) in all, where K is the largest degree at the start.
-// Cost: O(n) if there is anything to do, O(log n) for each corner of a vertex that is looked at,
-// O(1) for each heavy vertex whenever all are looked through, and O(n α(n)) for each phase. A look
-// goes around the vertex from where the last one ended: most corners passed have the same part of
-// the tree on both sides, and exchanges at the vertex only join parts. So many looks take one turn
-// together; they could take one each, since exchanges elsewhere divide parts again.
+// the tree has k parts: so there are at least k such edges, of which at most one end may be heavy.
+// This finds nearly all exchanges, at the few heavy vertices, which all lie on the cut.
+// Bound: an exchange of the first kind, or a phase that finds something, takes one vertex of degree
+// k away and makes none. A tree on n vertices has at most (n - 2) / (k - 1) of them, so there are
+// at most (n - 2) ln((K - 1) / 2) in all, where K is the largest degree at the start.
+// Cost: O(n) if there is anything to do, O(log n) for each corner that is examined, O(1) for each
+// heavy vertex whenever all are looked through, and O(n α(n)) for each phase. Each search around a
+// vertex resumes where the last one stopped: most corners it passes have the same part of the tree
+// on both sides, and exchanges at the vertex only join parts. So all searches around a vertex
+// usually cost one turn together; at worst they cost one turn each, since exchanges elsewhere
+// divide parts again.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Exchange_tree.h>
@@ -68,26 +69,26 @@ struct Minimum_degree_witness
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// One phase of Fürer and Raghavachari (1994): finds vertices of the largest degree k in a tree T
-// that can be made lighter, or a set of vertices that shows that there are none.
+// Runs one phase of Fürer and Raghavachari (1994): finds vertices of the largest degree k in a tree
+// T that can be made lighter, or a set of vertices that proves that there are none.
 //
-//     bad vertices: those of degree k, and of degree k - 1
+//     the vertices of degrees k and k - 1 are bad
 //     while an edge uv of the surface joins two components of T without the bad vertices:
 //         the path of T from u to v runs through bad vertices
 //         if one of them, w, has degree k: add uv, drop an edge at w of this path; no path is
 //         followed through w any more
-//         else all of them are good from now on, each with uv for its reason; the components and
-//         what lies between are one component
+//         else all of them are good from now on, each with uv for its reason; they and the
+//         components along the path form one component
 //     the bad vertices that are left are the witness
 //
 // Invariant: a vertex of degree k - 1 that has become good can be brought to k - 2 by exchanges
-// within its component, so that u and v can take one edge more when it comes to that: first u is
-// made lighter, by its own reason, and v by its, each inside its own component; these two share no
+// within its component, so that u and v can take one more edge when they must: first u and v are
+// made lighter by their own reasons, each inside its own component; the two components share no
 // vertex, and w is in neither. That holds for the first w. For the next ones T may have changed: an
-// exchange is left out if its path does not run there any more, or an end has become heavy. No
-// vertex comes to degree k in any case; and a phase that makes none lighter has tried nothing, so
-// that its witness holds. Cost: O(m α(m)) for m edges of the component; 20 bytes per vertex of the
-// surface, from the first phase on.
+// exchange is skipped if its path does not run there any more, or an end has become heavy. No
+// vertex comes to degree k in any case; and a phase that makes no vertex lighter has not changed T,
+// so that its witness holds. Cost: O(m α(m)) for m edges of the component; 20 bytes per vertex of
+// the surface, from the first phase on.
 
 template <class Index>
 class Degree_phase
@@ -119,7 +120,7 @@ public:
     return m_successes;
   }
 
-  // After a phase that found nothing.
+  // Returns the witness after a phase that found nothing.
   std::vector<Index> witness() const
   {
     std::vector<Index> result;
@@ -129,23 +130,23 @@ public:
     return result;
   }
 
-  // All vertices of the tree that was looked at last.
+  // Returns all vertices of the tree of the last phase.
   const std::vector<Index>& vertices() const { return m_order; }
 
 private:
   struct Node
   {
-    Index parent; // in T, as are depths
-    Index depth;
-    Index set;    // of disjoint sets: the way to the vertex of its component nearest the root
+    Index parent; // in T
+    Index depth;  // in T
+    Index set;    // leads to the vertex of its component nearest the root, as in disjoint sets
     Index reason; // an edge in m_reasons
     bool is_good;
-    bool is_closed; // was of degree k, and tried
+    bool is_closed; // had degree k, and was tried
   };
 
   void read_tree(Index root)
   {
-    m_node.resize(m_tree.surface().number_of_vertices()); // by the first phase; often there is none
+    m_node.resize(m_tree.surface().number_of_vertices()); // often no phase is run at all
     m_is_met.resize(m_node.size(), false);
     m_order.clear();
     m_reasons.clear();
@@ -157,7 +158,7 @@ private:
       m_is_met[v] = false;
   }
 
-  // The uppermost vertex of v's component.
+  // Returns the uppermost vertex of v's component.
   Index top(Index v)
   {
     while (m_node[v].set != v) {
@@ -232,11 +233,11 @@ private:
   Index m_k = 0;
 };
 
-// What was done, to be measured.
+// Counts the work for benchmarks.
 struct Reduction_counts
 {
   std::size_t exchanges_nearby = 0;
-  std::size_t corners = 0; // that were looked at for these
+  std::size_t corners = 0; // examined for these exchanges
   std::size_t phases = 0;
   std::size_t phases_in_vain = 0; // each has a witness
 };
@@ -308,7 +309,7 @@ private:
     return k;
   }
 
-  // Looks at all corners of v, from the one after the last that was looked at.
+  // Examines all corners of v, starting after the one that was examined last.
   bool exchange_near(Index v)
   {
     const Index corners = m_surface.number_of_corners(v);
@@ -323,9 +324,9 @@ private:
     return false;
   }
 
-  // Exchanges an edge at v, of degree k, for that between the neighbours a and b at a corner, if
-  // these lie in different parts of the tree without v. Where one of them hangs on v its degree
-  // does not change.
+  // Exchanges an edge at v, of degree k, for the edge between the neighbours a and b at a corner,
+  // if these lie in different parts of the tree without v. If one of them is v's neighbour in the
+  // tree, dropping that edge leaves its degree unchanged, so it may be heavy.
   bool exchange_at_corner(Index v, Index i)
   {
     const Star<Index> star = m_surface.star(v);
@@ -366,7 +367,7 @@ private:
     m_witnesses->push_back(std::move(witness));
   }
 
-  // In the surface, not in the tree: a witness owes nothing to the search.
+  // Searches the surface, not the tree, so that the witness depends on no earlier step.
   void meet_from(Index root)
   {
     m_stack.assign(1, root);
@@ -385,9 +386,9 @@ private:
   const Rotation_system<Index>& m_surface;
   Exchange_tree<Index> m_tree;
   Degree_phase<Index> m_phase;
-  std::vector<Index> m_next_corner; // of each vertex, to be looked at next
+  std::vector<Index> m_next_corner; // the corner of each vertex that is examined next
   std::vector<bool> m_is_met;
-  std::vector<Index> m_heavy; // of degree 4 and more, in the component at hand
+  std::vector<Index> m_heavy; // vertices of degree 4 and more in the current component
   std::vector<Index> m_stack;
   std::vector<Minimum_degree_witness>* m_witnesses = nullptr;
   Reduction_counts m_counts;

@@ -5,11 +5,11 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_ROTATION_SYSTEM_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_ROTATION_SYSTEM_H
 
-// A triangulated surface as flat arrays: what every step of the subgraphs works on.
+// Stores a triangulated surface in flat arrays, on which every step of the subgraphs works.
 //
 // Invariant: darts first[v] .. first[v+1]-1 are the edges at v in the order in which they stand
 // around v, in either direction; neighbor[dart] is the other end. The list of an interior vertex is
-// cyclic, that of a vertex on the boundary starts and ends with its boundary edges. The graph is
+// cyclic; the list of a boundary vertex starts and ends with its boundary edges. The graph is
 // simple, so an edge is known by its two ends and the darts of an edge need no link to each other.
 // Cost: 4 bytes per dart and per vertex; 28 bytes per vertex on a closed surface.
 
@@ -27,7 +27,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 using Dart_marks = std::vector<bool>; // one bit per dart
 
-// The edges around one vertex, in order.
+// Refers to the edges around one vertex, in order.
 template <class Index>
 struct Star
 {
@@ -58,14 +58,14 @@ struct Rotation_system
     return {neighbor.data() + first[v], neighbor.data() + first[v + 1]};
   }
 
-  // Corners of triangles at v: one less than edges where the list is not cyclic.
+  // Returns the number of triangles at v, one less than the edges if the list is not cyclic.
   Index number_of_corners(Index v) const
   {
     return degree(v) == 0 ? 0 : degree(v) - (on_boundary[v] ? 1 : 0);
   }
 };
 
-// The messages with which the subgraph functions refuse their input: what is wrong, and at which
+// The subgraph functions refuse their input with messages that tell what is wrong, and at which
 // vertex or edge. Vertices are named by their index, edges by their two ends.
 
 [[noreturn]] inline void refuse(const std::string& what)

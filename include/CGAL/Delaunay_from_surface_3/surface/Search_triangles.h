@@ -5,18 +5,18 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SEARCH_TRIANGLES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SEARCH_TRIANGLES_H
 
-// Step 1 of the cut: a breadth-first search over the triangles, star by star.
+// Searches the triangles breadth-first, star by star: step 1 of the cut.
 //
 // Vertices are taken in breadth-first order. When v is taken, every triangle of its star that the
-// search has not met is joined to one that it has met, across the edge at v between the two; so all
-// of v's star is met.
+// search has not met is joined to one that it has met, across the edges at v between the two; so
+// all of v's star is met.
 // Invariant: a triangle has been met if and only if one of its corners has been taken. So no
 // marks for triangles are needed, and no links between the darts of an edge: whether the search
 // crosses an edge is settled when the first of its ends is taken.
 // Result: the edges that are not crossed (boundary edges among them) form a graph G; removed from
-// the surface they leave one open disc per component. G is handed on as its degrees, the exclusive
-// or of each vertex's neighbours (all that pruning needs) and one mark per edge, at the end that
-// was taken first.
+// the surface they leave one open disc per component. G is represented by its degrees, the
+// exclusive or of each vertex's neighbours (all that pruning needs) and one mark per edge, at the
+// end that was taken first.
 // Cost: one pass over the lists; 8 bytes per vertex, one bit per dart, and the front of the search.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -30,8 +30,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Counts that give the Euler characteristic of a surface or of one component: vertices - edges +
-// triangles.
+// Counts the elements of a surface, or of one component, for its Euler characteristic: vertices -
+// edges + triangles.
 
 struct Euler_count
 {
@@ -54,12 +54,12 @@ struct Euler_count
     return std::ptrdiff_t(vertices) - std::ptrdiff_t(darts / 2) + std::ptrdiff_t(corners / 3);
   }
 
-  // What a connected surface with these counts is; a disc has one boundary loop.
+  // These tell what a connected surface with these counts is; a disc has one boundary loop.
   bool is_sphere() const { return characteristic() == 2 && boundary_vertices == 0; }
   bool is_disc() const { return characteristic() == 1 && boundary_vertices > 0; }
 };
 
-// The graph G of edges that were not crossed, and later the cut graph it is pruned to.
+// Holds the graph G of edges that were not crossed, and later the cut graph that it is pruned to.
 template <class Index>
 struct Cut_candidate
 {
@@ -122,7 +122,7 @@ private:
       m_candidate.spheres.push_back(root);
   }
 
-  // Corner i of v is the triangle v, star[i], star[i+1]; edge i leads into it from corner i-1.
+  // Takes v, whose corner i is the triangle v, star[i], star[i+1]; edge i leads there from i-1.
   void take(Index v, bool is_root)
   {
     const Star<Index> star = m_surface.star(v);
@@ -133,8 +133,8 @@ private:
     Index start = 0; // a triangle that has been met; at the root the first one counts as such
     while (!is_root && !is_met(start))
       ++start;
-    // From there on, edges `begin` .. i lead over the triangles that had not been met between two
-    // that had.
+    // From there on, edges `begin` .. i lead across the triangles that had not been met between two
+    // that had: the middle one of these edges is not crossed.
     Index begin = start + 1;
     for (Index i = begin; i < (is_open ? degree - 1 : start + degree + 1); ++i)
       if (i == start + degree || is_met(at(i))) {
@@ -152,7 +152,7 @@ private:
   void leave(Index v, const Star<Index>& star, Index i)
   {
     if (m_is_taken[star[i]])
-      return; // settled when that end was taken
+      return; // this edge was settled when that end was taken
     m_candidate.add_edge(v, star[i]);
     m_candidate.marks[m_surface.first[v] + i] = true;
   }

@@ -43,7 +43,7 @@ private:
   std::size_t m_count;
 };
 
-// The bounds of one component. Each is computed once: the last takes time O(sqrt(g)) for genus g.
+// Holds the bounds of one component. Each is computed once: the last takes O(sqrt(g)) for genus g.
 struct Degree_bounds
 {
   explicit Degree_bounds(const Surface_component_topology& component)

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SHORTEST_EDGES_FIRST_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SHORTEST_EDGES_FIRST_H
 
-// Kruskal's algorithm on edges between points: Choi 2002, §3.1, "a minimum spanning tree
+// Runs Kruskal's algorithm on edges between points: Choi 2002, §3.1, "a minimum spanning tree
 // algorithm".
 
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
@@ -32,12 +32,12 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// An edge between the points numbered ends[0] < ends[1], and its place in a list of the caller's.
+// Holds an edge between the points ends[0] < ends[1], and its place in a list of the caller.
 struct Measured_edge
 {
   std::array<std::size_t, 2> ends;
   std::size_t place;
-  double squared_length; // as computed
+  double squared_length; // rounded
 };
 
 inline Measured_edge measured_edge(std::size_t s, std::size_t t, std::size_t place)
@@ -56,8 +56,8 @@ public:
   {
   }
 
-  // A length computed from doubles is off by six roundings at most, where nothing underflows: a
-  // larger difference is decided by it, the others by the kernel.
+  // A squared length computed from doubles is off by at most six roundings if nothing underflows:
+  // so a larger difference decides the comparison, otherwise the kernel does.
   Comparison_result operator()(const Measured_edge& a, const Measured_edge& b) const
   {
     const double x = a.squared_length, y = b.squared_length;
@@ -84,8 +84,8 @@ private:
   decltype(std::declval<const GeomTraits&>().compare_distance_3_object()) m_compare_distance;
 };
 
-// Keeps of `edges` those of the minimum spanning forest, from the shortest on; edges of the same
-// length come in the order of the numbers of their ends. O(m log m) for m edges.
+// Keeps only the edges of the minimum spanning forest, sorted from the shortest on; edges of the
+// same length come in the order of the numbers of their ends. Takes O(m log m) for m edges.
 template <class Point, class GeomTraits>
 void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges,
                                   const std::vector<const Point*>& points, const GeomTraits& gt)
@@ -107,8 +107,8 @@ void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges,
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
-// A spanning subgraph T for surfaces without usable faces. Choi 2002, §3 asks for bounded degree;
-// this one has no bound, so the trace is right but its cost is not proved.
+// Spanning_forest is a subgraph T for surfaces without usable faces. Choi 2002, §3 asks for bounded
+// degree; this one has no bound, so the trace is correct but its cost is not proved.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
@@ -150,7 +150,7 @@ public:
   }
 
 private:
-  // Not num_vertices(): on a mesh with removed elements that is only an upper bound of n.
+  // Counts the vertices: num_vertices() is only an upper bound where a mesh has removed elements.
   template <class Graph>
   static std::size_t number_of_vertices(const Graph& graph)
   {

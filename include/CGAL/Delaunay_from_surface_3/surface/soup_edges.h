@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SOUP_EDGES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SOUP_EDGES_H
 
-// The edges of faces that are lists of points.
+// Collects the edges of faces that are lists of points.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
@@ -29,9 +29,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A graph as lists: each edge once, at its end with the larger number.
+// A graph is stored in lists, each edge once, at its end with the larger number.
 
-// An edge of a graph whose vertices are numbered: the larger number, and the smaller.
+// Holds an edge of a graph whose vertices are numbered, by the larger and the smaller number.
 struct Numbered_edge
 {
   std::uint32_t upper, lower;
@@ -43,7 +43,7 @@ struct Numbered_edge
   }
 };
 
-// Edges as items: the list of the upper end gets the lower one.
+// Presents edges as items: the list of the upper end gets the lower one.
 class Edges_as_items
 {
 public:
@@ -60,7 +60,7 @@ private:
   const Large_vector<Numbered_edge>* m_edges;
 };
 
-// The neighbours of each of n vertices that have smaller numbers.
+// Returns, for each of n vertices, its neighbours with smaller numbers.
 inline Lists<std::uint32_t> lower_neighbors(const Large_vector<Numbered_edge>& edges, std::size_t n)
 {
   return in_lists<std::uint32_t>(n, Edges_as_items(edges));
@@ -69,8 +69,8 @@ inline Lists<std::uint32_t> lower_neighbors(const Large_vector<Numbered_edge>& e
 struct Soup_edges
 {
   bool has_lists = false;
-  Lists<std::uint32_t> lower; // of each point those of its neighbours that have smaller numbers
-  // None if all faces are triangles and no edge has more than two.
+  Lists<std::uint32_t> lower; // lists the neighbours of each point that have smaller numbers
+  // Is empty if all faces are triangles and no edge has more than two.
   std::optional<std::string> irregularity;
 };
 
@@ -115,14 +115,14 @@ void for_each_side(const IndexRange& face, std::ptrdiff_t size, const Side& side
   }
 }
 
-// What is counted while faces are read.
+// Holds the counts made while faces are read.
 struct Face_counts
 {
   std::size_t sides = 0, non_triangles = 0;
 };
 
-// Counts the sides of the faces with numbers first, …, last - 1, of which `it` is the first, in
-// numbers[larger end]: every edge as often as there are faces that have it.
+// Counts the sides of the faces first, …, last - 1, of which `it` is the first, in numbers[larger
+// end]: every edge as often as there are faces that have it.
 template <class Iterator>
 Face_counts count_sides(Iterator it, std::size_t first, std::size_t last,
                         std::size_t number_of_points, std::uint32_t* numbers)
@@ -140,8 +140,8 @@ Face_counts count_sides(Iterator it, std::size_t first, std::size_t last,
   return counts;
 }
 
-// Puts the smaller ends of the same sides to where the places of the larger ones say. Some hundreds
-// of sides are read first, so that it is known before which memory they lead to.
+// Puts the smaller ends of the same sides at the places given for the larger ends. Some hundreds of
+// sides are read at a time, so that the memory they lead to is known in advance.
 template <class Iterator>
 void place_sides(Iterator it, std::size_t number, std::uint32_t* places, std::uint32_t* items)
 {
@@ -160,34 +160,35 @@ void place_sides(Iterator it, std::size_t number, std::uint32_t* places, std::ui
   place_items(Edges_as_items(sides), places, items);
 }
 
-// Each block has a number for every point: as many blocks as leave these few beside the items.
+// Returns how many blocks there may be: each has a number for every point, and the numbers of all
+// blocks but one are together at most four times the items.
 inline std::size_t most_blocks(std::size_t points, std::size_t items)
 {
   return 1 + 4 * items / (points + 1);
 }
 
-// What one thread keeps of the lists first, …, last - 1: the items begin, …, end - 1.
+// Tells what one thread keeps of the lists first, …, last - 1: the items begin, …, end - 1.
 template <class Index>
 struct Kept_items
 {
   std::size_t first = 0, last = 0;
   Index begin = 0, end = 0;
-  std::size_t more_than_twice = 0; // number of items that came more than twice
+  std::size_t more_than_twice = 0; // the number of items that came more than twice
 };
 
-// Keeps one of the equal items of each of the lists first, …, last - 1, whose places are free for
-// that. The begins of all but the first are moved.
+// Keeps one of the equal items of each of the lists first, …, last - 1, packed at their front.
+// Moves the beginnings of all these lists but the first.
 template <class Index>
 Kept_items<Index> keep_one_of_each(Lists<Index>& lists, std::size_t first, std::size_t last)
 {
   Kept_items<Index> all = {first, last, lists.first[first], lists.first[first]};
-  // Of an item, among all that are kept, and 1; it counts if the list is its own.
+  // Holds the place of an item among all that are kept, plus 1; it is valid if in the current list.
   Large_vector<Index> place(lists.size(), 0);
   std::vector<unsigned char> times;
   Index k = all.begin;
   for (std::size_t v = first; v < last; ++v) {
     const Index begin = all.end - all.begin, end = lists.first[v + 1];
-    if (v != first) // that of the first list is read by the thread before
+    if (v != first) // the thread before reads the beginning of the first list
       lists.first[v] = all.end;
     times.clear();
     for (; k < end; ++k) {
@@ -206,7 +207,7 @@ Kept_items<Index> keep_one_of_each(Lists<Index>& lists, std::size_t first, std::
   return all;
 }
 
-// Keeps one of the equal items of each list. Returns how many items were there more than twice.
+// Keeps one of the equal items of each list. Returns how many of them came more than twice.
 template <class Index>
 std::size_t keep_one_of_each(Lists<Index>& lists, const Executor& executor)
 {
@@ -234,9 +235,9 @@ std::size_t keep_one_of_each(Lists<Index>& lists, const Executor& executor)
   return more_than_twice;
 }
 
-// The edges of the faces; none if points or sides are too many for numbers of 32 bits. Linear: the sides
-// of the faces are sorted by counting, in two passes over them. Several threads read faces in random
-// access.
+// Returns the edges of the faces, or no lists if points or sides are too many for 32-bit numbers.
+// Linear: the sides are sorted by counting, in two passes over the faces. Several threads read the
+// faces if these have random access.
 template <class FaceRange>
 Soup_edges soup_edges(const FaceRange& faces, std::size_t number_of_points,
                       const Executor& executor = Alone())

@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SURFACE_TOPOLOGY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SURFACE_TOPOLOGY_H
 
-// Components of a surface, with their genus, boundaries and orientability: what is found, how, and the
-// function that users call.
+// Finds the components of a surface with their genus, boundaries and orientability: this header has
+// the results, the algorithm, and the function that users call.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
@@ -43,8 +43,8 @@ struct Surface_component_topology
            std::ptrdiff_t(number_of_triangles);
   }
 
-  /// returns h = 2 − χ − b: twice the genus if it is orientable, otherwise the non-orientable
-  /// genus.
+  /// returns h = 2 − χ − b: twice the genus if the component is orientable, otherwise the
+  /// non-orientable genus.
   std::size_t euler_genus() const
   {
     return std::size_t(2 - euler_characteristic() - std::ptrdiff_t(number_of_boundary_loops));
@@ -81,7 +81,7 @@ struct Surface_component_topology
       return 3;
     const std::ptrdiff_t chi = euler_characteristic(), side = number_of_boundary_loops > 0 ? 1 : -1;
     std::ptrdiff_t bound = 4, by_edges = 0;
-    // Where 2x − 2χ is the smaller one the quotient falls, or is less than 2.
+    // Once 2x − 2χ is the smaller one, the quotient falls, or is less than 2.
     for (std::ptrdiff_t x = 2; by_edges < 2 * (x - 1 - chi); ++x) {
       by_edges = x * (x + side) / 3;
       const std::ptrdiff_t c = (std::min)(by_edges, 2 * (x - chi));
@@ -183,17 +183,8 @@ struct Spanning_subgraph_certificate
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The topology of every component of a rotation system: Euler characteristic, boundary loops,
-// orientability.
-//
-// Vertices are visited from neighbour to neighbour. Each gets a turn: whether its list runs against
-// that of the component's first vertex. Where v's list goes from w to x, w's list goes from x to v
-// if the two run alike, from v to x if not; an edge at which the turns do not fit shows that the
-// surface is not orientable.
-// Cost: O(n); 28 bytes per vertex besides the lists, for the pairs of darts.
-
-// Links the two darts of every edge. The subgraph itself never needs this; to tell an orientable
-// surface from another, and to walk over the triangles in any order, it is the simplest way.
+// Links the two darts of every edge. The subgraph itself never needs this; to tell whether a
+// surface is orientable, and to walk over the triangles in any order, it is the simplest way.
 //
 // Result: mate[dart] is the other dart of the same edge, for darts numbered as in the rotation
 // system.
@@ -208,14 +199,14 @@ std::vector<Index> pair_darts(const Rotation_system<Index>& surface)
     Index source;
     Index dart;
   };
-  // Grouped by target, as the lists are by source.
+  // The incoming darts are grouped by target, as the lists are by source.
   std::vector<Incoming> incoming(surface.number_of_darts());
   std::vector<Index> next(surface.first);
   for (Index v = 0; v < n; ++v)
     for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
       incoming[next[surface.neighbor[dart]]++] = {v, dart};
   std::vector<Index> mate(surface.number_of_darts());
-  std::vector<Index>& dart_to = next; // for each u the dart from v to u, while v is looked at
+  std::vector<Index>& dart_to = next; // for each u the dart from v to u, for the current v
   for (Index v = 0; v < n; ++v) {
     for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
       dart_to[surface.neighbor[dart]] = dart;
@@ -224,6 +215,15 @@ std::vector<Index> pair_darts(const Rotation_system<Index>& surface)
   }
   return mate;
 }
+
+// Finds the topology of every component of a rotation system: Euler characteristic, boundary loops,
+// orientability.
+//
+// Vertices are visited from neighbour to neighbour. Each gets a turn: whether its list runs against
+// the list of the component's first vertex. Where v's list goes from w to x, w's list goes from x
+// to v if the two run alike, otherwise from v to x; an edge at which the turns do not fit shows
+// that the surface is not orientable.
+// Cost: O(n); 28 bytes per vertex besides the lists, for the pairs of darts.
 
 template <class Index>
 class Find_topology
@@ -297,7 +297,7 @@ private:
     return fits;
   }
 
-  // Looks at one triangle at the edge from v to its i-th neighbour.
+  // Returns whether the lists of v and its i-th neighbour run against each other, by one triangle.
   bool lists_run_against(Index v, Index i) const
   {
     const Star<Index> star = m_surface.star(v);

@@ -26,8 +26,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 template <class Reader, class Function>
 auto with_rotation_system(const Reader& reader, const Function& function)
 {
-  // Vertices are copied where the surface is cut open, fewer than there are darts; so half of what
-  // 32 bits can number is left to them.
+  // Cutting the surface open makes copies of vertices, fewer than there are darts; so half of the
+  // 32-bit numbers are left for the copies.
   if ((std::max)(reader.number_of_darts(), reader.number_of_vertices()) < (std::size_t(1) << 31)) {
     Rotation_system<std::uint32_t> surface;
     reader.read(surface);

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_BOUNDED_DEGREE_SUBGRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_BOUNDED_DEGREE_SUBGRAPH_H
 
-// What all public functions do: read, mark darts, write edges.
+// Does what all public functions do: reads a surface, marks darts, and writes edges.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_marks.h>
@@ -36,7 +36,7 @@ OutputIterator write_bounded_degree_subgraph(const Reader& reader, Subgraph_kind
   });
 }
 
-// The cut graph without the boundary: each edge once.
+// Writes the cut graph without the boundary, each edge once.
 template <class Reader, class OutputIterator>
 OutputIterator write_cut_graph(const Reader& reader, OutputIterator out)
 {

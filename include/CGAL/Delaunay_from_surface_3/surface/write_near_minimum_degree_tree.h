@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_NEAR_MINIMUM_DEGREE_TREE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_WRITE_NEAR_MINIMUM_DEGREE_TREE_H
 
-// Read, mark the tree of bounded degree, exchange edges, write.
+// Reads a surface, marks the tree of bounded degree, exchanges edges, and writes the result.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
@@ -20,7 +20,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Whether no vertex has more than three of the edges that are marked at one of their darts.
+// Returns whether no vertex has more than three marked edges; each is marked at one of its darts.
 template <class Index>
 bool has_degree_of_3(const Rotation_system<Index>& surface, const Dart_marks& marks)
 {

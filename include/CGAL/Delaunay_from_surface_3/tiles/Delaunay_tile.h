@@ -7,17 +7,18 @@
 
 // One tile of a Delaunay triangulation that is larger than a machine: the stars of its own points.
 //
-// It triangulates them, and then *tells*: of each edge between points of two tiles the owner of
-// each end is told of the other. What it is told it *offers* to its triangulation, where a point
-// that would get no neighbour of the tile's own is refused. To be told of one's own point is a
-// question: the answer are its neighbours. When nobody has anything to tell, the star of each own
-// point is that in the triangulation of all points (Brédif et al. 2020 tell without refusal);
-// Tile_certificate.h asks whether it is so.
+// A tile triangulates its own points, and then *tells*: for each edge between points of two tiles,
+// the owner of each end is told of the other end. The tile *offers* the points that it is told of
+// to its triangulation, which refuses a point that would get no neighbour of the tile's own. A tile
+// that is told of a point of its own is asked a question: the answer is the neighbours of this
+// point. When no tile has anything to tell, the star of each own point equals its star in the
+// triangulation of all points (Brédif et al. 2020 tell without refusal); Tile_certificate.h checks
+// that it does.
 //
-// Refusal is for ever: an edge of the triangulation of all points is one in that of any subset that
-// has both ends, so who gets no own neighbour now never does.
+// Refusal is for ever: an edge of the triangulation of all points is an edge in that of any subset
+// with both ends, so a point that gets no own neighbour now never gets one.
 //
-// Cost: that of the insertions; each telling looks at the cells made since the one before.
+// The cost is that of the insertions; each telling also scans all cells for new ones.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
@@ -48,11 +49,11 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Equal points are one vertex, so they count once where the points of a tile do.
+// Equal points share one vertex, so they count only once towards the limit of a tile.
 
-// Whether there are at most so many points. If there are more, of equal ones only that with the
-// smallest id stays; the ids of the others are noted beside it. Those that are vertices already stay,
-// too: they are noted when they meet these.
+// Returns whether at most `limit` points are left. If there are more, of equal points only the one
+// with the smallest id stays, and the ids of the others are noted in `equal` beside it. Points that
+// are vertices already stay, too: they are noted when they are inserted.
 inline bool fit_when_merged(std::vector<Tile_point>& points, std::size_t limit,
                             const std::array<Tile_point, 4>& vertices,
                             std::vector<std::array<std::uint64_t, 2>>& equal)
@@ -71,7 +72,7 @@ inline bool fit_when_merged(std::vector<Tile_point>& points, std::size_t limit,
     return is_before(p, q) || (!is_before(q, p) && p.id < q.id);
   });
   std::size_t end = 0;
-  std::uint64_t smallest = 0; // id, of those that are equal
+  std::uint64_t smallest = 0; // id, among the points equal to this one
   for (const Tile_point& p : points) {
     const bool is_first = end == 0 || is_before(points[end - 1], p);
     smallest = is_first ? p.id : smallest;
@@ -84,17 +85,18 @@ inline bool fit_when_merged(std::vector<Tile_point>& points, std::size_t limit,
   return end <= limit;
 }
 
-// What is new in what a tile was told.
+// The new part of what a tile was told.
 
 struct Tile_news
 {
-  std::vector<Tile_point> offers;      // by id, each once
+  std::vector<Tile_point> offers;      // ascending by id, each once
   std::vector<Tile_message> questions; // about points of the tile's own
 
   bool empty() const { return offers.empty() && questions.empty(); }
 };
 
-// Of tile t, which knows ids that ascend. The sample is from the tile itself, and asks nothing.
+// Returns the news for tile t, which knows the ids in `known`, in ascending order. The sample comes
+// from the tile itself, and asks nothing.
 inline Tile_news news_of(std::vector<Tile_message> messages, const Tiling& tiling, std::uint32_t t,
                          const std::vector<std::uint64_t>& known)
 {
@@ -130,26 +132,27 @@ inline Tile_news news_of(std::vector<Tile_message> messages, const Tiling& tilin
   return news;
 }
 
-// Fewer points of a tile are one thread's affair.
+// A tile with fewer points than these is triangulated by one thread.
 constexpr std::size_t least_points_for_threads = 10000;
 
-// Inserts all vertices behind the first ones, which are in cells, in rounds that end there; each worker
-// starts from the one it inserted before. Returns by place, that is vertex less 1, the vertices, of equal
-// points that of any of them. check() is called now and then, and may throw.
-template <class Id, class Check>
-std::vector<Id> insert_by_threads(Compact_complex<Id>& complex, std::size_t first,
+// Inserts all vertices after the `first` ones, which are in cells already, in rounds that end at
+// `first` + round_ends; each worker starts from the vertex that it inserted before. Returns the
+// vertex at each place, which is the number of the point's own vertex less 1; equal points have the
+// vertex of one of them. check() is called now and then, and may throw.
+template <class Check>
+std::vector<Id> insert_by_threads(Compact_complex<Compact_vertex>& complex, std::size_t first,
                                   const std::vector<std::size_t>& round_ends,
                                   const Executor& executor, const Check& check)
 {
   std::vector<Id> vertex_of(complex.vertices_end() - 1, 0);
   std::iota(vertex_of.begin(), vertex_of.begin() + std::ptrdiff_t(first), Id(1));
-  Parallel_triangulation<Id> workers(complex, executor);
+  Parallel_triangulation<Compact_vertex> workers(complex, executor);
   std::size_t place = first;
   for (const std::size_t end : round_ends)
     while (place < first + end) {
       const std::size_t next = (std::min)(first + end, place + workers.size_of_piece(place));
       workers.insert_round(place, next, vertex_of,
-                           Starting_cells<Id>(complex, vertex_of, nullptr, 1),
+                           Starting_cells<Compact_vertex>(complex, vertex_of, nullptr, 1),
                            [](std::size_t) { return true; });
       place = next;
       workers.note_cells();
@@ -159,20 +162,20 @@ std::vector<Id> insert_by_threads(Compact_complex<Id>& complex, std::size_t firs
   return vertex_of;
 }
 
-// The triangulation that a tile has: its own points, and those of others that it keeps. Beside the
-// complex there are 12 bytes for a vertex, since coordinates are those of the complex.
+// The triangulation of a tile, with its own points and those of others that it keeps. Beside the
+// complex, which has the coordinates, it takes 12 bytes per vertex.
 
 class Tile_triangulation
 {
 public:
-  using Id = std::uint32_t;
-  using Complex = Compact_complex<Id>;
-  using Cell = Compact_cell<Id>;
+  using Id = internal::Id;
+  using Complex = Compact_complex<Compact_vertex>;
+  using Cell = Compact_cell;
 
   static constexpr std::uint64_t infinite_id = std::uint64_t(-1);
-  static constexpr std::uint32_t nobody = std::uint32_t(-1); // who owns the infinite vertex
+  static constexpr std::uint32_t nobody = std::uint32_t(-1); // the owner of the infinite vertex
 
-  // Of the four points that all tiles keep, with room for others. Keeps a reference.
+  // Triangulates the four points that all tiles keep, with room for others. Keeps a reference.
   Tile_triangulation(const Tiling& tiling, std::size_t number_of_points)
     : m_tiling(tiling)
     , m_scaled(tiling.largest, tiling.least)
@@ -192,8 +195,8 @@ public:
   Tile_triangulation(const Tile_triangulation&) = delete;
 
   // Inserts points that are wanted whatever they touch, before any others: by all workers, or as
-  // insert() does. The vertices are the same then, and the cells, but in another order. check() is called
-  // now and then, and may throw.
+  // insert() does. Both make the same vertices, and the same cells in different orders. check() is
+  // called now and then, and may throw.
   template <class Check, class Equal>
   void insert_first(std::vector<Tile_point> points, unsigned int seed, const Executor& executor,
                     const Check& check, const Equal& equal)
@@ -210,9 +213,9 @@ public:
                        equal);
   }
 
-  // Inserts those that wants() when the zone of conflict is dug, in random rounds, each sorted by
-  // halves, and each point from the one before. If p has the place of vertex v, equal(v, id of p,
-  // id of v) says whether the smaller id is that of v then.
+  // Inserts the points for which wants() holds when the conflict zone is dug, in random rounds,
+  // each sorted by halves; each walk starts from the point before. If p has the place of vertex v,
+  // equal(v, id of p, id of v) says whether v takes the smaller of the two ids.
   template <class Wants, class Equal>
   void insert(std::vector<Tile_point> points, unsigned int seed, const Wants& wants,
               const Equal& equal)
@@ -221,14 +224,14 @@ public:
     std::vector<Tile_point>().swap(points);
     const std::size_t end = m_ids.size();
     for (std::size_t v = m_vertices_end; v < end; ++v) {
-      const auto p = Id(m_vertices_end); // those before are in cells
+      const auto p = Id(m_vertices_end); // the vertices before it are in cells
       renumber_vertex(Id(v), p);
       m_vertices_end += insert(p, wants, equal);
     }
     drop_vertices(m_vertices_end);
   }
 
-  // While wants() is asked: the corners of the zone, each more than once, until visit(v) is true.
+  // For wants(): visits the corners of the zone, each more than once, until visit(v) is true.
   template <class Visit>
   bool find_neighbor(const Visit& visit) const
   {
@@ -247,7 +250,7 @@ public:
            m_ids.size() * (sizeof(Complex::Vertex) + sizeof(std::uint64_t) + sizeof(std::uint32_t));
   }
 
-  // The number of vertices, the infinite one, which is 0, included.
+  // The number of vertices, including the infinite one, which is vertex 0.
   std::size_t vertices_end() const { return m_vertices_end; }
   std::uint64_t id(Id v) const { return m_ids[v]; }
   std::uint32_t owner(Id v) const { return m_owners[v]; }
@@ -258,7 +261,7 @@ public:
     return {m_ids[v], {c[0], c[1], c[2]}};
   }
 
-  // Whose vertex has the smallest id. Branches would be foreseen badly.
+  // Returns the owner of the vertex with the smallest id. Branches would be predicted badly.
   std::uint32_t owner_of(const Cell& cell) const
   {
     Id first = cell.v[0];
@@ -285,7 +288,7 @@ private:
     return geometric_rounds(Point_array(coordinates.data(), points.size()), seed, 0.125, 64);
   }
 
-  // In this order; they are in no cell yet.
+  // Adds vertices for the points in this order; they are in no cell yet.
   void add_vertices(const std::vector<Tile_point>& points, const std::vector<std::size_t>& order)
   {
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -296,7 +299,7 @@ private:
     }
   }
 
-  // Of a point that the complex has; beside its place there.
+  // Notes the data of a vertex that the complex has, at the same position as there.
   void note_vertex(const Tile_point& p)
   {
     if (!m_scaled.is_exact())
@@ -312,7 +315,7 @@ private:
     m_owners[number] = m_owners[v];
   }
 
-  // Whether p is in cells now.
+  // Inserts vertex p if it is wanted and its place is free; returns whether it is in cells now.
   template <class Wants, class Equal>
   bool insert(Id p, const Wants& wants, const Equal& equal)
   {
@@ -333,7 +336,7 @@ private:
     return true;
   }
 
-  // Of equal points the smallest number stands for all: p has the place of v.
+  // Notes that p has the place of v: the smallest id stands for all equal points.
   template <class Equal>
   void note_equal(Id v, Id p, const Equal& equal)
   {
@@ -341,8 +344,9 @@ private:
       m_ids[v] = (std::min)(m_ids[v], m_ids[p]);
   }
 
-  // Equal points have one vertex, of any of them, and the numbers of the others are in no cell. So
-  // vertices are numbered anew, by the first place of each: as if one thread had inserted them.
+  // Equal points have one vertex, which may be that of any of them; the vertices of the others are
+  // in no cell. So vertices are renumbered by their first places, as if one thread had inserted
+  // them.
   template <class Equal>
   void merge_equal_points(const std::vector<Id>& vertex_of, const Equal& equal)
   {
@@ -377,10 +381,10 @@ private:
   const Tiling& m_tiling;
   const Power_of_scale m_scaled;
   Complex m_complex;
-  Inserter<Alone_with_complex<Id>> m_inserter;
+  Inserter<Alone_with_complex<Compact_vertex>> m_inserter;
   Id m_previous = 1;
-  std::size_t m_vertices_end = 5;   // those from here on are in no cell yet
-  std::vector<std::uint64_t> m_ids; // by vertex; the smallest of those of equal points
+  std::size_t m_vertices_end = 5;   // the vertices from here on are in no cell yet
+  std::vector<std::uint64_t> m_ids; // by vertex; the smallest id of equal points
   std::vector<std::uint32_t> m_owners;
 };
 
@@ -390,8 +394,8 @@ public:
   using Id = Tile_triangulation::Id;
   using Cell = Tile_triangulation::Cell;
 
-  // Of the points that are the tile's own, as it was in a state; all workers insert them. Keeps a
-  // reference to what all know. If more than `limit` points are kept, Tile_too_large is thrown.
+  // Makes a tile of the points that are its own, as it was in a state; all workers insert them.
+  // Keeps a reference to the tiling. Throws Tile_too_large if more than `limit` points are kept.
   Delaunay_tile(const Tiling& tiling, std::uint32_t number, std::vector<Tile_point> own,
                 Tile_state state, std::size_t limit, const Executor& executor)
     : m_tiling(tiling)
@@ -427,7 +431,7 @@ public:
   const std::vector<std::uint64_t>& known() const { return m_known; }
   bool is_own(Id v) const { return m_triangulation.owner(v) == m_number; }
 
-  // Own points that have the place of others: the id, and that of one of them with a smaller id.
+  // Pairs of the id of an own point and a smaller id of a point that is equal to it.
   const std::vector<std::array<std::uint64_t, 2>>& equal_points() const { return m_equal; }
 
   // Offers what is new to the tile, answers questions, and returns what there is to tell now.
@@ -437,8 +441,8 @@ public:
     return tell_and_answer(news.questions);
   }
 
-  // Does the same in two steps; the first may be repeated. Where memory is short, points are inserted in
-  // portions of an eighth of the points that may be kept.
+  // The two steps of absorb(); the first may be repeated. If not all points might fit, they are
+  // inserted in portions of an eighth of the points that may be kept.
   void offer(std::vector<Tile_point> points)
   {
     note_known(points);
@@ -462,11 +466,12 @@ public:
     return messages;
   }
 
-  // If the certificate does not hold: for each of these partners, all vertices of cells that have a
-  // vertex of both. Those of the partner are questions. If the two see different common cells, one
-  // of them learns something: of a cell that the partner does not have it either takes a vertex
-  // that it lacked, or its answer has a point in conflict with the cell; that gets all vertices of
-  // the cell as neighbours, so it is not refused (witnesses, as in star splaying).
+  // To be called if the certificate does not hold: tells each of these partners of all vertices of
+  // the cells that have a vertex of both. The partner's own ones are questions. If the two tiles
+  // see different common cells, one of them learns something: from a cell that the partner lacks,
+  // it either takes a vertex that it lacked, or its answer has a point in conflict with the cell;
+  // this point gets all vertices of the cell as neighbours, so it is not refused (witnesses, as in
+  // star splaying).
   std::vector<Tile_message> witnesses(const std::vector<std::uint32_t>& partners) const
   {
     std::vector<Tile_message> messages;
@@ -477,11 +482,11 @@ public:
     return messages;
   }
 
-  // At the end.
+  // Returns the state at the end; the tile must not be used after this.
   Tile_state state() &&
   {
     Tile_state state{{}, std::move(m_known), std::move(m_told)};
-    for (std::size_t v = 5; v < m_triangulation.vertices_end(); ++v) // after those all tiles keep
+    for (std::size_t v = 5; v < m_triangulation.vertices_end(); ++v) // after those of all tiles
       if (!is_own(Id(v)))
         state.kept.push_back(m_triangulation.point(Id(v)));
     return state;
@@ -493,7 +498,7 @@ private:
   {
     try {
       insert();
-    } catch (const Too_few_ids&) { // for cells: a hub has many
+    } catch (const Too_many_cells&) { // for cells: a hub has many
       throw too_large((std::min)(m_limit, number_of_points_kept()));
     }
   }
@@ -522,9 +527,9 @@ private:
     std::inplace_merge(m_known.begin(), m_known.begin() + std::ptrdiff_t(before), m_known.end());
   }
 
-  // Calls visit(v, to) for each edge of a new cell from a finite vertex v to one of the tile `to`,
-  // which is another than the owner of v and than this one; edges again and again. If it asks, for
-  // each edge to an own vertex, too, `to` being the owner of v.
+  // Calls visit(v, to) for each edge of a new cell from a finite vertex v to a vertex of tile `to`,
+  // if `to` is neither the owner of v nor this tile; it visits edges again and again. If `asks` is
+  // true, it also calls visit(v, owner of v) for each edge from v to an own vertex.
   template <class Visit>
   void for_each_new_edge(bool asks, const Visit& visit) const
   {
@@ -545,15 +550,15 @@ private:
     });
   }
 
-  // Of each edge between points of two tiles the owner of each end is told of the other, once.
-  // Nobody has told of the points that all tiles get: the first time their owners are asked about
-  // those that have neighbours of the tile's own. No such edge is made later, and an owner who
-  // would refuse the other end has no other reason to say so.
+  // For each edge between points of two tiles, tells the owner of each end of the other end, once.
+  // No tile has told of the points that all tiles get, so the first time their owners are asked
+  // about those that have own neighbours here. No such edge is made later, and an owner that would
+  // refuse the other end would not say so unasked.
   std::vector<Tile_message> tell(bool asks)
   {
     if (m_first_untold == m_triangulation.vertices_end())
       return {};
-    std::vector<std::pair<std::uint32_t, Id>> tells; // to whom of what
+    std::vector<std::pair<std::uint32_t, Id>> tells; // (to, v): tile `to` is told of v
     std::vector<std::uint32_t> last(m_triangulation.vertices_end(), Tile_triangulation::nobody);
     for_each_new_edge(asks, [&](Id v, std::uint32_t to) {
       if (last[v] != to) // nearly always the same one
@@ -580,17 +585,17 @@ private:
     return messages;
   }
 
-  // Who asks about a point of the tile's own is told of its neighbours, but for those of the
-  // asker's, which would be questions.
+  // A tile that asks about an own point is told of its neighbours, except for those that the asker
+  // owns, which would be questions.
   void answer(const std::vector<Tile_message>& questions, std::vector<Tile_message>& messages)
   {
-    std::multimap<Id, std::size_t> asked; // who asks, by vertex
+    std::multimap<Id, std::size_t> asked; // questions, by vertex
     for (std::size_t a = 0; a < questions.size(); ++a)
       m_triangulation.insert(
           questions[a].points, m_number, [] { return false; },
           [&](Id v, std::uint64_t, std::uint64_t) {
             asked.emplace(v, a);
-            return false; // who asks does not know better
+            return false; // the asker's id is no better
           });
     if (asked.empty())
       return;
@@ -618,7 +623,7 @@ private:
     return std::any_of(cell.v, cell.v + 4, [&](Id v) { return m_triangulation.owner(v) == tile; });
   }
 
-  // The vertices of certain cells.
+  // Returns the finite vertices of the selected cells.
   template <class Selects>
   std::vector<Tile_point> points_around(const Selects& selects) const
   {
@@ -635,7 +640,7 @@ private:
     return points;
   }
 
-  // The vertex with the most neighbours is to blame.
+  // The vertex with the most neighbours is blamed.
   Tile_too_large too_large(std::size_t limit) const
   {
     std::vector<std::uint32_t> cells(m_triangulation.vertices_end());
@@ -658,12 +663,12 @@ private:
   std::vector<Told> m_told;           // ascending
   std::vector<std::array<std::uint64_t, 2>> m_equal;
   Tile_triangulation m_triangulation;
-  std::size_t m_first_untold = 0; // vertex
+  std::size_t m_first_untold = 0; // a vertex
 };
 
-// What a tile has when all is done, as a Delaunay_3_tile, but its cells one after the other: an array
-// of them would take half as much memory as the triangulation. Keeps a reference. Sorts the vertices;
-// else linear.
+// The result of a tile, as a Delaunay_3_tile, but its cells are handed out one after the other: an
+// array of them would take half as much memory as the triangulation. Keeps a reference. Takes
+// linear time, except for sorting the vertices.
 class Piece_of_tile
 {
 public:
@@ -689,10 +694,10 @@ public:
   }
   std::size_t number_of_owned_finite_cells() const { return m_number_of_cells[OWNED_FINITE]; }
 
-  // Of points that have the place of others: to each id the smallest that stands for it.
+  // For each point that is equal to another: its id, and the smallest id, which stands for it.
   const std::vector<std::array<std::uint64_t, 2>>& equal_points() const { return m_equal_points; }
 
-  // The vertices of own stars, own ones first, each by id.
+  // The vertices of the stars of own points: first the own ones, then the others, each by id.
   std::size_t number_of_vertices() const { return m_vertices.size(); }
   template <class Visit>
   void for_each_vertex(const Visit& visit) const
@@ -718,7 +723,7 @@ public:
 private:
   using Cell = Tile_triangulation::Cell;
 
-  // What a cell is to a tile; FAR are those without a vertex of its own.
+  // The relation of a cell to a tile; FAR cells have no vertex of its own.
   enum Kind : unsigned char { OWNED_FINITE, OWNED_INFINITE, OF_OTHERS, FAR };
 
   template <class Visit>

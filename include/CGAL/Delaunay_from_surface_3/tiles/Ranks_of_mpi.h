@@ -5,8 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RANKS_OF_MPI_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RANKS_OF_MPI_H
 
-// The processes of MPI that share tiles, and how what they send each other is packed: numbers and
-// arrays of these, one after the other, as the machine has them; so all are of one kind.
+// The MPI processes that share tiles, and the packing of what they send each other: numbers and
+// arrays of numbers, one after the other, as the machine represents them; so all machines are of
+// one kind.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -39,7 +40,7 @@ void pack(Packed_bytes& to, const T& item)
   to.insert(to.end(), bytes, bytes + sizeof(T));
 }
 
-// The number of the items, and then these.
+// Packs the number of the items, and then the items.
 template <class T>
 void pack(Packed_bytes& to, const std::vector<T>& items)
 {
@@ -49,7 +50,7 @@ void pack(Packed_bytes& to, const std::vector<T>& items)
   to.insert(to.end(), bytes, bytes + items.size() * sizeof(T));
 }
 
-// Takes out what was packed, in that order. Keeps a reference.
+// Takes items out in the order in which they were packed. Keeps a reference.
 class Unpack
 {
 public:
@@ -147,18 +148,18 @@ inline Tile_certificate unpack_certificate(Unpack& from)
   return c;
 }
 
-// What one process has thrown, so that all others can throw the same: of the same type, if it is
-// one that the driver or its callers tell apart, and with the rank before the message, unless all
-// have thrown the same.
+// The exception of one process, which all others throw as well: with the same type, if the driver
+// or its callers distinguish this type, and with the rank before the message, unless all have
+// thrown the same.
 struct Rank_failure
 {
   enum Kind : std::uint32_t { NONE, INPUT, FILES, TOO_LARGE, STOPPED, OTHER };
 
   Kind kind = NONE;
-  std::uint32_t tiles = 0; // that would do, if one was too large
+  std::uint32_t tiles = 0; // the number that would do, if one was too large
   std::vector<char> text;
 
-  // Calls f().
+  // Calls f(), and returns what it throws.
   template <class F>
   static Rank_failure of(const F& f) noexcept
   {
@@ -189,7 +190,7 @@ struct Rank_failure
     return kind == other.kind && tiles == other.tiles && text == other.text;
   }
 
-  // rank < 0: it is that of all.
+  // A negative rank stands for all ranks.
   [[noreturn]] void rethrow(int rank) const
   {
     const std::string what = (rank < 0 ? "" : "rank " + std::to_string(rank) + ": ") +
@@ -236,7 +237,7 @@ inline Rank_failure unpack_failure(Unpack& from)
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-// The only header that names MPI's. Where that is not to be found this one is empty.
+// This is the only header that includes MPI's. If mpi.h is not found, the rest of it is empty.
 
 #if __has_include(<mpi.h>)
 
@@ -259,14 +260,14 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The processes of a communicator, and what they do together: every one calls the same functions in
-// the same order, by one thread. What one throws by itself the others do not wait for for ever: it
-// is thrown inside together(), and so by all.
+// The processes of a communicator, and what they do together: each calls the same functions in the
+// same order, from one thread. An exception of one process alone is thrown inside together(), and
+// thus by all, so that the others do not wait for it for ever.
 class Ranks_of_mpi
 {
 public:
-  // A communicator of their own, so that nobody else's messages are taken for theirs. What is sent
-  // at once has so many bytes at most: MPI counts with an int.
+  // Duplicates the communicator, so that messages of others are not taken for its own. At most so
+  // many bytes are sent at once, because MPI counts with an int.
   explicit Ranks_of_mpi(MPI_Comm communicator, std::size_t bytes_at_once = std::size_t(1) << 29)
     : m_bytes_at_once(bytes_at_once)
   {
@@ -287,17 +288,17 @@ public:
 
   int rank() const { return m_rank; }
   int size() const { return m_size; }
-  std::uint64_t bytes_sent() const { return m_bytes_sent; } // by this one to others, of data
-  double seconds() const { return m_seconds; }              // of sending and of waiting for others
+  std::uint64_t bytes_sent() const { return m_bytes_sent; } // data from this rank to others
+  double seconds() const { return m_seconds; } // for sending and for waiting for others
 
-  // What is to be sent to each: nothing yet.
+  // Returns an empty buffer for each rank.
   std::vector<Packed_bytes> empty_by_rank() const
   {
     return std::vector<Packed_bytes>(static_cast<std::size_t>(m_size));
   }
 
-  // Calls f(), in which they work by themselves. If it throws on any, all throw what it threw on
-  // the first of these. What needs memory is done in there.
+  // Calls f(), in which each rank works by itself. If it throws on some ranks, all ranks throw what
+  // it threw on the first of these. Memory is allocated only inside such calls.
   template <class F>
   void together(const F& f) const
   {
@@ -318,7 +319,7 @@ public:
     return number;
   }
 
-  // The number that the first rank has.
+  // Returns the number that the first rank has.
   std::uint64_t of_first(std::uint64_t number) const
   {
     const Stopwatch watch(m_seconds);
@@ -326,7 +327,7 @@ public:
     return number;
   }
 
-  // What each has, by rank.
+  // Returns the bytes of each rank, by rank.
   std::vector<Packed_bytes> all_gather(const Packed_bytes& bytes)
   {
     const auto mine = std::uint64_t(bytes.size());
@@ -335,7 +336,7 @@ public:
     wait_for([&] {
       MPI_Allgather(&mine, 1, MPI_UINT64_T, sizes.data(), 1, MPI_UINT64_T, m_communicator);
     });
-    std::vector<int> counts, places; // of units, of which an int can count enough
+    std::vector<int> counts, places; // in units, so that an int can count enough
     Packed_bytes all, padded;
     std::vector<Packed_bytes> result;
     together([&] {
@@ -370,8 +371,8 @@ public:
     return result;
   }
 
-  // Sends to each rank what is for it; what each had for this one, by rank. Memory is found before
-  // anything is sent.
+  // Sends each rank its bytes, and returns those that each rank sent to this one, by rank. Memory
+  // is allocated before anything is sent.
   std::vector<Packed_bytes> exchange(std::vector<Packed_bytes> to)
   {
     std::vector<std::uint64_t> sizes, sizes_there;
@@ -437,7 +438,8 @@ private:
     return number;
   }
 
-  // The failure that a rank has. Who has no memory even for this ends all, as the others wait.
+  // Returns the failure of a rank. If memory is lacking even for this, all processes are aborted,
+  // because the others wait.
   Rank_failure of_rank(int rank, const Rank_failure& mine) const
   {
     try {

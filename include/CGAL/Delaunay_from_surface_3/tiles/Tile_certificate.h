@@ -5,32 +5,32 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_CERTIFICATE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILE_CERTIFICATE_H
 
-// What a tile says of its triangulation, so that all together can tell whether the union of the
-// stars is the Delaunay triangulation of all points: for each partner the cells that have vertices
-// of both, and the part of the convex hull that is its own.
+// The certificate of a tile's triangulation, such that all of them together can tell whether the
+// union of the stars is the Delaunay triangulation of all points: for each partner it sums up the
+// cells that have vertices of both, and it counts the tile's own part of the convex hull.
 //
 // If
-//   (a) of each two tiles both see the same common cells,
-//   (b) the hull that the infinite cells form is a sphere: V - E + F = 2, that is 2 V - F = 4 where
+//   (a) any two tiles see the same common cells,
+//   (b) the hull that the infinite cells form is a sphere: V - E + F = 2, that is 2 V - F = 4, as
 //       facets are triangles,
 //   (c) every point is in the tile that owns it,
 // then the union of the stars is the Delaunay triangulation of all points. Proof. A cell is seen by
 // all owners of its vertices, so by (a) the union is a closed 3-manifold, and the star of each
-// vertex in it is that in its owner's Delaunay triangulation. Lift the points to the paraboloid,
-// perturbed as the predicates do it: at each vertex the lifted star is a part of the boundary of a
-// convex body, the lower hull of the owner's points, or a vertical wall over a facet of their hull.
-// So the lifted complex is locally convex at each vertex, hence everywhere; walls over coplanar
-// facets are only weakly convex. It is complete, and strictly convex at a vertex of the hull. A
-// complete, connected, locally convex hypersurface with a strictly convex point is the boundary of
-// a convex body (van Heijenoort 1952), for each perturbation that is small enough. So each
-// component is the Delaunay triangulation of its vertices, with a hull of its own. By (b) there is
-// one component, and by (c) it has all points. Equal points are one vertex, which has the smallest
-// of their ids, and one owner.
+// vertex in it equals its star in its owner's Delaunay triangulation. Lift the points to the
+// paraboloid, perturbed as the predicates do it: at each vertex the lifted star is part of the
+// boundary of a convex body, either the lower hull of the owner's points or a vertical wall over a
+// facet of their hull. So the lifted complex is locally convex at each vertex, hence everywhere;
+// walls over coplanar facets are only weakly convex. It is complete, and strictly convex at a
+// vertex of the hull. A complete, connected, locally convex hypersurface with a strictly convex
+// point is the boundary of a convex body (van Heijenoort 1952), for each perturbation that is small
+// enough. So each component is the Delaunay triangulation of its vertices, with a hull of its own.
+// By (b) there is one component, and by (c) it has all points. Equal points are one vertex, which
+// has the smallest of their ids, and one owner.
 //
 // Cells are compared by sums of hashes of 128 bits, keyed by a seed that is drawn when no cell
-// changes any more: "up to a collision" of probability 2^-128.
-// A vertex has a key of 128 bits, of its id and coordinates; a cell's hash is that of the sum of
-// four, in which their order is nothing.
+// changes any more: "up to a collision" of probability 2^-128. A vertex has a key of 128 bits, made
+// of its id and coordinates; a cell is hashed by the sum of its four keys, which does not depend on
+// their order.
 
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -51,7 +51,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Of a set of cells.
+// The number of cells in a set, and the sum of their hashes.
 struct Cell_sum
 {
   std::uint64_t number = 0, hash[2] = {0, 0};
@@ -69,7 +69,7 @@ struct Cell_sum
   }
 };
 
-// Keyed hashes of cells: a cell's is that of the sum of the keys of its vertices.
+// Keyed hashes of cells: the keys of a cell's vertices are added, and the sum is hashed.
 class Cell_hashes
 {
 public:
@@ -94,7 +94,7 @@ public:
 private:
   using Key = std::array<std::uint64_t, 2>;
 
-  // Most vertices are in no cell that is asked for.
+  // Makes the key on demand, since most vertices are in no cell that is asked for.
   const Key& key(Tile_triangulation::Id v)
   {
     if (m_keys[v][0] == 0)
@@ -131,12 +131,12 @@ struct Tile_certificate
   std::uint32_t tile;
   std::map<std::uint32_t, Cell_sum> common; // by partner
   std::uint64_t hull_vertices = 0;          // its own
-  std::uint64_t hull_facets = 0;            // whose smallest vertex is its own
+  std::uint64_t hull_facets = 0;            // those whose smallest vertex is its own
   std::uint64_t own_points = 0, points_kept = 0;
-  std::uint64_t owned_cells = 0, hash = 0; // whose smallest vertex is its own; of their ids
+  std::uint64_t owned_cells = 0, hash = 0; // the same for cells; the hash is of their ids
 };
 
-// Whether a tile's own vertices are its own points, but for those that have the place of others.
+// Returns whether, by their numbers, all own points are own vertices or equal to others.
 inline bool has_own_points(const Delaunay_tile& tile)
 {
   std::size_t vertices = 0;
@@ -145,7 +145,7 @@ inline bool has_own_points(const Delaunay_tile& tile)
   return vertices + tile.equal_points().size() == tile.number_of_own_points();
 }
 
-// When nobody has anything to tell. Linear.
+// Returns the certificate of a tile, when no tile has anything to tell. Linear.
 inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t seed)
 {
   const Tile_triangulation& tr = tile.triangulation();
@@ -162,7 +162,7 @@ inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t 
   for (std::size_t v = 0; v < hashes_of_ids.size(); ++v)
     hashes_of_ids[v] = Split_mix(tr.id(Tile_triangulation::Id(v)))();
   std::vector<char> is_on_hull(tr.vertices_end());
-  std::pair<const std::uint32_t, Cell_sum>* last = nullptr; // what a cell was added to
+  std::pair<const std::uint32_t, Cell_sum>* last = nullptr; // the sum that a cell was added to
   tr.for_each_cell([&](const Tile_triangulation::Cell& cell) {
     std::uint32_t owners[4];
     unsigned own = 0;
@@ -205,14 +205,14 @@ inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t 
 
 using Tile_pairs = std::vector<std::array<std::uint32_t, 2>>;
 
-// The pairs of tiles that see different common cells, of the certificates of all tiles, by number.
+// Returns the pairs of tiles that see different common cells, given all certificates by tile.
 inline Tile_pairs tiles_that_differ(const std::vector<Tile_certificate>& tiles)
 {
   Tile_pairs result;
   for (const Tile_certificate& a : tiles)
     for (const auto& [partner, sum] : a.common) {
       const Tile_certificate& b = tiles.at(partner);
-      const auto found = b.common.find(a.tile); // it need not have listed this one
+      const auto found = b.common.find(a.tile); // b need not have listed a
       if (found == b.common.end() || !(found->second == sum))
         result.push_back({(std::min)(a.tile, partner), (std::max)(a.tile, partner)});
     }
@@ -221,8 +221,8 @@ inline Tile_pairs tiles_that_differ(const std::vector<Tile_certificate>& tiles)
   return result;
 }
 
-// Whether so many tiles together have the Delaunay triangulation of so many points. False, too, if the
-// list is not that of all tiles in their order.
+// Returns whether these tiles together have the Delaunay triangulation of `number_of_points`
+// points. It is false, too, if they are not all `number_of_tiles` tiles in their order.
 inline bool is_certified(const std::vector<Tile_certificate>& tiles, std::size_t number_of_tiles,
                          std::uint64_t number_of_points)
 {

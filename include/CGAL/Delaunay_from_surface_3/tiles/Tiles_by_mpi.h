@@ -6,9 +6,9 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_BY_MPI_H
 
 // An engine for the processes of a communicator: each has consecutive tiles in memory, which lie
-// side by side, and reads one range of the input. What tiles tell each other is packed by rank. All
-// ranks run the same driver, and each of its decisions is made of what all know. A rank that throws
-// does so between two exchanges, inside Ranks_of_mpi::together(), where all ends for all.
+// side by side, and reads one range of the input. Messages between tiles are packed by rank. All
+// ranks run the same driver, whose decisions depend only on what all ranks know. A rank that throws
+// does so between two exchanges, inside Ranks_of_mpi::together(), which ends the run on all ranks.
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Ranks_of_mpi.h>
 
@@ -39,7 +39,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 struct Input_of_rank
 {
-  std::uint64_t points, first, last; // it reads those from first to before last
+  std::uint64_t points, first, last; // it reads the points first, …, last - 1
   std::uint32_t tiles;
   std::array<std::uint64_t, 4> options;
 };
@@ -57,9 +57,9 @@ inline Input_of_rank input_of_rank(const Ranks_of_mpi& ranks, const Tile_source_
            std::uint64_t(options.starts_again)}};
 }
 
-// All ranks see as many points and have the same options, of which the driver's decisions are made,
-// and each point is read by one of them; or none begins. Whether they see the same points is not
-// known: what one reads no other does.
+// Throws on all ranks unless all see the same number of points and have the same options, on which
+// the driver's decisions depend, and each point is read by one of them. Whether they see the same
+// points is unknown, since no two ranks read the same point.
 inline Input_of_rank agree_on_input(Ranks_of_mpi& ranks, const Tile_source_3& source,
                                     const Tiles_options& options)
 {
@@ -113,7 +113,7 @@ public:
   std::uint64_t bytes_sent() const { return m_ranks.bytes_sent(); }
   double seconds_of_exchange() const { return m_ranks.seconds(); }
 
-  // f() on each rank; if it throws on one, so it does on all.
+  // Calls f() on each rank; if it throws on one, all throw.
   template <class F>
   void together(const F& f) const
   {
@@ -166,7 +166,7 @@ public:
     return told;
   }
 
-  // The first rank draws one for all.
+  // Returns the seed that the first rank draws for all.
   template <class Draw>
   friend std::uint64_t draw_seed(const Tiles_by_mpi& engine, const Draw& draw)
   {
@@ -175,7 +175,7 @@ public:
     return engine.m_ranks.of_first(seed);
   }
 
-  // Of all tiles, on each rank; the seed is the same on all.
+  // Returns the certificates of all tiles, on each rank; the seed is the same on all.
   std::vector<Tile_certificate> gather(std::uint64_t seed)
   {
     std::vector<Tile_certificate> mine, all;
@@ -207,7 +207,7 @@ public:
     deliver(std::move(to));
   }
 
-  // sink(tile) of each tile that this rank has.
+  // Calls sink(tile) for each tile of this rank.
   template <class Sink>
   void give(Sink& sink) const
   {
@@ -228,7 +228,7 @@ private:
     return std::uint32_t(std::uint64_t(m_number_of_tiles) * std::uint64_t(rank) /
                          std::uint64_t(number_of_ranks()));
   }
-  // This rank's tiles; the last is none of them.
+  // The tiles of this rank are first_tile(), …, last_tile() - 1.
   std::uint32_t first_tile() const { return first_tile_of(rank()); }
   std::uint32_t last_tile() const { return first_tile_of(rank() + 1); }
   std::size_t rank_of(std::uint32_t tile) const { return m_rank_of_tile[tile]; }
@@ -259,7 +259,8 @@ private:
     });
   }
 
-  // Each point goes to the rank that has its tile. Those of a tile are in the order of their ids.
+  // Sends each point to the rank that has its tile. The points of a tile are in the order of their
+  // ids.
   void bring_home(std::vector<double> coordinates, std::uint64_t first, std::size_t limit)
   {
     std::vector<Packed_bytes> to;

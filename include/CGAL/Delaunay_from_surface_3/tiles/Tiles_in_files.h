@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_FILES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_FILES_H
 
-// The file side of tiles, which is compiled (src/tiles): points in files, the engine out of core, and
-// what the programs and Python do with a folder of tiles.
+// The file side of tiles, which is compiled (src/tiles): points in files, the engine out of core,
+// and the work of the programs and of Python on a folder of tiles.
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
@@ -60,9 +60,9 @@ public:
   /// reads a range of points, which may extend over several files.
   void read(std::uint64_t first, std::size_t n, double* coordinates) const override;
 
-  /// returns a number derived from the sizes of the files and their times of last modification. A file
-  /// that has been changed and has both as before is only recognized if one of 64 points, which are
-  /// compared as well, has changed.
+  /// returns a number derived from the sizes of the files and their times of last modification. A
+  /// file that has been changed and has both as before is only recognized if one of 64 points,
+  /// which are compared as well, has changed.
   std::uint64_t stamp() const override;
 
   /// returns the files.
@@ -91,8 +91,8 @@ It is part of the compiled library: link `Delaunay_from_surface_3::compiled`.
 class Tiles_in_files_3
 {
 public:
-  /// keeps the name of the folder, which `delaunay_3_tiles()` creates if necessary, and the number of
-  /// threads.
+  /// keeps the name of the folder, which `delaunay_3_tiles()` creates if necessary, and the number
+  /// of threads.
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED) || defined(DOXYGEN_RUNNING)
   explicit Tiles_in_files_3(std::filesystem::path folder, std::size_t number_of_threads = 1);
 #else
@@ -105,7 +105,7 @@ public:
 #endif
 
   /// \cond SKIP_IN_MANUAL
-  // All of delaunay_3_tiles().
+  // Does all the work of delaunay_3_tiles().
   Tiles_report run(const Tile_source_3& source, const Tiles_options& options,
                    const std::function<void(Delaunay_3_tile&&)>& sink) const;
   /// \endcond
@@ -123,8 +123,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// From files of points to files of tiles, in one call or task by task. In the folder: state/, which
-// Tiles_in_files_3 has as well, and what is written beside it.
+// Makes files of tiles from files of points, in one call or task by task. The folder contains
+// state/, which Tiles_in_files_3 makes as well, and the results beside it.
 class Tiles_to_files
 {
 public:
@@ -137,10 +137,10 @@ public:
   {
   }
 
-  // Begins or goes on, to the end.
+  // Begins or continues a run, and completes it.
   Tiles_report run(const Tile_source_3& source, const Tiles_options& options) const;
 
-  // Tasks that can be done in any order, by any process; number 0: all is done, but neighbors.
+  // Tasks that any processes may do in any order; if the number is 0, all is done but neighbors.
   struct Tasks
   {
     std::size_t number;
@@ -148,10 +148,10 @@ public:
     std::uint32_t tiles;
   };
 
-  // Begins, or closes what is done, and returns what there is to do now.
+  // Begins, or closes what is done, and returns the tasks that can be done now.
   Tasks next(const Tile_source_3& source, const Tiles_options& options) const;
 
-  // Does one of those that next() has counted, by all threads.
+  // Does one of the tasks that next() has counted, with all threads.
   void do_task(const Tile_source_3& source, const Tiles_options& options, std::size_t k) const;
 
   // Returns the number of tiles of a run that has begun.
@@ -166,24 +166,25 @@ private:
   bool m_with_vtu, m_with_neighbors;
 };
 
-// A folder of tiles without a state, as that of a run by several processes. One of these calls
-// begin_tiles(), all write tiles, and one calls finish_tiles(). A mark in the folder, tiles.begun, says
-// that a run has not ended there.
+// A folder of tiles without a state, made by a run of several processes. One process calls
+// begin_tiles(), all write tiles, and one calls finish_tiles(). The file tiles.begun in the folder
+// marks a run that has not ended.
 
-// Makes the folder, or refuses one with tiles of another run. With the mark, what a run has left that did
-// not end is removed, as it may have had more tiles; without it, the files are somebody else's.
+// Makes the folder, or refuses one with tiles of another run. If the mark is there, the files of
+// the run that did not end are removed, as it may have had more tiles; without it, they are
+// somebody else's.
 void begin_tiles(const std::filesystem::path& folder, const Tile_source_3& source);
 void write_tile(const std::filesystem::path& folder, const Delaunay_3_tile& tile, bool with_vtu);
 void finish_tiles(const std::filesystem::path& folder, const Tiles_report& report, bool with_vtu);
 
-// Returns whether a run of these points has ended there, as eight vertices of each tile tell.
+// Returns whether a run of these points has ended there, judging by eight vertices of each tile.
 bool tiles_have_ended(const std::filesystem::path& folder, const Tile_source_3& source);
 
 // Returns the number of tiles of a run that has ended.
 std::uint32_t number_of_tiles_in(const std::filesystem::path& folder);
 
-// A file that the cells of all tiles, or their neighbors, are joined in: it is opened before there is any
-// work to lose, and written at its end. It must be none that the run reads or writes.
+// A file in which the cells of all tiles, or their neighbors, are joined. It is opened before there
+// is any work to lose, and written at the end. The run must neither read nor write it otherwise.
 class Joined_tiles
 {
 public:
@@ -191,7 +192,7 @@ public:
                const std::filesystem::path& file);
   ~Joined_tiles();
 
-  // Writes "cells" or "neighbors" in the order of the tiles, as one .npy; returns how many there are.
+  // Writes "cells" or "neighbors" in the order of the tiles, as one .npy; returns their number.
   std::uint64_t write(const char* kind = "cells");
 
 private:

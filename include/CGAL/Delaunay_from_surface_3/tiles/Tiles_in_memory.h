@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_MEMORY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_MEMORY_H
 
-// Consecutive tiles that are in the memory of this process, all or some, and what they were told.
+// Consecutive tiles in the memory of this process, which may be all or some, and their messages.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
@@ -37,17 +37,17 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// How many of these threads work on task k of n, where several can insert points together: in the
-// end there are fewer tasks than threads, which share them.
+// Returns how many threads work on task k of n, if several can insert points together: in the end
+// there are fewer tasks than threads, and the threads share them.
 inline std::size_t threads_of_task(std::size_t k, std::size_t n, std::size_t threads)
 {
-  const std::size_t last = n % threads, first = n - last; // of the last ones
+  const std::size_t last = n % threads, first = n - last; // the last tasks are shared
   const std::size_t share = k < first ? 1 : (threads + last - 1 - (k - first)) / last;
   return (std::min)(share, std::size_t(Lanes::most_workers));
 }
 
-// Calls task(0), …, task(n - 1), which may throw: then the first exception is thrown again when
-// those that have begun have ended. They are taken one after the other by the executor's workers.
+// Calls task(0), …, task(n - 1), which the executor's workers take one after the other. If a task
+// throws, the first exception is thrown again when all tasks that have begun have ended.
 template <class Function>
 void run_tasks(const Executor& executor, std::size_t n, const Function& task)
 {
@@ -83,16 +83,16 @@ void run_tasks(const Executor& executor, std::size_t n, const Function& task)
     std::rethrow_exception(worker.error);
 }
 
-// The driver: tiles tell each other until nobody has anything to tell, and then compare what they
-// have. If that is not the same, those that differ show each other why, and go on.
+// The driver: tiles tell each other until no tile has anything to tell, and then compare their
+// certificates. If two tiles differ, they show each other why, and all go on.
 //
-// An engine has four verbs: exchange() has every tile hear what it was told, and tell, and returns
-// how many points were told; gather(seed) returns the certificates of all tiles; show(pairs) has
+// An engine has four verbs: exchange() lets every tile hear what it was told, and tell, and returns
+// how many points were told; gather(seed) returns the certificates of all tiles; show(pairs) lets
 // each tile of a pair tell the other what is around the cells that both see
-// (Delaunay_tile::witnesses()); give(sink) hands out the tiles. Where several processes run the
-// driver, each of these is done by all of them, and returns the same, or throws.
+// (Delaunay_tile::witnesses()); give(sink) hands out the tiles. If several processes run the
+// driver, all of them call each verb, and it returns the same on all, or throws.
 
-// The certificates' part of the report, and whether they hold.
+// Writes the certificates' part of the report, and whether they hold.
 inline void report_certificates(const std::vector<Tile_certificate>& certificates,
                                 Tiles_report& report)
 {
@@ -106,16 +106,16 @@ inline void report_certificates(const std::vector<Tile_certificate>& certificate
   report.is_certified = is_certified(certificates, report.tiles, report.points);
 }
 
-// With many processes one of them draws it for all, by another overload.
+// Returns a seed. For many processes there is another overload, in which one draws it for all.
 template <class Engine, class Draw>
 std::uint64_t draw_seed(const Engine&, const Draw& draw)
 {
   return draw();
 }
 
-constexpr int most_repairs = 64; // none was needed where tiles had a thousand points and more
+constexpr int most_repairs = 64; // tiles of a thousand points and more needed no repair
 
-// `draw` draws a seed, when no cell changes any more.
+// Runs an engine that has begun. `draw` draws a seed when no cell changes any more.
 template <class Engine, class Draw>
 Tiles_report run_tiles(Engine& engine, const Draw& draw)
 {
@@ -142,7 +142,7 @@ Tiles_report run_tiles(Engine& engine, const Draw& draw)
 constexpr const char* tiles_do_not_fit =
     "the tiles do not fit together: the certificate does not hold";
 
-// Of a refused input nothing is left: the next one is another.
+// Begins; if the input is refused, forgets all of it, because the next one is another.
 template <class Engine>
 void begin_or_forget(Engine& engine, const Tile_source_3& source, const Tiles_options& options)
 {
@@ -154,8 +154,8 @@ void begin_or_forget(Engine& engine, const Tile_source_3& source, const Tiles_op
   }
 }
 
-// Begins, and again with more tiles if one becomes too large, until the certificate holds; returns
-// finish(report).
+// Runs the engine, again with more tiles whenever one becomes too large, and returns finish(report)
+// if the certificate holds; otherwise it throws.
 template <class Engine, class Draw, class Finish>
 Tiles_report run_until_certified(Engine& engine, const Tile_source_3& source, Tiles_options options,
                                  const Draw& draw, const Finish& finish)
@@ -175,8 +175,8 @@ Tiles_report run_until_certified(Engine& engine, const Tile_source_3& source, Ti
   }
 }
 
-// Says how much of a stage is done, to Tiles_options::progress, by one thread at a time; throws
-// Tiles_stopped if that wants no more. Keeps a reference.
+// Tells Tiles_options::progress how much of a stage is done, by one thread at a time; throws
+// Tiles_stopped if progress returns false. Keeps a reference.
 class Stage_progress
 {
 public:
@@ -219,8 +219,8 @@ public:
   {
   }
 
-  // Makes tiles first, first + 1, … of their own points. Keeps a reference. done(k) is called by
-  // any thread when one more is made.
+  // Makes tiles first, first + 1, … of their own points. Keeps a reference. Any thread calls
+  // done(k) when tile first + k is made.
   template <class Done>
   void begin(const Tiling& tiling, std::uint32_t first, std::vector<std::vector<Tile_point>> own,
              std::size_t limit, const Done& done)
@@ -250,7 +250,7 @@ public:
   const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles; }
   bool has(std::uint32_t t) const { return t >= m_first && t - m_first < m_tiles.size(); }
 
-  // Every tile hears what it was told, and tells: the messages by tile.
+  // Lets every tile hear what it was told, and tell. Returns the messages by their senders.
   template <class Done>
   std::vector<std::vector<Tile_message>> exchange(const Done& done)
   {
@@ -264,7 +264,7 @@ public:
     return messages;
   }
 
-  // What one of the tiles is told: it hears it when it is its turn.
+  // Stores a message to one of the tiles, which hears it in the next exchange.
   void deliver(Tile_message message)
   {
     m_inboxes[message.to - m_first].push_back(std::move(message));
@@ -281,7 +281,7 @@ public:
     return certificates;
   }
 
-  // What those of these tiles that differ from another show it.
+  // Returns the messages by which these tiles show why they differ from others.
   std::vector<Tile_message> witnesses(const Tile_pairs& pairs) const
   {
     std::vector<Tile_message> messages;
@@ -293,7 +293,7 @@ public:
     return messages;
   }
 
-  // What tile t has.
+  // Returns the result of tile t.
   Delaunay_3_tile tile(std::uint32_t t) const { return piece_of(*m_tiles[t - m_first]); }
 
 private:
@@ -315,8 +315,7 @@ private:
   std::vector<std::vector<Tile_message>> m_inboxes; // by tile
 };
 
-// An engine for tiles that are all in this process: for tests, and the one that others are compared
-// with.
+// The engine Tiles_here_3, for tiles that are all in this process. Others are compared with it.
 
 class Tiles_here
 {
@@ -325,7 +324,7 @@ public:
     : m_tiles(number_of_threads)
   {
   }
-  Tiles_here(const Tiles_here&) = delete; // tiles refer to what all know
+  Tiles_here(const Tiles_here&) = delete; // tiles refer to m_tiling
 
   // Makes the tiles, each of its own points.
   void begin(const Tile_source_3& source, const Tiles_options& options)
@@ -333,7 +332,7 @@ public:
     begin(source, options, [](std::vector<std::vector<Tile_point>>&) {});
   }
 
-  // The same if points may get lost on their way home, as tests have it.
+  // Does the same, but home(own) may lose points on their way home, as tests do it.
   template <class Home>
   void begin(const Tile_source_3& source, const Tiles_options& options, const Home& home)
   {
@@ -361,13 +360,13 @@ public:
   std::size_t rounds() const { return m_rounds; }
   std::uint64_t told() const { return m_told; }
 
-  // Every tile hears what was told, and tells. Returns how many points were told.
+  // Lets every tile hear what it was told, and tell. Returns how many points were told.
   std::uint64_t exchange()
   {
     return exchange([](Tile_message&) {});
   }
 
-  // The same by a post that may lose or change messages, as tests have it.
+  // Does the same, but post(message) may lose or change messages, as tests do it.
   template <class Post>
   std::uint64_t exchange(const Post& post)
   {
@@ -397,7 +396,7 @@ public:
       m_tiles.deliver(std::move(message));
   }
 
-  // What tile t has; and sink(tile) of all.
+  // tile(t) returns the result of tile t; give(sink) calls sink(tile) for all tiles.
   Delaunay_3_tile tile(std::uint32_t t) const { return m_tiles.tile(t); }
   template <class Sink>
   void give(Sink& sink) const

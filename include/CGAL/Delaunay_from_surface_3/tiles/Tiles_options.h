@@ -50,8 +50,8 @@ struct Tiles_options
   /// tile divided by `sample_share`, but at most 16384.
   std::size_t sample_share = 8;
 
-  /// the number of points that are read at a time, or fewer if `memory` is less than 100 bytes for each, but
-  /// not fewer than 16384.
+  /// the number of points that are read at a time, or fewer if `memory` is less than 100 bytes for
+  /// each, but not fewer than 16384.
   std::size_t points_at_once = 4000000;
 
   /// whether the work begins again with more tiles if one becomes larger than `memory` allows.
@@ -113,8 +113,8 @@ public:
 \ingroup PkgDelaunayFromSurface3Tiles
 
 is what `delaunay_3_tiles()` gives for a tile: the stars of the vertices that are the tile's own, in
-the Delaunay triangulation of all points. Every cell is in the tiles of its vertices; one of these,
-that of the vertex with the smallest id, *owns* it, so each cell is owned once.
+the Delaunay triangulation of all points. Every cell is in the tiles of its vertices; the tile of
+the vertex with the smallest id *owns* it, so each cell is owned once.
 */
 struct Delaunay_3_tile
 {
@@ -145,7 +145,7 @@ struct Delaunay_3_tile
   /// the number of finite cells that the tile owns.
   std::size_t number_of_owned_finite_cells = 0;
 
-  /// the tile's points that are equal to another: pairs of the id of the point and that of its
+  /// the tile's points that are equal to another: pairs of the id of the point and the id of its
   /// vertex.
   std::vector<std::array<std::uint64_t, 2>> equal_points;
 };
@@ -164,8 +164,8 @@ public:
   /// returns the number of points.
   virtual std::uint64_t size() const = 0;
 
-  /// writes the coordinates of the points `first`, …, `first + n - 1` to `coordinates`, three of
-  /// each.
+  /// writes the coordinates of the points `first`, …, `first + n - 1` to `coordinates`, three for
+  /// each point.
   virtual void read(std::uint64_t first, std::size_t n, double* coordinates) const = 0;
 
   /// returns the first point of part `part` of `parts` consecutive parts; part `parts` begins at
@@ -180,8 +180,8 @@ public:
   /// files. An interrupted run continues only with the points with which it began.
   virtual std::uint64_t stamp() const { return 0; }
 
-  /// returns the files that the points are read from, if any. A run that would overwrite one of them
-  /// is refused.
+  /// returns the files that the points are read from, if any. A run that would overwrite one of
+  /// them is refused.
   virtual std::vector<std::filesystem::path> files() const { return {}; }
 
   /// returns a name of point `i`, for messages.
@@ -220,8 +220,8 @@ public:
     std::copy(m_coordinates + 3 * first, m_coordinates + 3 * (first + n), coordinates);
   }
 
-  /// returns a hash of all coordinates. Linear: they are read once more when work in a folder begins
-  /// or continues.
+  /// returns a hash of all coordinates. Linear: they are read once more when work in a folder
+  /// begins or continues.
   std::uint64_t stamp() const override
   {
     std::uint64_t stamp = 0;
@@ -245,8 +245,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// Thrown when a tile keeps more points than it may. More tiles help, unless one vertex has too many
-// neighbours: its owner must have them all.
+// Is thrown when a tile keeps more points than it may. More tiles help, unless one vertex has too
+// many neighbours: its owner must have them all.
 class Tile_too_large : public std::runtime_error
 {
 public:
@@ -256,7 +256,7 @@ public:
   {
   }
 
-  // How many tiles would do; 0: no number does.
+  // Returns how many tiles would do, or 0 if no number does.
   std::uint32_t number_of_tiles() const { return m_tiles; }
 
 private:

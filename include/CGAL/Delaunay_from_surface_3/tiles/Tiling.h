@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILING_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILING_H
 
-// Who owns a point: the leaf of a kd-tree (Bentley 1975) that it is in, found by comparing its
-// doubles with the splitting planes. So equal points have one owner, and no message carries an
-// owner.
+// The tiling of space: a tile owns the points in a leaf of a kd-tree (Bentley 1975), which is found
+// by comparing a point's doubles with the splitting planes. So equal points have one owner, and no
+// message carries an owner.
 //
 // Cost: O(s log T) for T tiles from a sample of s points, O(log T) for a point.
 
@@ -42,14 +42,14 @@ struct Tile_point
   double coordinates[3];
 };
 
-// What one tile tells another.
+// The points that one tile tells another of.
 struct Tile_message
 {
   std::uint32_t from, to;
   std::vector<Tile_point> points;
 };
 
-// Who was told of a point.
+// Notes that tile `to` was told of a point.
 struct Told
 {
   std::uint64_t id, to;
@@ -61,7 +61,7 @@ struct Told
   }
 };
 
-// What makes a tile again as it was, beside its own points.
+// The data from which, with its own points, a tile can be made again as it was.
 struct Tile_state
 {
   std::vector<Tile_point> kept;     // others' points in its triangulation
@@ -72,21 +72,21 @@ struct Tile_state
 class Tile_tree
 {
 public:
-  // The node of what lies below the plane follows; that of the rest is `above`.
+  // The child below the plane is the next node; the child above it is node `above`.
   struct Node
   {
     double plane;
     std::uint32_t axis, above;
   };
 
-  // So many tiles, which have about equal shares of the sample. Its points are reordered.
+  // Makes so many tiles with about equal shares of the sample, whose points are reordered.
   Tile_tree(std::vector<Tile_point>& sample, std::uint32_t number_of_tiles)
     : m_number_of_tiles(number_of_tiles)
   {
     split(sample.data(), sample.data() + sample.size(), number_of_tiles);
   }
 
-  // As it was.
+  // Makes a tree again as it was.
   Tile_tree(std::vector<Node> nodes, std::uint32_t number_of_tiles)
     : m_number_of_tiles(number_of_tiles)
     , m_nodes(std::move(nodes))
@@ -119,7 +119,7 @@ private:
   {
     double plane = 0;
     unsigned axis = 0;
-    std::ptrdiff_t below = 0, error = -1; // points below it; how far that is from what is wanted
+    std::ptrdiff_t below = 0, error = -1; // points below it; distance to the wanted number
   };
 
   void split(Tile_point* first, Tile_point* last, std::uint32_t tiles)
@@ -138,8 +138,8 @@ private:
     split(middle, last, tiles - below);
   }
 
-  // Across the longest axis on which about as many points are below as are wanted: many may share a
-  // coordinate, as in a plane.
+  // Returns a cut across the longest axis for which about the wanted number of points is below:
+  // many points may share a coordinate, as in a plane.
   static Cut best_cut(Tile_point* first, Tile_point* last, std::ptrdiff_t wanted)
   {
     double length[3] = {};
@@ -149,7 +149,7 @@ private:
           std::minmax_element(first, last, [axis](const Tile_point& p, const Tile_point& q) {
             return p.coordinates[axis] < q.coordinates[axis];
           });
-      length[axis] = high->coordinates[axis] / 2 - low->coordinates[axis] / 2; // finite
+      length[axis] = high->coordinates[axis] / 2 - low->coordinates[axis] / 2; // stays finite
     }
     std::stable_sort(axes, axes + 3, [&](unsigned a, unsigned b) { return length[a] > length[b]; });
     Cut best;
@@ -163,7 +163,7 @@ private:
     return best;
   }
 
-  // At the coordinate of the point that has so many before it, or at the next one.
+  // Cuts at the coordinate of the point that has `wanted` points before it, or at the next one.
   static Cut cut_across(Tile_point* first, Tile_point* last, std::ptrdiff_t wanted, unsigned axis)
   {
     if (first == last)
@@ -189,30 +189,30 @@ private:
   std::vector<Node> m_nodes;
 };
 
-// What all tiles know.
+// The data that all tiles know.
 struct Tiling
 {
   Tile_tree tree;
   std::array<Tile_point, 4> start; // positively oriented; every tile keeps these
-  double largest, least; // coordinates, in absolute value; the least of those that are not 0
+  double largest, least;           // absolute values of coordinates; 0 is ignored for the least
   std::uint64_t number_of_points;
   std::vector<Tile_point> sample; // of all points; each tile is offered these first
 };
 
-// What is to be known of all points before there are tiles, from ranges of them that nobody needs
-// to have all at once.
+// The data on all points that is needed before there are tiles. It is gathered from ranges of
+// points, so that no process needs to have all at once.
 
-// Which points are drawn: those whose ids have hashes below a number.
+// The rule that draws points: it takes those whose ids have hashes below a number.
 struct Sampling
 {
   std::uint64_t common,
-      of_tree; // below the first: what all tiles are offered; the second is no less
+      of_tree; // bounds: for what all tiles are offered; for the tree, no less
 
   static std::uint64_t hash(std::uint64_t id) { return Split_mix(id)(); }
 
-  // Of n points for so many tiles: of a tile's points 1 / share, but no more than 16384, as offers
-  // of the sample take time and few of them spare others; and for the tree 256 of them if there are
-  // so many.
+  // Draws from n points for so many tiles. The sample that tiles are offered has 1 / share of a
+  // tile's points, but no more than 16384, as offers take time and few of them spare others; the
+  // tree gets 256 points per tile if there are so many.
   Sampling(std::uint64_t n, std::uint32_t tiles, std::size_t share)
     : common(part((std::min)(1. / (double(share) * tiles),
                              16384 / double((std::max)(n, std::uint64_t(1))))))
@@ -230,7 +230,7 @@ private:
 struct Range_summary
 {
   double largest = 0, least = (std::numeric_limits<double>::max)();
-  std::vector<Tile_point> basis;  // affinely independent, and as many as there are; in their order
+  std::vector<Tile_point> basis;  // affinely independent, as many as possible, in their order
   std::vector<Tile_point> sample; // for the tree
 };
 
@@ -239,7 +239,8 @@ inline Tile_point tile_point(std::uint64_t id, const double* p)
   return {id, {p[0], p[1], p[2]}};
 }
 
-// The coordinates of a range; throws a Surface_input_error that names the first that is not finite.
+// Returns the coordinates of a range; throws a Surface_input_error that names the first point that
+// is not finite.
 inline std::vector<double> read_range(const Tile_source_3& source, std::uint64_t first,
                                       std::uint64_t last)
 {
@@ -253,7 +254,7 @@ inline std::vector<double> read_range(const Tile_source_3& source, std::uint64_t
   return coordinates;
 }
 
-// Of points from `first` on.
+// Summarizes the points with ids from `first` on.
 inline Range_summary summary_of(const std::vector<double>& coordinates, std::uint64_t first,
                                 const Sampling& sampling)
 {
@@ -278,7 +279,7 @@ inline Range_summary summary_of(const std::vector<double>& coordinates, std::uin
   return summary;
 }
 
-// Of the number of points, 64 of them from all over, and a stamp.
+// Returns a hash of the number of points, 64 of them from all over, and a stamp.
 inline std::uint64_t fingerprint_of(const Tile_source_3& source, std::uint64_t stamp)
 {
   std::uint64_t print = Split_mix(source.size() ^ stamp)();
@@ -294,13 +295,13 @@ inline std::uint64_t fingerprint_of(const Tile_source_3& source, std::uint64_t s
   return print;
 }
 
-// The same with what the source says of changes.
+// Does the same with the source's own stamp.
 inline std::uint64_t fingerprint_of(const Tile_source_3& source)
 {
   return fingerprint_of(source, source.stamp());
 }
 
-// Of ranges in their order. What the bases span all points span.
+// Merges summaries, given in the order of their ranges. The bases span what all points span.
 inline Tiling tiling_of(const std::vector<Range_summary>& ranges, std::uint64_t n,
                         std::uint32_t number_of_tiles, const Sampling& sampling)
 {
@@ -326,12 +327,12 @@ inline Tiling tiling_of(const std::vector<Range_summary>& ranges, std::uint64_t 
   return {Tile_tree(tree, number_of_tiles), start, largest, least, n, std::move(common)};
 }
 
-// Out of core, 250 of them for the triangulation. In memory a tile keeps its piece beside it, and
-// takes half as much again.
+// Out of core, 250 of these bytes are for the triangulation. In memory a tile keeps its result
+// beside it, and takes half as much again.
 constexpr std::uint64_t bytes_per_point_kept = 300;
-constexpr std::uint64_t most_points_of_tile = std::uint64_t(1) << 27; // 30 bits for its cells
+constexpr std::uint64_t most_points_of_tile = std::uint64_t(1) << 27; // its cells take 30 bits
 
-// How many points a tile may keep, of so many that are in memory at once.
+// Returns how many points a tile may keep if `at_once` tiles are in memory at once.
 inline std::size_t most_points_kept(const Tiles_options& options, std::size_t at_once)
 {
   const std::uint64_t memory = options.memory / (std::max)(at_once, std::size_t(1));
@@ -353,8 +354,8 @@ inline std::size_t most_points_read(const Tiles_options& options, std::size_t at
   return std::clamp(most, std::size_t(1), std::size_t(1) << 30);
 }
 
-// For n points, if the worst tile keeps five times its own points, which are up to a tenth more
-// than those of others.
+// Returns the number of tiles for n points, if the worst tile keeps five times its own points,
+// of which it has up to a tenth more than others.
 inline std::uint32_t number_of_tiles(const Tiles_options& options, std::uint64_t n,
                                      std::size_t at_once)
 {
@@ -366,16 +367,16 @@ inline std::uint32_t number_of_tiles(const Tiles_options& options, std::uint64_t
   return std::uint32_t((std::min)(double(most), (std::min)(tiles, 1e6)));
 }
 
-// Returns what is thrown when a tile keeps more points than it may. When it is thrown, the hub may not have
-// all its neighbors yet.
+// Returns the exception for a tile that keeps more points than it may. When it is thrown, the hub
+// may not have all its neighbors yet.
 inline Tile_too_large tile_too_large(std::uint32_t tile, std::size_t own_points, std::size_t limit,
                                      std::uint64_t hub, std::size_t neighbors_of_hub,
                                      std::uint32_t tiles)
 {
   const bool has_hub = neighbors_of_hub > limit / 2;
-  const double share = 6. * double(own_points) / double(limit); // kept by the worst tile measured
+  const double share = 6. * double(own_points) / double(limit); // as the worst tile measured
   const double enough = double(tiles) * (share > 2 ? share : 2) + 1;
-  const auto more = std::uint32_t(enough < 4e9 ? enough : 4e9); // than there may be
+  const auto more = std::uint32_t(enough < 4e9 ? enough : 4e9); // capped to fit 32 bits
   return {"tile " + std::to_string(tile) + " of " + std::to_string(own_points) +
               " points keeps more than the " + std::to_string(limit) + " that it may; point " +
               std::to_string(hub) + " alone has " + std::to_string(neighbors_of_hub) +
@@ -385,8 +386,9 @@ inline Tile_too_large tile_too_large(std::uint32_t tile, std::size_t own_points,
           has_hub ? 0 : more};
 }
 
-// After a tile of n points in all was too large: asks for as many as would do. False if there are
-// none, or not to be asked for. Throws if there may not be so many.
+// To be called if a tile of a run with n points was too large: sets the number of tiles that would
+// do. Returns false if there is none, or if the work must not begin again. Throws if so many tiles
+// are not allowed.
 inline bool ask_for_more_tiles(Tiles_options& options, const Tile_too_large& error, std::uint64_t n,
                                std::uint32_t tiles)
 {

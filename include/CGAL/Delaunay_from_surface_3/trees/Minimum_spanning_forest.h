@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TREES_MINIMUM_SPANNING_FOREST_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TREES_MINIMUM_SPANNING_FOREST_H
 
-// Choi 2002, §3.1: if F contains the Euclidean minimum spanning tree of S, that is the minimum
-// spanning tree of F.
+// Choi 2002, §3.1: if F contains the Euclidean minimum spanning tree of S, then this tree is the
+// minimum spanning tree of F.
 
 #include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
 

@@ -17,7 +17,7 @@ int main()
   CGAL::Delaunay_triangulation_3<K> tr;
   CGAL::insert_points_3(tr, points);
   const CGAL::Delaunay_triangulation_3<K> plain(points.begin(), points.end());
-  const auto arrays = CGAL::delaunay_3_arrays<std::int64_t>(points);
+  const auto arrays = CGAL::delaunay_3_arrays(points);
   return tr.number_of_vertices() == 60 && tr == plain &&
                  arrays.number_of_simplices() == plain.number_of_finite_cells()
              ? 0

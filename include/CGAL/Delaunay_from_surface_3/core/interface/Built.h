@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_BUILT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_BUILT_H
 
-// A cell and a vertex as numbers. A cell is 32 bytes (with ids of 32 bits), half a cache line.
+// A cell and a vertex as numbers. A cell is 32 bytes, half a cache line.
 //
 // One vertex, one number: that of the i-th point in the order of insertion is i + 1; 0 is the
 // infinite vertex.
@@ -34,7 +34,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-template <class Id>
+// Numbers of cells and vertices.
+using Id = std::uint32_t;
+
 struct Compact_cell
 {
   Id v[4];
@@ -44,7 +46,6 @@ struct Compact_cell
 // `label` belongs to the insertion under way (Fill_star.h). It lies here, in bytes that alignment
 // would leave empty, beside the coordinates that were just read. In an array of its own, as many
 // threads need it (Explore_announced.h), it takes longer.
-template <class Id>
 struct alignas(32) Compact_vertex
 {
   double coordinates[3];
@@ -60,31 +61,19 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 // infinite vertex stays the last.
 inline constexpr unsigned char facet_corners[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
 
-// Ids of 64 bits number more than an address space of 32 bits holds.
-constexpr std::size_t at_most_all(std::uint64_t n)
-{
-  return n < (std::numeric_limits<std::size_t>::max)() ? std::size_t(n)
-                                                       : (std::numeric_limits<std::size_t>::max)();
-}
-
 // What the numbers say.
-template <class Id>
 struct Compact_numbers
 {
-  static_assert(std::numeric_limits<Id>::is_integer && !std::numeric_limits<Id>::is_signed,
-                "ids are unsigned");
-
   static constexpr Id infinite = 0;
-  static constexpr Id dead = Id(Id(1) << (std::numeric_limits<Id>::digits - 1)); // of v[0]
-  static constexpr std::size_t max_vertices = at_most_all(dead);
-  static constexpr std::size_t max_cells = at_most_all(((std::numeric_limits<Id>::max)() >> 2) + 1);
+  static constexpr Id dead = Id(1) << 31; // of v[0]
+  static constexpr std::size_t max_vertices = dead, max_cells = std::size_t(1) << 30;
 
   static Id vertex_of_point(std::size_t i) { return Id(i + 1); }
   static std::size_t point_of_vertex(std::size_t v) { return v - 1; }
 
-  static bool is_dead(const Compact_cell<Id>& c) { return (c.v[0] & dead) != 0; }
-  static Id first_vertex(const Compact_cell<Id>& c) { return Id(c.v[0] & Id(~dead)); }
-  static bool is_infinite(const Compact_cell<Id>& c) { return c.v[3] == infinite; }
+  static bool is_dead(const Compact_cell& c) { return (c.v[0] & dead) != 0; }
+  static Id first_vertex(const Compact_cell& c) { return Id(c.v[0] & Id(~dead)); }
+  static bool is_infinite(const Compact_cell& c) { return c.v[3] == infinite; }
   static Id link(Id cell, unsigned facet) { return Id(Id(cell << 2) | facet); }
 
   // cells[link >> 2]; of a cell of 32 bytes the number times 4 is the address divided by 8, which
@@ -114,17 +103,16 @@ struct Order_view
 
 enum class Insertion_outcome {
   COMPLETE,
-  STOPPED,     // by the watcher
-  OVER_BUDGET, // never returned: another order follows
-  FLAT,        // nothing is inserted: the points lie in one plane
-  TOO_FEW_IDS  // to number all cells
+  STOPPED,       // by the watcher
+  OVER_BUDGET,   // never returned: another order follows
+  FLAT,          // nothing is inserted: the points lie in one plane
+  TOO_MANY_CELLS // for numbers of 32 bits
 };
 
 // What build() makes: a complex, in memory of the core, which can give it up piece by piece while
 // it is read once.
 //
 // One vertex, one number: the point at place k of the order is vertex k + 1.
-template <class Id>
 class Built
 {
 public:
@@ -136,7 +124,10 @@ public:
   virtual void give_up_vertices() = 0;
 
   // The memory of the cells is the caller's from now on, that of a Page_array with such a capacity.
-  virtual Compact_cell<Id>* take_cells(std::size_t& capacity) = 0;
+  virtual Compact_cell* take_cells(std::size_t& capacity) = 0;
+
+  // Returns any cell of vertex v.
+  virtual Id cell_of(std::size_t v) const = 0;
 
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE bool has_started() const { return cells_end > 0; }
 
@@ -148,9 +139,8 @@ public:
   Order_view order = {nullptr, 0, nullptr, 0, nullptr};
   const Id* vertex_of = nullptr; // by place: 0 if there is none; that of an apex is the last
   std::size_t number_of_places = 0;
-  Compact_cell<Id>* cells = nullptr;
-  std::size_t cells_end = 0; // dead ones too
-  const Compact_vertex<Id>* vertices = nullptr;
+  Compact_cell* cells = nullptr;
+  std::size_t cells_end = 0;    // dead ones too
   std::size_t vertices_end = 0; // 0 and unused ones too
 };
 

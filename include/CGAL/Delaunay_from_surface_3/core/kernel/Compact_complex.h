@@ -33,13 +33,13 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-template <class Id>
-class Compact_complex : public Compact_numbers<Id>
+template <class Vertex_>
+class Compact_complex : public Compact_numbers
 {
 public:
-  using Cell = Compact_cell<Id>;
-  using Vertex = Compact_vertex<Id>;
-  using Numbers = Compact_numbers<Id>;
+  using Cell = Compact_cell;
+  using Vertex = Vertex_;
+  using Numbers = Compact_numbers;
   using Numbers::dead;
   using Numbers::infinite;
   using Numbers::is_dead;
@@ -65,7 +65,7 @@ public:
     : m_number_of_vertices(n + 1)
   {
     if (m_number_of_vertices > max_vertices)
-      throw Too_few_ids(std::numeric_limits<Id>::digits);
+      throw Too_many_cells();
     m_vertices.allocate(m_number_of_vertices);
     m_vertices[infinite] = {{far, 0, 0}, 0, 0};
     for_each_block(executor, n, number_of_blocks(executor, n, 4096),
@@ -77,11 +77,14 @@ public:
                    });
   }
 
+  // Throws Too_many_cells where there would be more than n cells, dead ones included.
+  void limit_cells(std::size_t n) { m_most_cells = n; }
+
   // One more vertex, in no cell yet. Vertices may move.
   Id add_vertex(const std::array<double, 3>& p)
   {
     if (m_number_of_vertices == max_vertices)
-      throw Too_few_ids(std::numeric_limits<Id>::digits);
+      throw Too_many_cells();
     if (m_number_of_vertices == m_vertices.capacity())
       m_vertices.reserve(m_number_of_vertices + m_number_of_vertices / 2 + 16,
                          m_number_of_vertices);
@@ -145,9 +148,9 @@ public:
   // new_cell() hand them out. The cells may move.
   void make_room(std::size_t n)
   {
-    if (n > max_cells && m_cells.capacity() >= max_cells)
-      throw Too_few_ids(std::numeric_limits<Id>::digits);
-    m_cells.reserve((std::min)(n, max_cells), m_cells_end);
+    if (n > m_most_cells && m_cells.capacity() >= m_most_cells)
+      throw Too_many_cells();
+    m_cells.reserve((std::min)(n, m_most_cells), m_cells_end);
   }
   std::size_t capacity() const { return m_cells.capacity(); }
   void make_room_for_vertices(std::size_t n)
@@ -172,7 +175,7 @@ public:
   void start(const std::array<Id, 4>& v)
   {
     const std::size_t few = 8 * m_number_of_vertices + 64, many = 16 * m_number_of_vertices + 64;
-    m_cells.reserve((std::min)(many < cells_of_gigabyte ? many : few, max_cells), 0);
+    m_cells.reserve((std::min)(many < cells_of_gigabyte ? many : few, m_most_cells), 0);
     std::array<Id, 5> cells;
     for (Id& c : cells)
       c = new_cell();
@@ -217,11 +220,11 @@ private:
   // The cells from m_cells_end on, up to the next large page.
   void make_ready()
   {
-    if (m_cells_end == max_cells)
-      throw Too_few_ids(std::numeric_limits<Id>::digits);
+    if (m_cells_end >= m_most_cells)
+      throw Too_many_cells();
     if (m_cells_end == m_cells.capacity())
-      m_cells.reserve((std::min)(more_room(m_cells_end), max_cells), m_cells_end);
-    m_cells_ready = m_cells.end_of_page(m_cells_end);
+      m_cells.reserve((std::min)(more_room(m_cells_end), m_most_cells), m_cells_end);
+    m_cells_ready = (std::min)(m_cells.end_of_page(m_cells_end), m_most_cells);
     m_cells.touch(m_cells_end, m_cells_ready);
   }
 
@@ -258,6 +261,7 @@ private:
   Page_array<Cell> m_cells;
   Page_array<Vertex> m_vertices;
   std::vector<std::array<double, 3>> m_own_coordinates;
+  std::size_t m_most_cells = max_cells;
   std::size_t m_cells_end = 0;
   std::size_t m_cells_ready = 0; // from m_cells_end to here nothing is to be asked for
   std::size_t m_number_of_vertices = 0;

@@ -109,11 +109,11 @@ inline int flat_sphere_sign(const double* const* vertices, const double* p)
 }
 
 // The predicates of insertions, one after another. The new point is a vertex p, in no cell yet.
-template <class Id>
+template <class Vertex>
 class Compact_predicates
 {
-  using Complex = Compact_complex<Id>;
-  using Cell = Compact_cell<Id>;
+  using Complex = Compact_complex<Vertex>;
+  using Cell = Compact_cell;
 
 public:
   // Keeps references to both.

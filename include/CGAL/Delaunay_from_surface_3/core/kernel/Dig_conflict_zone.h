@@ -34,20 +34,18 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A facet of the zone's boundary: the link of the cell outside, and the corners, such that
 // (p, corners) is positive for p in the zone.
-template <class Id>
 struct Zone_facet
 {
   Id outside;
   Id corners[3];
 };
 
-template <class Id>
 struct Conflict_zone
 {
   // The first number_of_cells and number_of_facets are filled; the rest is room. The cells are
   // those in conflict, in the order in which they were found; after the fill, those of the star.
   std::vector<Id> cells;
-  std::vector<Zone_facet<Id>> facets;
+  std::vector<Zone_facet> facets;
   std::size_t number_of_cells = 0;
   std::size_t number_of_facets = 0;
 
@@ -69,7 +67,8 @@ struct Conflict_zone
 
   // Takes as many cells as there are facets, for the star: first the dead ones, then free ones,
   // then new ones. The complex may move its cells.
-  void take_cells_of_star(Compact_complex<Id>& complex)
+  template <class Complex>
+  void take_cells_of_star(Complex& complex)
   {
     if (!has_room(number_of_facets))
       make_room(2 * number_of_facets);
@@ -81,19 +80,20 @@ struct Conflict_zone
   }
 
   // The cells were dug out by Explore_alone, and live again.
-  void revive(Compact_complex<Id>& complex)
+  template <class Complex>
+  void revive(Complex& complex)
   {
     for (std::size_t k = 0; k < number_of_cells; ++k)
-      complex.cell(cells[k]).v[0] = Compact_complex<Id>::first_vertex(complex.cell(cells[k]));
+      complex.cell(cells[k]).v[0] = Compact_numbers::first_vertex(complex.cell(cells[k]));
     counts.cells_destroyed -= number_of_cells;
     counts.cells_created -= number_of_facets;
   }
 
   // After the dig: whether its cells are dead, and those around it not. These surround it as a
   // sphere, whose edges belong to two facets each.
-  bool is_dug(const Compact_complex<Id>& complex) const
+  template <class Complex>
+  bool is_dug(const Complex& complex) const
   {
-    using Complex = Compact_complex<Id>;
     for (std::size_t k = 0; k < number_of_cells; ++k)
       if (!Complex::is_dead(complex.cell(cells[k])))
         return false;
@@ -105,11 +105,11 @@ struct Conflict_zone
 
   // After the fill: whether all its cells live, have vertex p, and lead to neighbours that lead
   // back.
-  bool is_star(const Compact_complex<Id>& complex, Id p) const
+  template <class Complex>
+  bool is_star(const Complex& complex, Id p) const
   {
-    using Complex = Compact_complex<Id>;
     for (std::size_t k = 0; k < number_of_cells; ++k) {
-      const Compact_cell<Id>& cell = complex.cell(cells[k]);
+      const Compact_cell& cell = complex.cell(cells[k]);
       if (Complex::is_dead(cell) || std::find(cell.v, cell.v + 4, p) == cell.v + 4)
         return false;
       for (unsigned i = 0; i < 4; ++i)
@@ -120,7 +120,8 @@ struct Conflict_zone
   }
 
 private:
-  Id take_cell(Compact_complex<Id>& complex)
+  template <class Complex>
+  Id take_cell(Complex& complex)
   {
     if (free_cells.empty())
       return complex.new_cell();
@@ -141,11 +142,10 @@ private:
 
 // Where the next cell in conflict and the next facet of the boundary are written. There is room for
 // four more of either.
-template <class Id>
 struct Zone_ends
 {
   Id* cell;
-  Zone_facet<Id>* facet;
+  Zone_facet* facet;
 };
 
 // A bit for each neighbour of a cell in conflict.
@@ -171,42 +171,29 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Neighborhood neighborhood(unsigned op
 // are, and marked as dead when they join the zone.
 struct Explore_alone
 {
-  template <class Id>
-  static void mark(Compact_cell<Id>* cells, Id c)
-  {
-    cells[c].v[0] |= Compact_complex<Id>::dead;
-  }
-  template <class Id>
-  static const Compact_cell<Id>& read(const Compact_cell<Id>* cells, Id c, std::size_t)
-  {
-    return cells[c];
-  }
-  template <class Id>
-  static const Compact_cell<Id>& neighbor(const Compact_cell<Id>* cells,
-                                          const Compact_cell<Id>& cell, unsigned k)
+  static void mark(Compact_cell* cells, Id c) { cells[c].v[0] |= Compact_numbers::dead; }
+  static const Compact_cell& read(const Compact_cell* cells, Id c, std::size_t) { return cells[c]; }
+  static const Compact_cell& neighbor(const Compact_cell* cells, const Compact_cell& cell,
+                                      unsigned k)
   {
     return cells[cell.links[k] >> 2];
   }
-  template <class Id>
-  static constexpr bool is_still_true(const Compact_cell<Id>*, std::size_t)
-  {
-    return true;
-  }
+  static constexpr bool is_still_true(const Compact_cell*, std::size_t) { return true; }
   static constexpr bool is_torn() { return false; }
 };
 
 struct Explore_neighbors : Explore_alone
 {
   // What is known of the cell's neighbours. Infinite cells are left undecided.
-  template <class Id>
-  static Neighborhood around(const Compact_cell<Id>* cells, const Compact_vertex<Id>* vertices,
-                             const Compact_cell<Id>& cell, const double* p)
+  template <class Vertex>
+  static Neighborhood around(const Compact_cell* cells, const Vertex* vertices,
+                             const Compact_cell& cell, const double* p)
   {
-    using Complex = Compact_complex<Id>;
+    using Complex = Compact_complex<Vertex>;
     unsigned open = 0, infinite = Complex::is_infinite(cell) ? 15 : 0;
     const double *v[4], *opposite[4];
     for (unsigned k = 0; k < 4; ++k) {
-      const Compact_cell<Id>& neighbor = cells[cell.links[k] >> 2];
+      const Compact_cell& neighbor = cells[cell.links[k] >> 2];
       const Id e = neighbor.v[cell.links[k] & 3] & Id(~Complex::dead);
       open |= unsigned(!Complex::is_dead(neighbor)) << k;
       infinite |= unsigned(e == Complex::infinite) << k;
@@ -221,11 +208,10 @@ struct Explore_neighbors : Explore_alone
   }
 
   // Writes down the neighbours inside, and the facets that bound.
-  template <class Id>
-  static Zone_ends<Id> note(Compact_cell<Id>* cells, const Compact_cell<Id>& cell,
-                            const Neighborhood& around, Zone_ends<Id> ends)
+  static Zone_ends note(Compact_cell* cells, const Compact_cell& cell, const Neighborhood& around,
+                        Zone_ends ends)
   {
-    const Id v[4] = {Compact_complex<Id>::first_vertex(cell), cell.v[1], cell.v[2], cell.v[3]};
+    const Id v[4] = {Compact_numbers::first_vertex(cell), cell.v[1], cell.v[2], cell.v[3]};
     for (unsigned k = 0; k < 4; ++k) {
       const Id link = cell.links[k], joins = Id(around.inside >> k & 1);
       cells[link >> 2].v[0] |= Id(joins << (std::numeric_limits<Id>::digits - 1));
@@ -259,24 +245,24 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 // With the cells themselves, and their first vertices.
 struct Wide_neighborhood : Neighborhood
 {
-  Compact_cell<std::uint32_t>* cells[4];
+  Compact_cell* cells[4];
   __m128i first;
 };
 
 struct Wide_explore_neighbors : Explore_alone
 {
-  using Id = std::uint32_t;
-  using Complex = Compact_complex<Id>;
-  using Cell = Compact_cell<Id>;
+  using Numbers = Compact_numbers;
+  using Cell = Compact_cell;
 
   // Infinite cells are left undecided: their vertex is far.
+  template <class Vertex>
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Wide_neighborhood
-  around(Cell* cells, const Compact_vertex<Id>* vertices, const Cell& cell, const double* p)
+  around(Cell* cells, const Vertex* vertices, const Cell& cell, const double* p)
   {
     const Id l0 = cell.links[0], l1 = cell.links[1], l2 = cell.links[2], l3 = cell.links[3];
-    Cell &n0 = Complex::cell_of_link(cells, l0), &n1 = Complex::cell_of_link(cells, l1),
-         &n2 = Complex::cell_of_link(cells, l2), &n3 = Complex::cell_of_link(cells, l3);
-    const Id unmarked = Id(~Complex::dead);
+    Cell &n0 = Numbers::cell_of_link(cells, l0), &n1 = Numbers::cell_of_link(cells, l1),
+         &n2 = Numbers::cell_of_link(cells, l2), &n3 = Numbers::cell_of_link(cells, l3);
+    const Id unmarked = Id(~Numbers::dead);
     const Id e0 = n0.v[l0 & 3] & unmarked, e1 = n1.v[l1 & 3] & unmarked,
              e2 = n2.v[l2 & 3] & unmarked, e3 = n3.v[l3 & 3] & unmarked;
     const __m128i first = _mm_setr_epi32(int(n0.v[0]), int(n1.v[0]), int(n2.v[0]), int(n3.v[0]));
@@ -290,8 +276,8 @@ struct Wide_explore_neighbors : Explore_alone
     return {neighborhood(open, open, signs), {&n0, &n1, &n2, &n3}, first};
   }
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Zone_ends<Id>
-  note(Cell*, const Cell& cell, const Wide_neighborhood& around, Zone_ends<Id> ends)
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Zone_ends
+  note(Cell*, const Cell& cell, const Wide_neighborhood& around, Zone_ends ends)
   {
     const auto first = reinterpret_cast<Four_words>(
         _mm_or_si128(around.first, load(of_masks[around.inside].dead)));
@@ -301,7 +287,7 @@ struct Wide_explore_neighbors : Explore_alone
     ends.cell += __builtin_popcount(around.inside);
     ends.facet = write_facets(ends.facet, around.bounding(),
                               load_eight(cell.v) &
-                                  Eight_words{~Complex::dead, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u});
+                                  Eight_words{~Numbers::dead, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u, ~0u});
     return ends;
   }
 
@@ -333,8 +319,8 @@ struct Wide_explore_neighbors : Explore_alone
   }
 
   // The facets `bounding` of a cell. Returns where the next one goes.
-  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Zone_facet<Id>*
-  write_facets(Zone_facet<Id>* to, unsigned bounding, Eight_words cell)
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Zone_facet*
+  write_facets(Zone_facet* to, unsigned bounding, Eight_words cell)
   {
     for (unsigned half = 0; half < 2; ++half) {
       const Eight_words two = words_of(cell, load_eight(of_masks[bounding].facets[half]));
@@ -359,7 +345,7 @@ private:
     for (unsigned k = 0, n = 0; k < 4; ++k)
       if (mask >> k & 1) {
         of.packed[n] = 0x03020100 + 0x04040404 * k;
-        of.dead[k] = Complex::dead;
+        of.dead[k] = Numbers::dead;
         Id* const facet = of.facets[n / 2] + n % 2 * 4;
         facet[0] = 4 + k;
         for (unsigned i = 0; i < 3; ++i)
@@ -377,11 +363,6 @@ inline constexpr Wide_explore_neighbors::Of_mask Wide_explore_neighbors::of_mask
     of_mask(12), of_mask(13), of_mask(14), of_mask(15)};
 
 // The widest search for these ids, where the machine has vectors.
-template <class Id>
-using Widest_explore_neighbors =
-    std::conditional_t<std::is_same<Id, Wide_explore_neighbors::Id>::value, Wide_explore_neighbors,
-                       Explore_neighbors>;
-
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 } // namespace Delaunay_from_surface_3
@@ -401,9 +382,9 @@ struct Dig_conflict_zone
 {
   // Fills the zone of point p from the cell `first`, which is in conflict with it. Returns whether
   // that succeeded: alone it does.
-  template <class Id, class Predicates, class Zone>
-  bool operator()(Compact_complex<Id>& complex, Predicates& predicates, Zone& zone, Id p, Id first,
-                  Explore explore = Explore()) const
+  template <class Vertex, class Predicates, class Zone>
+  bool operator()(Compact_complex<Vertex>& complex, Predicates& predicates, Zone& zone, Id p,
+                  Id first, Explore explore = Explore()) const
   {
     zone.cells[0] = first;
     zone.number_of_cells = 1;
@@ -438,33 +419,32 @@ private:
 
   // Tests the neighbours of a cell in conflict. The ends are kept in the zone: in registers, around
   // a loop that holds all of this, one thread gains a little, and two lose more.
-  template <class Id, class Predicates, class Zone>
-  static void look_around(Compact_complex<Id>& complex, Predicates& predicates, Zone& zone, Id p,
-                          const Compact_cell<Id>& cell, Explore& explore)
+  template <class Vertex, class Predicates, class Zone>
+  static void look_around(Compact_complex<Vertex>& complex, Predicates& predicates, Zone& zone,
+                          Id p, const Compact_cell& cell, Explore& explore)
   {
     auto around =
         explore.around(complex.cells(), complex.vertices(), cell, complex.vertex(p).coordinates);
     if (around.undecided != 0)
       around.inside |= undecided_conflicts(complex, predicates, cell, around.undecided, p, explore);
-    const Zone_ends<Id> ends =
-        explore.note(complex.cells(), cell, around,
-                     Zone_ends<Id>{zone.cells.data() + zone.number_of_cells,
-                                   zone.facets.data() + zone.number_of_facets});
+    const Zone_ends ends = explore.note(complex.cells(), cell, around,
+                                        Zone_ends{zone.cells.data() + zone.number_of_cells,
+                                                  zone.facets.data() + zone.number_of_facets});
     zone.number_of_cells = std::size_t(ends.cell - zone.cells.data());
     zone.number_of_facets = std::size_t(ends.facet - zone.facets.data());
   }
 
   // Of the neighbours that the filter left undecided, those in conflict.
-  template <class Id, class Predicates>
+  template <class Vertex, class Predicates>
   CGAL_DELAUNAY_FROM_SURFACE_3_APART static unsigned
-  undecided_conflicts(const Compact_complex<Id>& complex, Predicates& predicates,
-                      const Compact_cell<Id>& cell, unsigned undecided, Id p, Explore& explore)
+  undecided_conflicts(const Compact_complex<Vertex>& complex, Predicates& predicates,
+                      const Compact_cell& cell, unsigned undecided, Id p, Explore& explore)
   {
-    using Complex = Compact_complex<Id>;
+    using Complex = Compact_complex<Vertex>;
     unsigned inside = 0;
     for (unsigned k = 0; k < 4; ++k)
       if (undecided >> k & 1) {
-        const Compact_cell<Id>& neighbor = explore.neighbor(complex.cells(), cell, k);
+        const Compact_cell& neighbor = explore.neighbor(complex.cells(), cell, k);
         if (explore.is_torn())
           break;
         const bool is_filtered = !Complex::is_infinite(cell) && !Complex::is_infinite(neighbor);

@@ -34,22 +34,22 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Writes cells that no other thread reads.
-template <class Id>
+template <class Vertex>
 struct Write_alone
 {
-  using Cell = Compact_cell<Id>;
-  using Vertex = Compact_vertex<Id>;
+  using Cell = Compact_cell;
+  using Label = decltype(Vertex::label);
 
   // What is left from earlier zones; 0 at first.
-  static Id& label(Vertex* vertices, Id v) { return vertices[v].label; }
-  static void forget_labels(Compact_complex<Id>& complex)
+  static Label& label(Vertex* vertices, Id v) { return vertices[v].label; }
+  static void forget_labels(Compact_complex<Vertex>& complex)
   {
     for (std::size_t v = 0; v < complex.vertices_end(); ++v)
       complex.vertex(v).label = 0;
   }
 
   // The cell of p and the facet, all but its links at p.
-  static void open(Cell& cell, Id p, const Zone_facet<Id>& facet)
+  static void open(Cell& cell, Id p, const Zone_facet& facet)
   {
     static_assert(sizeof(cell.v) == sizeof(facet), "a facet is a cell without its first vertex");
     const Id outside = facet.outside;
@@ -69,11 +69,12 @@ struct Write_alone
 };
 
 // Write: how what is shared is written, alone or beside others who read (Explore_announced.h).
-template <class Id, class Write = Write_alone<Id>>
+template <class Vertex, class Write = Write_alone<Vertex>>
 class Fill_star
 {
-  using Complex = Compact_complex<Id>;
-  using Zone = Conflict_zone<Id>;
+  using Complex = Compact_complex<Vertex>;
+  using Zone = Conflict_zone;
+  using Label = decltype(Vertex::label);
 
 public:
   static constexpr std::size_t small_side = 32, side = 64;
@@ -92,7 +93,7 @@ public:
   {
     zone.take_cells_of_star(complex);
     const std::size_t n = zone.number_of_facets;
-    if (std::size_t((std::numeric_limits<Id>::max)() - m_base) < complex.vertices_end())
+    if (std::size_t((std::numeric_limits<Label>::max)() - m_base) < complex.vertices_end())
       forget_labels(complex);
     m_write.set_cell(complex.vertices(), p, zone.cells[0]);
     if (n <= 2 * small_side - 4) {
@@ -100,9 +101,9 @@ public:
     } else if (n <= max_table_facets) {
       fill_by_table<side>(complex, zone, p);
     } else {
-      const Id first_label = m_base;
+      const Label first_label = m_base;
       make_cells(complex, zone, p, [](Id, Id, Id, Id) {});
-      link_by_sorting(complex, zone, Id(m_base - first_label));
+      link_by_sorting(complex, zone, Label(m_base - first_label));
       for (std::size_t i = 0; i < n; ++i)
         m_write.close(complex.cell(zone.cells[i]), p);
     }
@@ -119,7 +120,7 @@ private:
       table[a * Side + b] = Complex::link(c, 3);
     });
     typename Complex::Cell* const cells = complex.cells();
-    const Zone_facet<Id>* const facets = zone.facets.data();
+    const Zone_facet* const facets = zone.facets.data();
     const Id* const of_star = zone.cells.data();
     for (std::size_t i = 0, n = zone.number_of_facets; i < n; ++i) {
       const Id* const corners = facets[i].corners;
@@ -139,12 +140,12 @@ private:
   {
     typename Complex::Cell* const cells = complex.cells();
     typename Complex::Vertex* const vertices = complex.vertices();
-    const Id base = m_base;
-    Id count = 0;
-    Zone_facet<Id>* const facets = zone.facets.data();
+    const Label base = m_base;
+    Label count = 0;
+    Zone_facet* const facets = zone.facets.data();
     const Id* const of_star = zone.cells.data();
     for (std::size_t i = 0, n = zone.number_of_facets; i < n; ++i) {
-      const Zone_facet<Id> f = facets[i]; // a copy: what is written might be it
+      const Zone_facet f = facets[i]; // a copy: what is written might be it
       const Id c = of_star[i];
       m_write.open(cells[c], p, facets[i]);
       m_write.set_outer_link(Complex::cell_of_link(cells, f.outside).links[f.outside & 3],
@@ -156,17 +157,17 @@ private:
       facets[i].corners[0] = a, facets[i].corners[1] = b, facets[i].corners[2] = d;
       then(a, b, d, c);
     }
-    m_base = Id(base + count);
+    m_base = Label(base + count);
   }
 
   // Labels 0, 1, … are kept as m_base + 0, m_base + 1, …: what is left from earlier zones is less
   // than m_base, and so beyond every label after the subtraction. No branch: it would not be
   // predicted.
-  static Id label(Id& kept, Id base, Id& count)
+  static Label label(Label& kept, Label base, Label& count)
   {
-    const Id old = Id(kept - base), l = old < count ? old : count;
-    count = Id(count + 1 - (old < count));
-    kept = Id(base + l);
+    const Label old = Label(kept - base), l = old < count ? old : count;
+    count = Label(count + 1 - (old < count));
+    kept = Label(base + l);
     return l;
   }
 
@@ -217,7 +218,7 @@ private:
 
   std::unique_ptr<Id[]> m_table;
   Write m_write;
-  Id m_base = 1;
+  Label m_base = 1;
   std::vector<Edge> m_edges, m_sorted;
   std::vector<std::size_t> m_first;
 };

@@ -24,15 +24,15 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-template <class Id>
+template <class Vertex>
 class Insert_alone
 {
-  using Complex = Compact_complex<Id>;
+  using Complex = Compact_complex<Vertex>;
   using Phase = Surface_insertion_phase;
 
 public:
   // Keeps references.
-  Insert_alone(Ordered_complex<Id>& points, const Executor&, Watcher& watcher)
+  Insert_alone(Ordered_complex<Vertex>& points, const Executor&, Watcher& watcher)
     : m_points(points)
     , m_watcher(watcher)
     , m_inserter(points.complex)
@@ -50,8 +50,27 @@ public:
   {
     if (!m_watcher.go_further(first))
       return false;
-    for (std::size_t k = first; k < last; ++k)
-      insert(k);
+    for (std::size_t k = first; k < last; ++k) {
+      const Id p = Complex::vertex_of_point(k);
+      Id& vertex = m_points.vertex_of[k];
+      if (vertex != p) { // it is none of the first four
+        begin(Phase::LOCATION);
+        const Id start = m_starting_cells.start(k);
+        CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(!Complex::is_dead(m_points.complex.cell(start)));
+        const auto location = m_inserter.walk(p, start, Read_alone()); // 2b
+        begin(Phase::UPDATE);
+        vertex = location.vertex; // that of an equal point, if there is one
+        if (vertex == 0) {        // 2c
+          m_inserter.dig(p, location.cell);
+          CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(m_inserter.zone.is_dug(m_points.complex));
+          m_inserter.fill(p);
+          CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(
+              m_inserter.zone.is_star(m_points.complex, p));
+          vertex = p;
+        }
+      }
+      m_starting_cells.after_update(k, vertex);
+    }
     return true;
   }
 
@@ -61,46 +80,24 @@ public:
   const Insertion_counts& counts() const { return m_inserter.zone.counts; }
 
 private:
-  void insert(std::size_t k)
-  {
-    const Id p = Complex::vertex_of_point(k);
-    Id& vertex = m_points.vertex_of[k];
-    if (vertex != p) { // it is none of the first four
-      begin(Phase::LOCATION);
-      const Id start = m_starting_cells.start(k);
-      CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(!Complex::is_dead(m_points.complex.cell(start)));
-      const auto location = m_inserter.walk(p, start, Read_alone()); // 2b
-      begin(Phase::UPDATE);
-      vertex = location.vertex; // that of an equal point, if there is one
-      if (vertex == 0) {        // 2c
-        m_inserter.dig(p, location.cell);
-        CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(m_inserter.zone.is_dug(m_points.complex));
-        m_inserter.fill(p);
-        CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(m_inserter.zone.is_star(m_points.complex, p));
-        vertex = p;
-      }
-    }
-    m_starting_cells.after_update(k, vertex);
-  }
-
   void begin(Phase phase)
   {
     if (m_follows_points)
       m_watcher.phase_begins(phase);
   }
 
-  Ordered_complex<Id>& m_points;
+  Ordered_complex<Vertex>& m_points;
   Watcher& m_watcher;
-  Inserter<Alone_with_complex<Id>> m_inserter;
+  Inserter<Alone_with_complex<Vertex>> m_inserter;
   const bool m_follows_points;
-  Starting_cells<Id> m_starting_cells;
+  Starting_cells<Vertex> m_starting_cells;
 };
 
 template <>
 struct Inserter_of<One_thread>
 {
-  template <class Id>
-  using type = Insert_alone<Id>;
+  template <class Vertex>
+  using type = Insert_alone<Vertex>;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

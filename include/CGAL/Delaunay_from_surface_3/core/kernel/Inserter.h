@@ -27,15 +27,15 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // How a thread that is alone looks at cells, and writes them.
-template <class Id_>
+template <class Vertex_>
 struct Alone_with_complex
 {
-  using Id = Id_;
-  using Zone = Conflict_zone<Id>;
-  using Write = Write_alone<Id>;
+  using Vertex = Vertex_;
+  using Zone = Conflict_zone;
+  using Write = Write_alone<Vertex>;
   using Explore = Explore_neighbors;
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-  using Wide_explore = Widest_explore_neighbors<Id>;
+  using Wide_explore = Wide_explore_neighbors;
 #endif
 
   Write write() const
@@ -53,8 +53,8 @@ struct Alone_with_complex
 template <class Access>
 class Inserter
 {
-  using Id = typename Access::Id;
-  using Complex = Compact_complex<Id>;
+  using Vertex = typename Access::Vertex;
+  using Complex = Compact_complex<Vertex>;
 
 public:
   // Into `complex`, which has started. Keeps a reference.
@@ -68,7 +68,7 @@ public:
 
   // Where vertex p, in no cell yet, goes, from cell `start`.
   template <class Read>
-  Compact_location<Id> walk(Id p, Id start, Read&& read)
+  Compact_location walk(Id p, Id start, Read&& read)
   {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
     if (m_is_wide)
@@ -132,8 +132,8 @@ private:
 
   Complex& m_complex;
   const Access m_access;
-  Compact_predicates<Id> m_predicates{m_complex, zone.counts};
-  Fill_star<Id, typename Access::Write> m_fill_star;
+  Compact_predicates<Vertex> m_predicates{m_complex, zone.counts};
+  Fill_star<Vertex, typename Access::Write> m_fill_star;
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
   const bool m_is_wide = machine_has_vectors();
 #endif

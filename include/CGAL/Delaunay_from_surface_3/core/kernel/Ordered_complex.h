@@ -75,15 +75,16 @@ Starting_simplex starting_simplex(std::size_t n, const PointOf& point)
 
 // Starts a complex with such points, and notes them in vertex_of, by point. Returns one of these
 // vertices; 0 if the points lie in one plane.
-template <class Id>
-Id start_complex(const Starting_simplex& simplex, Compact_complex<Id>& complex,
+template <class Vertex>
+Id start_complex(const Starting_simplex& simplex, Compact_complex<Vertex>& complex,
                  std::vector<Id>& vertex_of)
 {
   if (simplex.dimension < 3)
     return 0;
   std::array<Id, 4> v;
   for (std::size_t k = 0; k < 4; ++k)
-    v[k] = vertex_of[simplex.points[k]] = Compact_complex<Id>::vertex_of_point(simplex.points[k]);
+    v[k] = vertex_of[simplex.points[k]] =
+        Compact_complex<Vertex>::vertex_of_point(simplex.points[k]);
   CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(
       orientation(complex.exact_coordinates(v[0]), complex.exact_coordinates(v[1]),
                   complex.exact_coordinates(v[2]), complex.exact_coordinates(v[3])) > 0);
@@ -116,13 +117,13 @@ inline std::array<double, 3> apex_of_plane(const double* a, const double* b, con
 // is near; or it is the point inserted before.
 
 // Each of many threads has a copy, and follows the points that it inserted itself.
-template <class Id>
+template <class Vertex>
 class Starting_cells
 {
 public:
   // `places`: as Order_view::starting_places. vertex_of: by place, 0 if there is none yet. Keeps
   // references to all. `vertex` is any that is there.
-  Starting_cells(const Compact_complex<Id>& complex, const std::vector<Id>& vertex_of,
+  Starting_cells(const Compact_complex<Vertex>& complex, const std::vector<Id>& vertex_of,
                  const std::size_t* places, Id vertex)
     : m_complex(complex)
     , m_vertex_of(vertex_of)
@@ -148,7 +149,7 @@ public:
 private:
   Id cell(Id v) const { return load_relaxed(m_complex.vertex(v).cell); }
 
-  const Compact_complex<Id>& m_complex;
+  const Compact_complex<Vertex>& m_complex;
   const std::vector<Id>& m_vertex_of;
   const std::size_t* const m_places;
   Id m_previous;
@@ -219,17 +220,18 @@ private:
   bool m_is_exact = false;
 };
 
-template <class Id>
+template <class Vertex>
 struct Ordered_complex
 {
-  using Complex = Compact_complex<Id>;
+  using Complex = Compact_complex<Vertex>;
 
   Ordered_complex() = default;
 
   // Of these points, in an order that is kept elsewhere; if there is an apex, of that one too, at the
   // place behind the last. Four of them that do not lie in one plane are inserted.
   Ordered_complex(const Point_array& points, const Order_view& by, const double* apex,
-                  const Executor& executor = Alone())
+                  const Executor& executor = Alone(),
+                  std::size_t most_cells = Compact_numbers::max_cells)
     : order(by)
     , vertex_of(order.size + (apex != nullptr), 0)
   {
@@ -251,15 +253,16 @@ struct Ordered_complex
         own.push_back({point(k)[0], point(k)[1], point(k)[2]});
       complex.keep_own_coordinates(std::move(own));
     }
+    complex.limit_cells(most_cells);
     any_vertex = start_complex(starting_simplex(vertex_of.size(), point), complex, vertex_of);
   }
 
   // Whether there are four points that do not lie in one plane.
   bool has_started() const { return any_vertex != 0; }
 
-  Starting_cells<Id> starting_cells() const
+  Starting_cells<Vertex> starting_cells() const
   {
-    return Starting_cells<Id>(complex, vertex_of, order.starting_places, any_vertex);
+    return Starting_cells<Vertex>(complex, vertex_of, order.starting_places, any_vertex);
   }
 
   Order_view order = {nullptr, 0, nullptr, 0, nullptr};

@@ -30,7 +30,6 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Where a point goes: a cell in conflict with it, or else (cell unused) the vertex at its place.
-template <class Id>
 struct Compact_location
 {
   Id cell;
@@ -40,11 +39,7 @@ struct Compact_location
 // Reads cells where they are, as no other thread writes.
 struct Read_alone
 {
-  template <class Id>
-  const Compact_cell<Id>& operator()(const Compact_cell<Id>& cell) const
-  {
-    return cell;
-  }
+  const Compact_cell& operator()(const Compact_cell& cell) const { return cell; }
   static constexpr bool is_lost() { return false; }
 };
 
@@ -54,15 +49,15 @@ struct Walk_to_conflict
 {
   // Where point p, a vertex in no cell, goes, from cell c. Beside others who write, `read` can get
   // lost: then that is nowhere.
-  template <class Id, class Predicates>
-  Compact_location<Id> operator()(const Compact_complex<Id>& complex, Predicates& predicates, Id p,
-                                  Id c, Read&& read = Read()) const
+  template <class Vertex, class Predicates>
+  Compact_location operator()(const Compact_complex<Vertex>& complex, Predicates& predicates, Id p,
+                              Id c, Read&& read = Read()) const
   {
-    using Complex = Compact_complex<Id>;
+    using Complex = Compact_complex<Vertex>;
     const double* const point = complex.vertex(p).coordinates;
     for (;;) {
       predicates.count_cell_tested_to_start();
-      const Compact_cell<Id>& cell = read(complex.cell(c));
+      const Compact_cell& cell = read(complex.cell(c));
       if (read.is_lost())
         return {c, 0};
       if (Complex::is_infinite(cell)) {

@@ -34,34 +34,36 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 // is made up for by handles, nothing is seen.
 //
 // Cells are given by vertex_of(c, k), vertices are 0, …, n - 1. Linear; 24 bytes for each cell, and 20
-// for each vertex, if an Id has 32 bits.
-template <class Id, class VertexOf>
+// for each vertex, if a Number has 32 bits.
+template <class Number, class VertexOf>
 bool are_links_spheres(std::size_t number_of_cells, std::size_t n, const VertexOf& vertex_of,
                        const Executor& executor)
 {
-  if (std::uint64_t(number_of_cells) > (std::numeric_limits<Id>::max)() / 6)
+  if (std::uint64_t(number_of_cells) > (std::numeric_limits<Number>::max)() / 6)
     return are_links_spheres<std::uint64_t>(number_of_cells, n, vertex_of, executor);
   Steps step(executor);
   const auto for_each_edge = [&](const auto& f) {
     for (std::size_t c = 0; c < number_of_cells; ++c, step()) {
-      const Id v[4] = {vertex_of(c, 0), vertex_of(c, 1), vertex_of(c, 2), vertex_of(c, 3)};
+      const Number v[4] = {vertex_of(c, 0), vertex_of(c, 1), vertex_of(c, 2), vertex_of(c, 3)};
       for (unsigned i = 0; i < 4; ++i)
         for (unsigned j = 0; j < i; ++j)
           f((std::min)(v[i], v[j]), (std::max)(v[i], v[j]));
     }
   };
-  Sort_into_lists<Id> sort(n, 1, executor);
-  sort.count([&](std::size_t, Id* numbers) { for_each_edge([&](Id v, Id) { ++numbers[v]; }); });
-  const Lists<Id> larger_ends = sort.place([&](std::size_t, Id* places, Id* items) {
-    for_each_edge([&](Id v, Id w) { items[places[v]++] = w; });
+  Sort_into_lists<Number> sort(n, 1, executor);
+  sort.count([&](std::size_t, Number* numbers) {
+    for_each_edge([&](Number v, Number) { ++numbers[v]; });
   });
-  std::vector<Id> number_of_neighbors(n, 0), number_of_cells_at(n, 0), met_by(n, Id(n));
+  const Lists<Number> larger_ends = sort.place([&](std::size_t, Number* places, Number* items) {
+    for_each_edge([&](Number v, Number w) { items[places[v]++] = w; });
+  });
+  std::vector<Number> number_of_neighbors(n, 0), number_of_cells_at(n, 0), met_by(n, Number(n));
   for (std::size_t c = 0; c < number_of_cells; ++c)
     for (unsigned k = 0; k < 4; ++k)
       ++number_of_cells_at[vertex_of(c, k)];
   for (std::size_t v = 0; v < n; ++v)
-    for (const Id* w = larger_ends.begin(v); w != larger_ends.end(v); ++w, step())
-      if (std::exchange(met_by[*w], Id(v)) != Id(v)) {
+    for (const Number* w = larger_ends.begin(v); w != larger_ends.end(v); ++w, step())
+      if (std::exchange(met_by[*w], Number(v)) != Number(v)) {
         ++number_of_neighbors[v];
         ++number_of_neighbors[*w];
       }
@@ -74,14 +76,14 @@ bool are_links_spheres(std::size_t number_of_cells, std::size_t n, const VertexO
 
 // Whether no cell is in conflict with the vertex across a facet; links and vertices are right.
 // Linear.
-template <class Id>
-bool is_delaunay(const Compact_complex<Id>& complex)
+template <class Vertex>
+bool is_delaunay(const Compact_complex<Vertex>& complex)
 {
-  using Complex = Compact_complex<Id>;
+  using Complex = Compact_complex<Vertex>;
   Insertion_counts uncounted;
-  Compact_predicates<Id> predicates(complex, uncounted);
+  Compact_predicates<Vertex> predicates(complex, uncounted);
   for (std::size_t c = 0; c < complex.cells_end(); ++c) {
-    const Compact_cell<Id>& cell = complex.cell(c);
+    const Compact_cell& cell = complex.cell(c);
     for (unsigned k = 0; !Complex::is_dead(cell) && k < 4; ++k) {
       const Id across = complex.cell(cell.links[k] >> 2).v[cell.links[k] & 3];
       if (across != Complex::infinite && predicates.is_in_conflict(cell, across))
@@ -91,10 +93,10 @@ bool is_delaunay(const Compact_complex<Id>& complex)
   return true;
 }
 
-template <class Id>
-bool are_links_spheres(const Compact_complex<Id>& complex)
+template <class Vertex>
+bool are_links_spheres(const Compact_complex<Vertex>& complex)
 {
-  using Complex = Compact_complex<Id>;
+  using Complex = Compact_complex<Vertex>;
   std::vector<Id> cells;
   for (std::size_t c = 0; c < complex.cells_end(); ++c)
     if (!Complex::is_dead(complex.cell(c)))
@@ -104,13 +106,13 @@ bool are_links_spheres(const Compact_complex<Id>& complex)
       [&](std::size_t i, unsigned k) { return complex.cell(cells[i]).v[k]; }, Alone());
 }
 
-template <class Id>
-bool are_finite_cells_positive(const Compact_complex<Id>& complex)
+template <class Vertex>
+bool are_finite_cells_positive(const Compact_complex<Vertex>& complex)
 {
-  using Complex = Compact_complex<Id>;
+  using Complex = Compact_complex<Vertex>;
   const auto at = [&](Id v) { return complex.exact_coordinates(v); };
   for (std::size_t c = 0; c < complex.cells_end(); ++c) {
-    const Compact_cell<Id>& cell = complex.cell(c);
+    const Compact_cell& cell = complex.cell(c);
     if (!Complex::is_dead(cell) && !Complex::is_infinite(cell) &&
         orientation(at(cell.v[0]), at(cell.v[1]), at(cell.v[2]), at(cell.v[3])) <= 0)
       return false;
@@ -119,8 +121,8 @@ bool are_finite_cells_positive(const Compact_complex<Id>& complex)
 }
 
 // Checks as much as the level says, but not whether cells lie over each other. Linear.
-template <class Id>
-bool is_valid(const Compact_complex<Id>& complex, Delaunay_validity_level level)
+template <class Vertex>
+bool is_valid(const Compact_complex<Vertex>& complex, Delaunay_validity_level level)
 {
   using Level = Delaunay_validity_level;
   return complex.is_valid() && (level < Level::EULER || are_links_spheres(complex)) &&

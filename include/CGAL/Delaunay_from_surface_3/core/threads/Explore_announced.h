@@ -5,16 +5,17 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_EXPLORE_ANNOUNCED_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_EXPLORE_ANNOUNCED_H
 
-// Digs while others write: what joins the zone is announced in the worker's lane, and what was read
-// is kept, to be compared before anything is written (is_still_true()).
+// Digs while others write: cells that join the zone are announced in the worker's lane, and all
+// that was read is kept, to be compared before anything is written (is_still_true()).
 //
-// A cell is written only as part of the star of some point p, whose number is its first vertex
-// then, and p is inserted once: so the first vertex tells the version. If it is the same before and
-// after, and not busy, all four vertices belong together. Links of living cells change one by one.
+// A cell is written only as part of the star of some point p, whose number is then its first
+// vertex, and p is inserted once: so the first vertex identifies the version. If it is the same
+// before and after reading, and not busy, all four vertices belong together. Neighbours of living
+// cells are written one by one.
 //
-// Order of loads: of a neighbour the first vertex, then the opposite one; when validating, of a
-// cell the lanes, the first vertex, the links. On x86 loads are not reordered; elsewhere the
-// acquire loads forbid it.
+// The order of loads is: for a neighbour, the first vertex and then the opposite one; for a cell
+// that is validated, the lanes, the first vertex and then `links`. On x86 loads are not reordered;
+// elsewhere the acquire loads forbid it.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fill_star.h>
@@ -34,26 +35,24 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-template <class Id>
 struct Links
 {
   Id of[4];
 };
 
-// A conflict zone, and what was read when it was dug: others may have written since.
-template <class Id>
-struct Announced_zone : Conflict_zone<Id>
+// A conflict zone, and the data that was read when it was dug: others may have written since.
+struct Announced_zone : Conflict_zone
 {
-  std::vector<Links<Id>> links; // of the zone's cells
-  std::vector<Id> words;        // the first vertices of the zone's cells, which tell their versions
+  std::vector<Links> links; // of the zone's cells
+  std::vector<Id> words;    // the first vertices of the zone's cells, which tell their versions
   std::vector<Id> outside_words; // the same of the cells beyond the facets
 
   Announced_zone() { make_room(64); }
 
-  // Hides that of the base, with the same postcondition.
+  // Hides the function of the base, which has the same postcondition.
   void make_room(std::size_t n)
   {
-    Conflict_zone<Id>::make_room(n);
+    Conflict_zone::make_room(n);
     links.resize(this->cells.size());
     words.resize(this->cells.size());
     outside_words.resize(this->facets.size());
@@ -70,9 +69,8 @@ struct Handshake
   static constexpr bool heeds_busy = true;
 };
 
-// Copies a cell that another may be writing. Returns whether the copy is consistent.
-template <class Id>
-bool read_cell(const Compact_cell<Id>& cell, Compact_cell<Id>& copy)
+// Copies a cell that another worker may be writing. Returns whether the copy is consistent.
+inline bool read_cell(const Compact_cell& cell, Compact_cell& copy)
 {
   const Id word = load_acquire(cell.v[0]);
   copy.v[0] = word;
@@ -81,18 +79,18 @@ bool read_cell(const Compact_cell<Id>& cell, Compact_cell<Id>& copy)
   for (unsigned k = 0; k < 4; ++k)
     copy.links[k] = load_relaxed(cell.links[k]);
   acquire_fence();
-  return !Compact_complex<Id>::is_dead(copy) && load_relaxed(cell.v[0]) == word;
+  return !Compact_numbers::is_dead(copy) && load_relaxed(cell.v[0]) == word;
 }
 
-template <class Id, class Protocol = Handshake>
+template <class Vertex, class Protocol = Handshake>
 class Explore_announced
 {
 protected:
-  using Complex = Compact_complex<Id>;
-  using Cell = Compact_cell<Id>;
+  using Complex = Compact_complex<Vertex>;
+  using Cell = Compact_cell;
 
 public:
-  Explore_announced(Announced_zone<Id>& zone, Lanes& lanes, unsigned worker)
+  Explore_announced(Announced_zone& zone, Lanes& lanes, unsigned worker)
     : m_zone(zone)
     , m_lanes(lanes.bytes() + worker)
     , m_shift(lanes.shift())
@@ -101,10 +99,10 @@ public:
   {
   }
 
-  // Of the first cell: the word under which it was found in conflict stands in the zone.
+  // Announces the first cell. The zone has the word under which it was found in conflict.
   void mark(const Cell*, Id c) { store_relaxed(lane(c), std::uint8_t(1)); }
 
-  // A copy of cell c, the k-th of the zone.
+  // Returns a copy of cell c, the k-th of the zone.
   const Cell& read(const Cell* cells, Id c, std::size_t k)
   {
     m_cell.v[0] = m_zone.words[k];
@@ -115,8 +113,7 @@ public:
     return m_cell;
   }
 
-  Neighborhood around(const Cell* cells, const Compact_vertex<Id>* vertices, const Cell& cell,
-                      const double* p)
+  Neighborhood around(const Cell* cells, const Vertex* vertices, const Cell& cell, const double* p)
   {
     unsigned open = 0, infinite = Complex::is_infinite(cell) ? 15 : 0;
     const double *v[4], *opposite[4];
@@ -138,15 +135,15 @@ public:
     return neighborhood(open, filtered, signs);
   }
 
-  // The k-th neighbour of the cell looked around last, of one piece and as it was then; else
-  // is_torn().
+  // Returns the k-th neighbour of the cell that around() saw last, as a consistent copy, unchanged
+  // since; if this fails, is_torn() holds.
   const Cell& neighbor(const Cell* cells, const Cell& cell, unsigned k)
   {
     m_is_torn |= !read_cell(cells[cell.links[k] >> 2], m_neighbor) || m_neighbor.v[0] != m_words[k];
     return m_neighbor;
   }
 
-  Zone_ends<Id> note(Cell*, const Cell& cell, const Neighborhood& around, Zone_ends<Id> ends)
+  Zone_ends note(Cell*, const Cell& cell, const Neighborhood& around, Zone_ends ends)
   {
     for (unsigned k = 0; k < 4; ++k) {
       const Id link = cell.links[k], joins = Id(around.inside >> k & 1);
@@ -166,8 +163,8 @@ public:
 
   bool is_torn() const { return m_is_torn; }
 
-  // Whether all that was read still holds, of the zone's first n cells and of those beyond its
-  // facets, and nobody else has announced them.
+  // Returns whether all that was read still holds, for the zone's first n cells and for those
+  // beyond its facets, and no other worker has announced any of them.
   bool is_still_true(const Cell* cells, std::size_t n) const
   {
     return compare(cells, n, Difference());
@@ -176,7 +173,7 @@ public:
 protected:
   std::uint8_t& lane(std::size_t cell) const { return m_lanes[cell << m_shift]; }
 
-  // Between words as they were read and as they are: 0 if there is none.
+  // The differences between words as they were read and as they are now; 0 if there are none.
   struct Difference
   {
     std::uint64_t bits = 0;
@@ -189,7 +186,7 @@ protected:
     bool is_zero() const { return bits == 0; }
   };
 
-  // Branches once.
+  // Collects all differences, to branch only once.
   template <class Differences>
   bool compare(const Cell* cells, std::size_t n, Differences difference) const
   {
@@ -197,7 +194,7 @@ protected:
     return with_other_lanes(m_all_lanes, own, [&](auto others) {
       const Id* const zone = m_zone.cells.data();
       const Id* const words = m_zone.words.data();
-      const Links<Id>* const links = m_zone.links.data();
+      const Links* const links = m_zone.links.data();
       for (std::size_t k = 0; k < n; ++k) {
         const Cell& cell = cells[zone[k]];
         difference.add(others(zone[k]));
@@ -205,7 +202,7 @@ protected:
         if (Protocol::compares_links)
           difference.add_links(cell.links, links[k].of);
       }
-      const Zone_facet<Id>* const facets = m_zone.facets.data();
+      const Zone_facet* const facets = m_zone.facets.data();
       const Id* const outside_words = m_zone.outside_words.data();
       const std::size_t number = Protocol::compares_outside ? m_zone.number_of_facets : 0;
       for (std::size_t f = 0; f < number; ++f) {
@@ -217,14 +214,14 @@ protected:
     });
   }
 
-  Announced_zone<Id>& m_zone;
+  Announced_zone& m_zone;
   std::uint8_t* m_lanes; // the worker's
   unsigned m_shift;
   const Lanes& m_all_lanes;
   unsigned m_worker;
   bool m_is_torn = false;
   alignas(32) Cell m_cell;
-  Id m_words[4]; // of its neighbours
+  Id m_words[4]; // first vertices of its neighbours
   Cell m_neighbor;
 };
 
@@ -233,10 +230,10 @@ protected:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-// Explore_announced.h in vectors, for ids of 32 bits. The only place where words that others write
-// are read four at a time. A processor with such vectors loads each word of them whole; their order
-// is that of the comment there, since x86 does not reorder loads. The compiler could: `volatile` or
-// a barrier stands where that would matter.
+// Explore_announced in vectors, for ids of 32 bits. Only here words that others write are read four
+// at a time. A processor with such vectors loads each word of them whole, in the order described
+// above, since x86 does not reorder loads. The compiler could; therefore lanes, first vertices, and
+// the links that are compared in the end are loaded as `volatile`.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
@@ -247,11 +244,10 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-template <class Protocol = Handshake>
-class Wide_explore_announced : public Explore_announced<std::uint32_t, Protocol>
+template <class Vertex, class Protocol = Handshake>
+class Wide_explore_announced : public Explore_announced<Vertex, Protocol>
 {
-  using Base = Explore_announced<std::uint32_t, Protocol>;
-  using Id = std::uint32_t;
+  using Base = Explore_announced<Vertex, Protocol>;
   using Wide = Wide_explore_neighbors;
   using Base::m_cell;
   using Base::m_is_torn;
@@ -274,7 +270,7 @@ public:
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Neighborhood around(const Cell* cells,
-                                                              const Compact_vertex<Id>* vertices,
+                                                              const Vertex* vertices,
                                                               const Cell& cell, const double* p)
   {
     const Id l0 = cell.links[0], l1 = cell.links[1], l2 = cell.links[2], l3 = cell.links[3];
@@ -302,8 +298,8 @@ public:
     return neighborhood(open, open, signs);
   }
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Zone_ends<Id>
-  note(Cell*, const Cell& cell, const Neighborhood& around, Zone_ends<Id> ends)
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Zone_ends note(Cell*, const Cell& cell,
+                                                         const Neighborhood& around, Zone_ends ends)
   {
     const unsigned inside = around.inside, bounding = around.bounding();
     const std::uint32_t own_lanes = m_own_lanes | bytes_of_bits(inside);
@@ -325,13 +321,13 @@ public:
   }
 
 private:
-  // The lowest bits of four bytes, and back.
+  // Gathers the lowest bits of four bytes, and spreads them again.
   static unsigned bits_of_bytes(std::uint32_t bytes) { return bytes * 0x01020408 >> 24; }
   static std::uint32_t bytes_of_bits(unsigned bits) { return bits * 0x00204081 & 0x01010101; }
 
   std::uint32_t m_own_lanes = 0; // of the neighbours, a byte each
 
-  // Every processor of 64 bits has these vectors.
+  // Every x86 processor of 64 bits has these vectors.
   struct Wide_difference
   {
     std::uint64_t bits = 0;
@@ -339,10 +335,10 @@ private:
     void add(std::uint64_t d) { bits |= d; }
     void add_links(const Id* now, const Id* then)
     {
-      const __m128i difference =
-          _mm_xor_si128(_mm_loadu_si128(reinterpret_cast<const __m128i*>(now)),
-                        _mm_loadu_si128(reinterpret_cast<const __m128i*>(then)));
-      of_links = _mm_or_si128(of_links, difference);
+      // `volatile`: the compiler must not load it before the lanes and the first vertex.
+      const __m128i current = *reinterpret_cast<const volatile __m128i*>(now);
+      const __m128i before = _mm_loadu_si128(reinterpret_cast<const __m128i*>(then));
+      of_links = _mm_or_si128(of_links, _mm_xor_si128(current, before));
     }
     bool is_zero() const
     {
@@ -364,33 +360,33 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Writes stars while others read. The first store to a cell makes it busy, the last one tells its
-// new version; a facet's outer link is set when there is something to see behind it.
+// Writes stars while others read. The first store to a cell makes it busy, and the last one gives
+// its new version; the cell beyond a facet is linked to the new one only when that can be seen.
 
-template <class Id>
+template <class Vertex>
 class Write_announced
 {
-  using Complex = Compact_complex<Id>;
-  using Cell = Compact_cell<Id>;
-  using Vertex = Compact_vertex<Id>;
+  using Complex = Compact_complex<Vertex>;
+  using Cell = Compact_cell;
+  using Label = decltype(Vertex::label);
 
 public:
-  // Labels of n vertices. The memory is cleared page by page, where it is used: a worker sees few
-  // vertices besides those of its own patches.
+  // Makes labels for n vertices. The memory is cleared page by page when it is used: a worker sees
+  // few vertices besides those of its own patches.
   explicit Write_announced(std::size_t n)
-    : m_labels(static_cast<Id*>(std::calloc(n, sizeof(Id))))
+    : m_labels(static_cast<Label*>(std::calloc(n, sizeof(Label))))
   {
     if (m_labels == nullptr)
       throw std::bad_alloc();
   }
 
-  Id& label(Vertex*, Id v) { return m_labels.get()[v]; }
+  Label& label(Vertex*, Id v) { return m_labels.get()[v]; }
   void forget_labels(const Complex& complex)
   {
-    std::memset(m_labels.get(), 0, complex.vertices_end() * sizeof(Id));
+    std::memset(m_labels.get(), 0, complex.vertices_end() * sizeof(Label));
   }
 
-  static void open(Cell& cell, Id p, const Zone_facet<Id>& facet)
+  static void open(Cell& cell, Id p, const Zone_facet& facet)
   {
     store_relaxed(cell.v[0], Id(p | Complex::dead));
     release_fence();
@@ -402,10 +398,12 @@ public:
   static void set_link(Id& link, Id to) { store_relaxed(link, to); }
   static void close(Cell& cell, Id p) { store_release(cell.v[0], p); }
 
-  // Who destroys a cell stores later than who made it: so the cell stored last is alive.
+  // A worker that destroys a cell stores later than its maker: so the cell that is stored last is
+  // alive.
   static void set_cell(Vertex* vertices, Id v, Id c) { store_relaxed(vertices[v].cell, c); }
 
-  // The infinite vertex, only ever the last corner, gets none: all workers would write it.
+  // The infinite vertex can only be the last corner. It gets no cell, since all workers would write
+  // it.
   void set_cell_of_corners(Vertex* vertices, const Id* corners, Id c)
   {
     set_cell(vertices, corners[0], c);
@@ -417,10 +415,10 @@ public:
 private:
   struct Free
   {
-    void operator()(Id* labels) const { std::free(labels); }
+    void operator()(Label* labels) const { std::free(labels); }
   };
 
-  std::unique_ptr<Id[], Free> m_labels;
+  std::unique_ptr<Label[], Free> m_labels;
   Id m_cell_of_infinite_vertex; // not read
 };
 

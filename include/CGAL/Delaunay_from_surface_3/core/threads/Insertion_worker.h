@@ -6,13 +6,14 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_INSERTION_WORKER_H
 
 // Inserts points beside other workers: walks and digs without a lock, announces the zone, checks
-// that none interfered, and only then writes.
+// that no other worker interfered, and only then writes.
 //
 // Two insertions conflict if a cell of one zone is in the other zone or beside it. Both announce
-// their zones in their lanes, then a fence, then both read the lanes of their zones and of the
-// cells beside: at least one sees the other, and gives up with nothing written. If the other has
-// finished before, its cleared lanes make its writes visible: a first vertex or a link is not what
-// was read. Insertions whose zones share a cell beside them only write different links of it.
+// their zones in their lanes, pass a fence, and then read the lanes of their zones and of the cells
+// beside: at least one sees the other, and gives up with nothing written. If the other has finished
+// before, its cleared lanes make its writes visible: a first vertex or a neighbour is not the one
+// that was read. Insertions whose zones share a cell beside them only write different neighbours of
+// it.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
@@ -31,9 +32,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Copies of cells that others may be writing. It is lost after a number of cells, or at one that
+// Copies cells that others may be writing. It is lost after a number of cells, or at a cell that
 // stays busy.
-template <class Id>
 class Read_announced
 {
 public:
@@ -42,7 +42,7 @@ public:
   {
   }
 
-  const Compact_cell<Id>& operator()(const Compact_cell<Id>& cell)
+  const Compact_cell& operator()(const Compact_cell& cell)
   {
     m_is_too_far = m_cells_left == 0;
     unsigned tries_left = m_is_too_far ? 0 : 20;
@@ -55,12 +55,12 @@ public:
   bool is_lost() const { return m_is_lost; }
   bool is_too_far() const { return m_is_too_far; } // lost after too many cells
   Id word() const { return m_copy.v[0]; }          // of the cell read last
-  Id vertex() const { return m_copy.v[m_copy.v[0] == Compact_complex<Id>::infinite]; }
+  Id vertex() const { return m_copy.v[m_copy.v[0] == Compact_numbers::infinite]; }
 
 private:
   std::size_t m_cells_left;
   bool m_is_lost = false, m_is_too_far = false;
-  Compact_cell<Id> m_copy;
+  Compact_cell m_copy;
 };
 
 enum class Insertion_try {
@@ -71,17 +71,16 @@ enum class Insertion_try {
   NO_CELLS // no fresh cells are left; nothing was written
 };
 
-// How a worker looks at cells, and writes them: it announces what it does.
-template <class Id_, class Protocol>
+// The way in which a worker looks at cells and writes them: it announces its zone.
+template <class Vertex_, class Protocol>
 struct Announced_to_others
 {
-  using Id = Id_;
-  using Zone = Announced_zone<Id>;
-  using Write = Write_announced<Id>;
-  using Explore = Explore_announced<Id, Protocol>;
+  using Vertex = Vertex_;
+  using Zone = Announced_zone;
+  using Write = Write_announced<Vertex>;
+  using Explore = Explore_announced<Vertex, Protocol>;
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-  using Wide_explore = std::conditional_t<std::is_same<Id, std::uint32_t>::value,
-                                          Wide_explore_announced<Protocol>, Explore>;
+  using Wide_explore = Wide_explore_announced<Vertex, Protocol>;
 #endif
 
   Write write() const
@@ -94,27 +93,27 @@ struct Announced_to_others
     return Explorer(zone, shared.lanes(), number);
   }
 
-  Shared_complex<Id>& shared;
+  Shared_complex<Vertex>& shared;
   const unsigned number; // of the worker
 };
 
-template <class Id, class Protocol = Handshake>
+template <class Vertex, class Protocol = Handshake>
 class Insertion_worker
 {
-  using Complex = Compact_complex<Id>;
-  using Access = Announced_to_others<Id, Protocol>;
+  using Complex = Compact_complex<Vertex>;
+  using Access = Announced_to_others<Vertex, Protocol>;
 
 public:
-  // The worker with this number, of those that `shared` has lanes for.
-  Insertion_worker(Shared_complex<Id>& shared, unsigned number)
+  // Makes the worker with this number, which is one of those for which `shared` has lanes.
+  Insertion_worker(Shared_complex<Vertex>& shared, unsigned number)
     : m_shared(shared)
     , m_number(number)
     , m_inserter(shared.complex(), Access{shared, number})
   {
   }
 
-  // Tries to insert vertex p by a walk of at most `most_cells` cells from `start`, which may be stale.
-  // `other` is the vertex that is there already, or to which the walk came.
+  // Tries to insert vertex p by a walk of at most `most_cells` cells from `start`, which may be
+  // stale. `other` is the vertex that is there already, or to which the walk came.
   Insertion_try insert(Id p, Id start, Id& other,
                        std::size_t most_cells = (std::numeric_limits<std::size_t>::max)())
   {
@@ -122,11 +121,11 @@ public:
     return outcome == Insertion_try::DONE ? write(p) : outcome;
   }
 
-  // The first half: finds the zone and announces it; DONE: as far as that goes.
+  // The first half: finds the zone and announces it. DONE says only that this has succeeded.
   Insertion_try announce(Id p, Id start, Id& other, std::size_t most_cells)
   {
-    Read_announced<Id> read(most_cells);
-    const Compact_location<Id> location = m_inserter.walk(p, start, read);
+    Read_announced read(most_cells);
+    const Compact_location location = m_inserter.walk(p, start, read);
     if (read.is_too_far()) {
       other = read.vertex();
       return Insertion_try::TOO_FAR;
@@ -143,7 +142,7 @@ public:
     return has_cells_for_star() ? Insertion_try::DONE : withdraw(Insertion_try::NO_CELLS);
   }
 
-  // The second half: writes the star of p if no other interfered.
+  // The second half: writes the star of p if no other worker interfered.
   Insertion_try write(Id p)
   {
     if (Protocol::has_fence)
@@ -186,14 +185,14 @@ private:
       release(m_zone.cells[k]);
     }
     m_inserter.fill(p);
-    for (std::size_t k = 0; k < (std::min)(destroyed, created); ++k) // these kept their places
+    for (std::size_t k = 0; k < (std::min)(destroyed, created); ++k) // their places have new cells
       release(m_zone.cells[k]);
   }
 
-  Shared_complex<Id>& m_shared;
+  Shared_complex<Vertex>& m_shared;
   const unsigned m_number;
   Inserter<Access> m_inserter;
-  Announced_zone<Id>& m_zone = m_inserter.zone;
+  Announced_zone& m_zone = m_inserter.zone;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

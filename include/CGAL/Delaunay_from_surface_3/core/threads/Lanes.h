@@ -5,10 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_LANES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_LANES_H
 
-// For each cell a byte per worker, its lane: "the cell is in my conflict zone". One writer per
-// byte, so that nothing is ever compared and swapped: two workers that announce their zones in this
-// way, and then look for the other's lane, cannot both overlook the other (Dekker's handshake;
-// Dijkstra 1965).
+// Each cell has a byte per worker, its lane, which says: "the cell is in my conflict zone". Each
+// byte has one writer, so that nothing is ever compared and swapped: two workers that announce
+// their zones in this way, and then look for the other's lane, cannot both overlook the other
+// (Dekker's handshake; Dijkstra 1965).
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -33,7 +33,7 @@ class Lanes
 public:
   static constexpr unsigned most_workers = 64;
 
-  // For so many workers, up to most_workers; for no cells yet.
+  // Makes lanes for so many workers, up to most_workers, but for no cells yet.
   explicit Lanes(unsigned number_of_workers)
   {
     while ((1u << m_shift) < number_of_workers)
@@ -56,7 +56,7 @@ public:
     return m_bytes.get()[(cell << m_shift) + worker];
   }
 
-  unsigned shift() const { return m_shift; } // of the number of bytes per cell
+  unsigned shift() const { return m_shift; } // logarithm of the number of bytes per cell
   const std::uint8_t* bytes() const { return m_bytes.get(); }
   std::uint8_t* bytes() { return m_bytes.get(); }
 
@@ -66,12 +66,12 @@ private:
     void operator()(std::uint8_t* bytes) const { std::free(bytes); }
   };
 
-  unsigned m_shift = 1; // two workers are the fewest
+  unsigned m_shift = 1; // there are at least two lanes
   std::unique_ptr<std::uint8_t[], Free> m_bytes;
 };
 
-// The lanes of a cell, all but one worker's, as one number: 0 if nobody else has the cell. The
-// bytes of a cell are read as words.
+// Returns the lanes of a cell, except one worker's, as one number: 0 if no other worker has the
+// cell. The bytes of a cell are read as words.
 template <class Word, unsigned number_of_words = 1>
 class Other_lanes
 {
@@ -97,7 +97,8 @@ private:
   Word m_others[number_of_words];
 };
 
-// The same, byte by byte: what was written as a byte is read as one where ThreadSanitizer looks on.
+// Does the same byte by byte, for ThreadSanitizer: what is written as a byte must be read as a
+// byte.
 class Other_lanes_by_byte
 {
 public:
@@ -121,7 +122,7 @@ private:
   unsigned m_worker, m_shift;
 };
 
-// Calls f(others), where others(cell) returns the lanes of a cell but the worker's.
+// Calls f(others), where others(cell) returns the lanes of a cell except the worker's.
 template <class F>
 auto with_other_lanes(const Lanes& lanes, unsigned worker, const F& f)
 {
@@ -143,12 +144,12 @@ auto with_other_lanes(const Lanes& lanes, unsigned worker, const F& f)
   }
 }
 
-// The cells and vertices of a complex that has started, with the lanes of the cells, and fresh
-// cells in chunks.
-template <class Id>
+// The cells and vertices of a complex that has started, the lanes of the cells, and chunks of fresh
+// cells.
+template <class Vertex>
 class Shared_complex
 {
-  using Complex = Compact_complex<Id>;
+  using Complex = Compact_complex<Vertex>;
 
 public:
   Shared_complex(Complex& complex, unsigned number_of_workers)
@@ -167,8 +168,8 @@ public:
   Complex& complex() { return m_complex; }
   Lanes& lanes() { return m_lanes; }
 
-  // Adds fresh cells, dead ones, to `free_cells`; returns whether there were any. Of all functions
-  // here only this may be called by several workers at once.
+  // Adds fresh cells, which are dead, to `free_cells`; returns whether there were any. This is the
+  // only function here that several workers may call at once.
   bool take_chunk(std::vector<Id>& free_cells)
   {
     constexpr std::size_t chunk = 256;
@@ -197,15 +198,15 @@ public:
   // Tells the complex how many cells are handed out. No worker may run.
   void note_cells() { m_complex.use_cells((std::min)(m_next.load(), m_complex.capacity())); }
 
-  // More room than before.
+  // Makes more room than before. No worker may run.
   void grow()
   {
     note_cells();
     make_room(Complex::more_room(m_complex.capacity()));
   }
 
-  // All cells are told to the complex, fresh ones too: they are dead. A cell of the infinite vertex
-  // is found. The lanes are given back.
+  // Tells the complex all cells, even fresh ones, which are dead. Finds a cell of the infinite
+  // vertex. Gives the lanes back.
   void finish()
   {
     m_lanes.deallocate();

@@ -5,12 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_PARALLEL_TRIANGULATION_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_PARALLEL_TRIANGULATION_H
 
-// A round of Choi 2002, Fig. 1, lines 2b and 2c, or a piece of one, by several workers. Every start
+// Several workers do a round of Choi 2002, Fig. 1, lines 2b and 2c, or a piece of one. Every start
 // is a vertex of an earlier round, or leads to one, so that any worker can insert any point of the
-// piece at any time. A point that clashes is tried once more when the chunk is done, and then put
-// off until all are, when the caller inserts it alone: until then no worker waits for another.
+// piece at any time. A point that clashes is tried once more when its chunk is done, and then put
+// off until all chunks are, when the caller inserts it alone: until then no worker waits for
+// another.
 //
-// Workers are right when they run one after the other, too: then the first one takes all points.
+// The result is right even if workers run one after the other: then the first one takes all points.
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
@@ -34,10 +35,10 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The numbers first, …, last - 1, cut into as many segments as there are workers. What follows in
-// an order by the surface is a patch of it: so workers meet at the seams only. A worker takes
-// chunks from the front of its segment; then it takes half of what is left of the largest, from its
-// end.
+// The numbers first, …, last - 1, cut into as many segments as there are workers. If the order
+// follows the surface, each segment is a patch of it, so workers meet only at the seams. A worker
+// takes chunks from the front of its segment; when that is empty, it takes the second half of what
+// is left of the largest one.
 class Segments
 {
 public:
@@ -53,7 +54,7 @@ public:
                                    n / number * (t + 1) + (std::min)(t + 1, n % number)});
   }
 
-  // The next numbers of worker t, `chunk` or fewer; none if none are left at all.
+  // Returns the next numbers of worker t, `chunk` or fewer; the range is empty if all are taken.
   Range take(std::size_t t, std::size_t chunk)
   {
     for (;;) {
@@ -71,7 +72,7 @@ public:
   }
 
 private:
-  // One segment for one cache line.
+  // Each segment has a cache line of its own.
   struct alignas(64) Segment
   {
     std::atomic<std::uint64_t> ends{0};
@@ -113,22 +114,22 @@ private:
   std::vector<Segment> m_segments;
 };
 
-// How many workers a round is worth, and how many points they take at a time.
+// The rules for the number of workers of a round, and of the points that they take at a time.
 struct Parallel_rules
 {
-  std::size_t first_points = 2000;     // until so many are inserted, one works
-  std::size_t points_per_worker = 500; // of a round
+  std::size_t first_points = 2000;     // until so many are inserted, one worker works
+  std::size_t points_per_worker = 500; // at least, in a round
   std::size_t chunk = 256;
 };
 
-// Worker: inserts points beside others; tests use other workers.
-template <class Id, class Worker = Insertion_worker<Id>>
+// A Worker inserts points beside others; tests use other workers.
+template <class Vertex, class Worker = Insertion_worker<Vertex>>
 class Parallel_triangulation
 {
-  using Complex = Compact_complex<Id>;
+  using Complex = Compact_complex<Vertex>;
 
 public:
-  // Of the vertices of `complex`, which has started. Keeps references.
+  // Triangulates the vertices of `complex`, which starts before the first round. Keeps references.
   Parallel_triangulation(Complex& complex, const Executor& executor,
                          const Parallel_rules& rules = Parallel_rules())
     : m_shared(complex, executor.number_of_workers())
@@ -137,18 +138,19 @@ public:
   {
   }
 
-  // How many points a call of insert_round() should have: for its workers to be worth their start,
-  // but never more than are inserted, as the caller looks at what they cost between the calls.
+  // Returns how many points a call of insert_round() should have: enough for its workers to be
+  // worth their start, but, after the first chunk, no more than are inserted already, because the
+  // caller looks at the costs between the calls.
   std::size_t size_of_piece(std::size_t inserted) const
   {
-    if (inserted < m_rules.first_points) // one works
+    if (inserted < m_rules.first_points) // one worker works
       return (std::min)(m_rules.chunk, m_rules.first_points - inserted);
     return (std::max)({m_rules.chunk, (std::min)(inserted, 32 * m_rules.chunk), inserted / 4});
   }
 
   // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker
-  // has a copy of `hints`. go_further(i) is asked by the caller's thread whenever it takes a chunk, with
-  // a number of points inserted that never falls; returns false if it said no.
+  // has a copy of `hints`. Whenever the caller's thread takes a chunk, it asks go_further(i), where
+  // i is a number of inserted points that never falls. Returns false if the answer was no.
   template <class Hints, class GoFurther>
   bool insert_round(std::size_t first, std::size_t last, std::vector<Id>& vertex_of,
                     const Hints& hints, const GoFurther& go_further)
@@ -168,10 +170,10 @@ public:
     return insert_put_off(round);
   }
 
-  // Makes Compact_complex::cells_end() right. To be called between rounds.
+  // Updates Compact_complex::cells_end(). To be called between rounds.
   void note_cells() { m_shared.note_cells(); }
 
-  // To be called when all is inserted. Gives back what only threads need.
+  // To be called when all is inserted. Gives back the memory that only threads need.
   void finish()
   {
     m_shared.finish();
@@ -189,7 +191,7 @@ public:
   std::size_t number_of_workers() const { return m_executor.number_of_workers(); }
 
 private:
-  // What the workers of a round share, and what each has for itself.
+  // The data that the workers of a round share, and the data of each worker.
   template <class Hints, class GoFurther>
   struct Round
   {
@@ -213,7 +215,7 @@ private:
     std::vector<Own> own;
     std::vector<Id>& vertex_of;
     const GoFurther& go_further;
-    std::size_t farthest = 0; // point that began a chunk of the caller's thread
+    std::size_t farthest = 0; // a point that began a chunk of the caller's thread
     std::atomic<bool> is_stopped{false}, is_full{false}, has_error{false};
     std::exception_ptr error;
   };
@@ -239,8 +241,8 @@ private:
         if (!may_go_further(round, t, chunk.first))
           break;
         const std::size_t clashes = insert_chunk(round, t, chunk);
-        // Where more than half of the points clash, there are too many workers: the first one
-        // stays.
+        // If more than half of the points clash, there are too many workers: those with odd numbers
+        // stop, and the first one stays.
         if (t % 2 == 1 && 2 * clashes > chunk.second - chunk.first)
           break;
       }
@@ -252,7 +254,7 @@ private:
   }
 
   // The first worker is the caller's thread. It tells how far it has come, and never less than
-  // before, though the chunks that it takes from others may lie before its own.
+  // before, although the chunks that it takes from others may lie before its own.
   template <class Round>
   bool may_go_further(Round& round, std::size_t t, std::size_t i)
   {
@@ -295,7 +297,7 @@ private:
       ++own.clashes;
       return false;
     case Insertion_try::TOO_FAR:
-      own.hints.after_update(i, vertex); // from where the next one goes on
+      own.hints.after_update(i, vertex); // the next walk goes on from there
       return false;
     case Insertion_try::NO_CELLS:
       round.is_full = true;
@@ -307,7 +309,7 @@ private:
     }
   }
 
-  // The points that clashed twice, by the caller alone. Returns false if it is stopped.
+  // Inserts the points that were put off, by the caller alone. Returns false if it is stopped.
   template <class Round>
   bool insert_put_off(Round& round)
   {
@@ -330,25 +332,26 @@ private:
     return true;
   }
 
-  // A walk that takes longer may go round in circles, in a triangulation that changes under it. Or it
-  // comes from afar, as the first one of a worker may.
+  // A longer walk may go round in circles, in a triangulation that changes under it. Or it comes
+  // from afar, as the first one of a worker may.
   static constexpr std::size_t most_cells_of_walk = 10000;
 
-  Shared_complex<Id> m_shared;
+  Shared_complex<Vertex> m_shared;
   const Executor& m_executor;
   const Parallel_rules m_rules;
   std::vector<std::unique_ptr<Worker>> m_workers;
-  Insertion_counts m_counts; // those that are not a worker's
+  Insertion_counts m_counts; // counts that are not a worker's
 };
 
-// One piece of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads.
+// Inserts pieces of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads. No point can be
+// left out: the vertex nearest to it depends on the points that others insert.
 
-template <class Id>
+template <class Vertex>
 class Insert_by_workers
 {
 public:
   // Keeps references.
-  Insert_by_workers(Ordered_complex<Id>& points, const Executor& executor, Watcher& watcher)
+  Insert_by_workers(Ordered_complex<Vertex>& points, const Executor& executor, Watcher& watcher)
     : m_points(points)
     , m_watcher(watcher)
     , m_triangulation(points.complex, executor)
@@ -361,7 +364,7 @@ public:
   }
   std::size_t number_of_threads() const { return m_triangulation.number_of_workers(); }
 
-  // Inserts the points at the places first, …, last - 1; false if the watcher stopped it.
+  // Inserts the points at the places first, …, last - 1; returns false if the watcher stopped it.
   bool operator()(std::size_t first, std::size_t last)
   {
     return m_triangulation.insert_round(
@@ -375,16 +378,16 @@ public:
   Insertion_counts counts() const { return m_triangulation.counts(); }
 
 private:
-  Ordered_complex<Id>& m_points;
+  Ordered_complex<Vertex>& m_points;
   Watcher& m_watcher;
-  Parallel_triangulation<Id> m_triangulation;
+  Parallel_triangulation<Vertex> m_triangulation;
 };
 
 template <>
 struct Inserter_of<Many_threads>
 {
-  template <class Id>
-  using type = Insert_by_workers<Id>;
+  template <class Vertex>
+  using type = Insert_by_workers<Vertex>;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
