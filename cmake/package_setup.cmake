@@ -52,8 +52,9 @@ target_include_directories(Delaunay_from_surface_3 INTERFACE
   "$<BUILD_INTERFACE:${DELAUNAY_FROM_SURFACE_3_ROOT}/include>")
 
 # The same with the core compiled once, in a static library: less to compile in every file that uses the package. It
-# also has the file side of tiles, which is only there. Neither needs CGAL, so that one library serves every version. What is said of arithmetic is added to the
-# project's own options; products may be fused into sums, as the proofs of the filters allow.
+# also has the file side of tiles, which is only there. Neither needs CGAL, so that one library serves every version. What
+# is said of arithmetic is added to the project's own options; products may be fused into sums, as the proofs of the
+# filters allow.
 add_library(Delaunay_from_surface_3_compiled STATIC EXCLUDE_FROM_ALL
   "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/core.cpp"
   "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/tiles/Point_files_3.cpp"

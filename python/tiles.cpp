@@ -14,7 +14,6 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -123,7 +122,7 @@ std::uint32_t do_task_of_tiles(const std::vector<std::string>& files, const std:
       return 0;
     } catch (const core::Tile_too_large& error) {
       const std::uint64_t n = run.points.size();
-      if (!core::ask_for_more_tiles(run.options, error, n, work.number_of_tiles()))
+      if (!core::ask_for_more_tiles(run.options, error, n, error.number_of_tiles_now()))
         throw;
       return core::number_of_tiles(run.options, n, 1);
     }

@@ -44,7 +44,8 @@ this rank and that of all ranks, `bytes_sent()` the number of bytes that this ra
 and `seconds_of_exchange()` the time that it spent sending and waiting for others.
 
 The header is empty if the compiler does not find `mpi.h`. CMake's target
-`Delaunay_from_surface_3::mpi` provides its location.
+`Delaunay_from_surface_3::mpi` provides its location; for `Point_files_3` link
+`Delaunay_from_surface_3::compiled` as well.
 
 <b>Memory</b>: about 300 bytes for each point that a tile keeps, and half as much again for the tile
 passed to `sink`.

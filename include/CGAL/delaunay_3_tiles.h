@@ -72,7 +72,7 @@ Tiles_report delaunay_3_tiles(Engine& engine, const Tile_source_3& source, Sink&
                               const Tiles_options& options = Tiles_options())
 {
   using namespace Delaunay_from_surface_3::internal;
-  if constexpr (std::is_same<Engine, Tiles_in_files_3>::value) {
+  if constexpr (std::is_same<std::remove_const_t<Engine>, Tiles_in_files_3>::value) {
     return engine.run(source, options, [&](Delaunay_3_tile&& tile) { sink(std::move(tile)); });
   } else {
     const auto draw = [] {

@@ -247,7 +247,7 @@ inline Point_file_layout layout_of_points(const std::filesystem::path& file)
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 
 struct Point_files_3::File
 {
@@ -335,5 +335,5 @@ const Point_files_3::File& Point_files_3::file_of(std::uint64_t i) const
                        [](std::uint64_t point, const File& file) { return point < file.first; }));
 }
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
 } // namespace CGAL

@@ -26,7 +26,6 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>

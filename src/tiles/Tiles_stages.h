@@ -18,7 +18,6 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/assertions.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
@@ -276,7 +275,8 @@ public:
   // Closes the stage, when all of its tasks are done and no process works on any.
   void close()
   {
-    CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(is_all_done());
+    if (!is_all_done())
+      throw Tile_files_error(m_folder.place().string() + ": a task of " + name() + " is not done");
     const Rounding_to_nearest rounding;
     if (m_stage == SAMPLE)
       m_folder.write_tiling(tasks().make_tiling());

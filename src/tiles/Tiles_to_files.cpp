@@ -662,7 +662,7 @@ std::filesystem::path mark_of_run(const std::filesystem::path& folder)
 } // namespace
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 
 Tiles_report Tiles_to_files::run(const Tile_source_3& source, const Tiles_options& options) const
 {
@@ -682,11 +682,6 @@ void Tiles_to_files::do_task(const Tile_source_3& source, const Tiles_options& o
 {
   Folder_work(m_folder, m_number_of_threads, m_with_vtu, m_with_neighbors)
       .do_task(source, options, k);
-}
-
-std::uint32_t Tiles_to_files::number_of_tiles() const
-{
-  return std::uint32_t(Tile_folder(m_folder / "state").read_input().tiles);
 }
 
 void Tiles_to_files::forget() const
@@ -796,11 +791,11 @@ std::uint64_t Joined_tiles::write(const char* kind)
   return join_tiles(m_folder, number_of_tiles_in(m_folder), kind, *m_file);
 }
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 
 Tiles_in_files_3::Tiles_in_files_3(std::filesystem::path folder, std::size_t number_of_threads)
   : m_folder(std::move(folder))
@@ -820,5 +815,5 @@ Tiles_report Tiles_in_files_3::run(const Tile_source_3& source, const Tiles_opti
   });
 }
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
 } // namespace CGAL

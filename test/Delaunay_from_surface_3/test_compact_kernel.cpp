@@ -17,12 +17,16 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Visitor_watcher.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/insert_surface.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
+#include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -33,6 +37,7 @@
 #include <CGAL/insert_points_along_graph_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cmath>
@@ -219,12 +224,56 @@ BOOST_AUTO_TEST_CASE(more_cells_than_there_may_be)
     Given_points source(Point_array(points.front().data(), points.size()));
     const auto orders = order_of_core(Order_request());
     Watcher nobody;
-    return build(source, *orders, {true, true, most_cells}, nobody, Thread_executor(2))->outcome;
+    const Thread_executor executor(2);
+    const auto built = build(source, *orders, {true, true, most_cells}, nobody, executor);
+    if (built->outcome == Insertion_outcome::TOO_MANY_CELLS)
+      BOOST_CHECK_THROW(arrays_of_built<std::int32_t>(*built, source, executor), std::length_error);
+    return built->outcome;
   };
   for (const auto& build : {&build<One_thread>, &build<Many_threads>}) {
     BOOST_TEST((build_within(build, 60000) == Insertion_outcome::COMPLETE));
     for (const std::size_t most : {4, 100, 20000})
       BOOST_TEST((build_within(build, most) == Insertion_outcome::TOO_MANY_CELLS));
+  }
+}
+
+namespace {
+
+struct Input_of_points
+{
+  const std::vector<Point>& points;
+  Graph graph;
+  boost::typed_identity_property_map<std::size_t> index_map;
+};
+
+struct Stopping_visitor : Fallback_visitor
+{
+  std::size_t calls_left = std::size_t(-1);
+  bool go_further() { return calls_left-- > 0; }
+};
+
+} // namespace
+
+// CGAL goes on in the same order, and can be stopped.
+BOOST_AUTO_TEST_CASE(insertion_in_place_of_the_core_that_gave_up)
+{
+  using namespace DFS::internal;
+  const std::vector<Point> points = random_points(4000);
+  const Input_of_points input = {points, Graph(points.size()), {}};
+  for (const bool stops : {false, true}) {
+    Stopping_visitor visitor;
+    const DFS::internal::Rounding_to_nearest rounding;
+    Visitor_watcher<Stopping_visitor> watcher(visitor, rounding);
+    if (stops)
+      visitor.calls_left = 3000;
+    Triangulation tr;
+    const auto inserted = insert_through_core<One_thread>(
+        tr, input, CGAL::Surface_insertion_traits_3(), {0, false, 20000}, watcher, Alone());
+    BOOST_TEST(visitor.reason ==
+               "there are more than 2^30 cells, or 2^31 points: tiles serve these");
+    BOOST_TEST(inserted.is_complete == !stops);
+    if (!stops)
+      BOOST_TEST((tr == Triangulation(points.begin(), points.end())));
   }
 }
 

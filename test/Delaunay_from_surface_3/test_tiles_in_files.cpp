@@ -110,8 +110,10 @@ std::string bytes_of(const std::vector<T>& items)
 
 Cells cells_of_npy(const fs::path& file)
 {
-  const std::uint64_t first = core::read_head_of_npy(file).end;
+  const core::Npy_head head = core::read_head_of_npy(file);
+  const std::uint64_t first = head.end;
   Cells cells(std::size_t(fs::file_size(file) - first) / sizeof(Cells::value_type));
+  BOOST_TEST(core::value_of_key(head.text, "shape", ",") == std::to_string(cells.size()));
   core::Bytes_reader from(file);
   from.seek(first);
   from.read(cells.data(), cells.size() * sizeof(cells[0]));
@@ -735,7 +737,6 @@ BOOST_AUTO_TEST_CASE(memory_of_tasks_done_one_by_one)
     const core::Tiles_to_files work(folder.path, threads, false);
     const std::uint32_t tiles = work.next(source_of(points), options).tiles;
     BOOST_TEST(tiles == core::number_of_tiles(options, 2000, 1));
-    BOOST_TEST(work.number_of_tiles() == tiles);
   }
 }
 

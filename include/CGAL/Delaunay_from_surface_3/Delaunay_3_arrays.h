@@ -46,7 +46,7 @@ Objects can be copied and moved; an object that was moved from is empty.
 
 <b>Memory</b>: 32 bytes per cell with `std::int32_t`, and 4 per point.
 
-\tparam Index a signed integer type of 32 or 64 bits
+\tparam Index a signed integer type; `delaunay_3_arrays()` makes arrays of `std::int32_t`
 */
 template <class Index = std::int32_t>
 class Delaunay_3_arrays

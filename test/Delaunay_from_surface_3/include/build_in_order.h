@@ -12,7 +12,6 @@
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>

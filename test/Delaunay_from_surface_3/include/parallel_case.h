@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <random>
 #include <string>
@@ -154,16 +153,16 @@ struct Never_stop
 };
 
 // In rounds that double. `go_further` returns true.
-template <class Worker = DFS::internal::Insertion_worker<Compact_vertex>, class Executor = Thread_executor,
-          class GoFurther = Never_stop>
+template <class Worker = DFS::internal::Insertion_worker<Compact_vertex>,
+          class Executor = Thread_executor, class GoFurther = Never_stop>
 Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
                                 const Executor& executor = Executor(),
                                 const DFS::internal::Parallel_rules& rules = {30, 8, 8},
                                 const GoFurther& go_further = GoFurther())
 {
   Subject<> subject(points);
-  DFS::internal::Parallel_triangulation<Compact_vertex, Worker> triangulation(subject.complex, executor,
-                                                                      rules);
+  DFS::internal::Parallel_triangulation<Compact_vertex, Worker> triangulation(subject.complex,
+                                                                              executor, rules);
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t first = 0, last = 30; first < points.size(); first = last, last *= 2) {
     last = (std::min)(last, points.size());

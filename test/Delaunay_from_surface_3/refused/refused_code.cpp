@@ -39,6 +39,11 @@ using Without_info = CGAL::Delaunay_triangulation_3<K>;
 using With_info = CGAL::Delaunay_triangulation_3<K, Tds>;
 namespace parameters = CGAL::parameters;
 
+struct Thinning_visitor : CGAL::Default_surface_insertion_visitor_3
+{
+  bool accept(std::size_t, std::size_t, const Point&) { return false; }
+};
+
 // As traits were before there was a core.
 struct Old_traits
 {
@@ -81,6 +86,8 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   CGAL::insert_points_3(without_info, points, parameters::visitor(1));
   // expected: a visitor is a model of SurfaceInsertionVisitor_3
   CGAL::insert_points_3(without_info, points, parameters::visitor(std::ref(text)));
+  // expected: visitors leave no points out
+  CGAL::insert_points_3(without_info, points, parameters::visitor(Thinning_visitor()));
   // expected: traits say by through_core who inserts
   CGAL::insert_points_3(without_info, points, std::vector<std::vector<int>>(), Old_traits());
   // expected: weighted and periodic points are not served

@@ -13,13 +13,11 @@
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -134,12 +132,18 @@ struct Core_hints
 {
 };
 
+// A function that earlier visitors had, and that nobody calls.
+template <class Visitor>
+using Accept_of_visitor = decltype(&Visitor::accept);
+
 // Tells a caller's visitor what the core, or the loop of the paper, is doing, in the floating-point
 // mode of whoever called the package.
 template <class Visitor>
 class Visitor_watcher final : public Watcher
 {
   using Phase = Surface_insertion_phase;
+  static_assert(!is_detected<Accept_of_visitor, Visitor>,
+                "visitors leave no points out: accept() would not be called");
 
 public:
   // Keeps references.

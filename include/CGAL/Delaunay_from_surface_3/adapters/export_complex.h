@@ -333,9 +333,8 @@ void fill_upper_levels(Triangulation& tr,
 
 // From the core's complex to the caller's triangulation.
 
-// Fills `tr`, which is empty, with what was built of the points, and gives up its memory. Returns the
-// vertices by point. They are made in the order of insertion or in
-// that of the input. Linear.
+// Fills `tr`, which is empty, with the complex, and gives up its memory. Returns the vertices by point.
+// They are made in the order of insertion or in that of the input. Linear.
 template <class Triangulation>
 std::vector<typename Triangulation::Vertex_handle>
 export_built(Built& built, const std::vector<typename Triangulation::Point>& points,
@@ -351,9 +350,8 @@ export_built(Built& built, const std::vector<typename Triangulation::Point>& poi
   };
   const auto places = creates_in_input_order ? inverse(order, n) : std::vector<std::size_t>();
   const Creation_order in_order = {creates_in_input_order ? &places : nullptr, built.vertex_of};
-  auto handles = export_complex(tr, built, point, in_order, executor);
+  const auto handles = export_complex(tr, built, point, in_order, executor);
   fill_upper_levels(tr, handles);
-  handles.front() = {}; // the infinite vertex is no point's
 
   std::vector<Vertex_handle> vertices(n);
   for_each_block(executor, n, number_of_blocks(executor, n, 4096),

@@ -40,8 +40,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -349,6 +347,7 @@ struct Order_options
 {
   unsigned int seed;
   bool creates_in_input_order;
+  std::size_t most_cells = Compact_numbers::max_cells; // or CGAL inserts
 };
 
 // CGAL's insertion in the place of the core, for the reason `obstacle`, in the same order: what is known
@@ -387,7 +386,8 @@ insert_through_core(Triangulation& tr, const Input& input, const Traits& traits,
   if constexpr (serves_geom_traits<Triangulation>())
     if (obstacle.empty()) {
       const auto built =
-          build<Crew>(doubles, *orders, {false, uses_starting_places<Traits>()}, watcher, executor);
+          build<Crew>(doubles, *orders, {false, uses_starting_places<Traits>(), options.most_cells},
+                      watcher, executor);
       if (built->outcome == Insertion_outcome::COMPLETE)
         return {export_built(*built, input.points, options.creates_in_input_order, tr, executor),
                 true};

@@ -314,6 +314,7 @@ template <class Index>
 Delaunay_3_arrays<Index> arrays_of_built(Built& built, Point_source& source,
                                          const Executor& executor, bool keeps_infinite = true)
 {
+  static_assert(sizeof(Index) == sizeof(Id), "the arrays are made in the memory of the cells");
   if (built.outcome == Insertion_outcome::TOO_MANY_CELLS)
     throw Too_many_cells();
   if (built.outcome == Insertion_outcome::COMPLETE && !built.has_apex)

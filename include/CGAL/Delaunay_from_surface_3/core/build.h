@@ -33,7 +33,7 @@ struct Request
   bool uses_starting_places;
 
   // How many cells there may be, dead ones included, before the outcome is TOO_MANY_CELLS.
-  std::size_t most_cells = Compact_numbers::max_cells;
+  std::size_t most_cells = std::size_t(1) << 30;
 };
 
 // The order that the core makes itself: spaced rounds, within a budget, and then random rounds; or

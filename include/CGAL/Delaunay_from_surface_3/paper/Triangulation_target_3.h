@@ -18,7 +18,6 @@
 #include <CGAL/Triangulation_hierarchy_3.h>
 #include <CGAL/assertions.h>
 
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <stdexcept>

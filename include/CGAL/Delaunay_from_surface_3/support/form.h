@@ -22,6 +22,7 @@
 //   …_FORM       code that each unit compiles for itself: bodies, and types that only they see;
 //   …_INTERFACE  code that the compiled core and its callers share: declarations, abstract classes,
 //                structs of pointers and numbers. Nothing there depends on a unit's options.
+//   …_FILES      shared by the file side of tiles and its callers: see below.
 
 #define CGAL_DELAUNAY_FROM_SURFACE_3_VERSION v0_1_0
 
@@ -92,6 +93,18 @@
   CGAL_DELAUNAY_FROM_SURFACE_3_JOIN(CGAL_DELAUNAY_FROM_SURFACE_3_VERSION, of, the, compiled, core)
 #else
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+#endif
+
+// The file side of tiles, which is compiled, shares structs of the standard library's containers, whose
+// members every unit compiles, with its callers; they differ in the library's debug mode.
+#if !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_FILES CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+#elif defined(_GLIBCXX_DEBUG)
+#define CGAL_DELAUNAY_FROM_SURFACE_3_FILES                                                         \
+  CGAL_DELAUNAY_FROM_SURFACE_3_JOIN(CGAL_DELAUNAY_FROM_SURFACE_3_VERSION, of, the, debug, files)
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_FILES                                                         \
+  CGAL_DELAUNAY_FROM_SURFACE_3_JOIN(CGAL_DELAUNAY_FROM_SURFACE_3_VERSION, of, the, compiled, files)
 #endif
 
 // Code shared by functions for several instruction sets must be inlined into each.

@@ -23,7 +23,7 @@
 
 namespace CGAL {
 /// \cond SKIP_IN_MANUAL
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 /// \endcond
 
 /*!
@@ -116,12 +116,12 @@ private:
 };
 
 /// \cond SKIP_IN_MANUAL
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
 /// \endcond
 
 namespace Delaunay_from_surface_3 {
 namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 
 // Makes files of tiles from files of points, in one call or task by task. The folder contains
 // state/, which Tiles_in_files_3 makes as well, and the results beside it.
@@ -153,9 +153,6 @@ public:
 
   // Does one of the tasks that next() has counted, with all threads.
   void do_task(const Tile_source_3& source, const Tiles_options& options, std::size_t k) const;
-
-  // Returns the number of tiles of a run that has begun.
-  std::uint32_t number_of_tiles() const;
 
   // Removes the state, so that the work can begin again with other options.
   void forget() const;
@@ -192,7 +189,7 @@ public:
                const std::filesystem::path& file);
   ~Joined_tiles();
 
-  // Writes "cells" or "neighbors" in the order of the tiles, as one .npy; returns their number.
+  // Writes "cells" or "neighbors" in the order of the tiles, as one .npy, once; returns their number.
   std::uint64_t write(const char* kind = "cells");
 
 private:
@@ -201,7 +198,7 @@ private:
   std::unique_ptr<File> m_file;
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -89,7 +89,7 @@ void run_tasks(const Executor& executor, std::size_t n, const Function& task)
 // An engine has four verbs: exchange() lets every tile hear what it was told, and tell, and returns
 // how many points were told; gather(seed) returns the certificates of all tiles; show(pairs) lets
 // each tile of a pair tell the other what is around the cells that both see
-// (Delaunay_tile::witnesses()); give(sink) hands out the tiles. If several processes run the
+// (Delaunay_tile::witnesses()); give(sink) hands out the tiles, unless they go into files. If several processes run the
 // driver, all of them call each verb, and it returns the same on all, or throws.
 
 // Writes the certificates' part of the report, and whether they hold.

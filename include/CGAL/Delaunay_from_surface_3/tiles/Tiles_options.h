@@ -23,7 +23,7 @@
 
 namespace CGAL {
 /// \cond SKIP_IN_MANUAL
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 /// \endcond
 
 /*!
@@ -189,7 +189,7 @@ public:
 };
 
 /// \cond SKIP_IN_MANUAL
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
 /// \endcond
 
 /// \cond SKIP_IN_MANUAL
@@ -243,27 +243,29 @@ private:
 /// \endcond
 namespace Delaunay_from_surface_3 {
 namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 
 // Is thrown when a tile keeps more points than it may. More tiles help, unless one vertex has too
 // many neighbours: its owner must have them all.
 class Tile_too_large : public std::runtime_error
 {
 public:
-  Tile_too_large(const std::string& what, std::uint32_t tiles)
+  // `enough` tiles would do (0: no number does) where there are `tiles` (0: not known here).
+  Tile_too_large(const std::string& what, std::uint32_t enough, std::uint32_t tiles = 0)
     : std::runtime_error(what)
+    , m_enough(enough)
     , m_tiles(tiles)
   {
   }
 
-  // Returns how many tiles would do, or 0 if no number does.
-  std::uint32_t number_of_tiles() const { return m_tiles; }
+  std::uint32_t number_of_tiles() const { return m_enough; }
+  std::uint32_t number_of_tiles_now() const { return m_tiles; }
 
 private:
-  std::uint32_t m_tiles;
+  std::uint32_t m_enough, m_tiles;
 };
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
 } // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -383,7 +383,7 @@ inline Tile_too_large tile_too_large(std::uint32_t tile, std::size_t own_points,
               " neighbors; " +
               (has_hub ? "no number of tiles will do, only more memory"
                        : std::to_string(more) + " tiles would do"),
-          has_hub ? 0 : more};
+          has_hub ? 0 : more, tiles};
 }
 
 // To be called if a tile of a run with n points was too large: sets the number of tiles that would

@@ -4,7 +4,6 @@
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 
-#include <cstdint>
 #include <vector>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;

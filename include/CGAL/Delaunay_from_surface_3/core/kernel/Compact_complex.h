@@ -6,7 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_COMPLEX_H
 
 // Cells and vertices as numbers, and nothing else: what an insertion scribbles on is in
-// Dig_conflict_zone.h. A cell is 32 bytes (with ids of 32 bits), half a cache line.
+// Dig_conflict_zone.h. A cell is 32 bytes, half a cache line.
 //
 // The coordinates of vertices are there from the beginning. Numbers of duplicates stay unused.
 //
@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 

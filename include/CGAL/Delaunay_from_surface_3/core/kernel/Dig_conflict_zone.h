@@ -230,11 +230,10 @@ struct Explore_neighbors : Explore_alone
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-// Explore_neighbors in vectors, for ids of 32 bits.
+// Explore_neighbors in vectors.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
-#include <cstdint>
 #include <type_traits>
 
 namespace CGAL {

@@ -21,9 +21,6 @@
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
-#include <algorithm>
-#include <cstddef>
-
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {

@@ -230,7 +230,7 @@ protected:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-// Explore_announced in vectors, for ids of 32 bits. Only here words that others write are read four
+// Explore_announced in vectors. Only here words that others write are read four
 // at a time. A processor with such vectors loads each word of them whole, in the order described
 // above, since x86 does not reorder loads. The compiler could; therefore lanes, first vertices, and
 // the links that are compared in the end are loaded as `volatile`.

@@ -343,8 +343,7 @@ private:
   Insertion_counts m_counts; // counts that are not a worker's
 };
 
-// Inserts pieces of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads. No point can be
-// left out: the vertex nearest to it depends on the points that others insert.
+// Inserts pieces of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads.
 
 template <class Vertex>
 class Insert_by_workers
