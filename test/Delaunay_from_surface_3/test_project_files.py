@@ -39,6 +39,14 @@ class ProjectFiles(unittest.TestCase):
         self.assertLessEqual(len(headers), 120)
         self.assertLessEqual(sum(len(path.read_text(encoding="utf-8").splitlines()) for path in headers), 26_560)
 
+    def test_ten_questions(self):
+        """Their answers name files that are there."""
+        text = read("CONTRIBUTING.md")
+        text = text[text.index("Ten questions"):text.index("Data flows one way")]
+        self.assertEqual(text.count("?"), 10)
+        for path in re.findall(r"`([\w/]+\.\w+)`", text):
+            self.assertTrue((ROOT / path).is_file() or (ROOT / "include/CGAL/Delaunay_from_surface_3" / path).is_file(), path)
+
     def test_paper_is_cited_as_in_the_bibliography(self):
         entry = re.search(r"@inproceedings\{choi-dtsm-02,(.*?)^\}",
                           read("doc/Delaunay_from_surface_3/geom.bib"), re.MULTILINE | re.DOTALL).group(1)
