@@ -1353,7 +1353,7 @@ class OutOfCore(unittest.TestCase):
                                    ("workers", "2", TypeError)):
             with self.assertRaisesRegex(error, f"^{name}: "):
                 dfs.delaunay3_tiles(self.file, output, **{name: wrong})
-        with self.assertRaisesRegex(ValueError, "^files: there is none$"):
+        with self.assertRaisesRegex(ValueError, "^files: the list is empty; name at least one file of points$"):
             dfs.delaunay3_tiles([], output)
         with self.assertRaisesRegex(OSError, "name too long"):
             dfs.delaunay3_tiles(self.file, self.folder / ("x" * 300), tiles=2)

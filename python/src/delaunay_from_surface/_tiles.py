@@ -137,7 +137,7 @@ def delaunay3_tiles(files: Union[Place, Iterable[Place]], output: Place, *, memo
     """
     names = names_of([files] if isinstance(files, (str, bytes, os.PathLike)) else files)
     if not names:
-        raise ValueError("files: there is none")
+        raise ValueError("files: the list is empty; name at least one file of points")
     number = number_of_threads("workers", workers, most=None)
     _core.delaunay3_tiles(names, os.fsencode(output), number_of_tiles(tiles), bytes_of(memory), number, vtu, progress)
     return Tiles(output)
