@@ -102,9 +102,9 @@ Destroyed destroyed(const std::vector<Point>& all, const DFS::Insertion_order& p
   core::Watcher nobody;
   core::Order_view order = core::view_of(plan);
   order.starting_places = nullptr;
-  core::Ordered_complex<Compact_vertex> complex(core::Point_array(coordinates.data(), all.size()),
-                                                order, nullptr, nobody);
-  core::Insert_alone<Compact_vertex> insert(complex, core::Alone(), nobody);
+  core::Ordered_complex<core::Compact_vertex> complex(
+      core::Point_array(coordinates.data(), all.size()), order, nullptr);
+  core::Insert_alone<core::Compact_vertex> insert(complex, core::Alone(), nobody);
   Destroyed result;
   std::size_t first = 0, before = 0;
   for (const std::size_t end : plan.round_ends) {
