@@ -68,11 +68,6 @@ public:
     return traits().coplanar_orientation_3_object()(point(a), point(b), point(c)) == COLLINEAR;
   }
 
-  Comparison_result compare_distance(const double* p, const double* a, const double* b) const
-  {
-    return traits().compare_distance_3_object()(point(p), point(a), point(b));
-  }
-
 private:
   using Point = typename GeomTraits::Point_3;
 
