@@ -56,8 +56,8 @@ tile.
 \return counts of points, tiles, rounds and cells
 
 \throws Surface_input_error if a coordinate is not finite, or all points lie in one plane
-\throws Tile_files_error if a file cannot be read or written, or the folder contains the state of
-another input or another number of tiles
+\throws Tile_files_error if a file cannot be read or written, the folder contains the state of another
+input or number of tiles, or files of others in `state`, or another run is at work there
 \throws std::runtime_error if a tile needs more memory than it may have, and beginning again with
 more tiles does not help; the message names a point
 \throws Tiles_stopped if `options.progress` returned `false`

@@ -367,6 +367,12 @@ inline std::vector<std::filesystem::path> left_files(const std::filesystem::path
   return files;
 }
 
+[[noreturn]] inline void refuse_file_of_others(const std::filesystem::path& file)
+{
+  throw Tile_files_error(file.string() + ": is of another run: remove all files of its tiles, or "
+                                         "name another folder");
+}
+
 // Returns the place to which a name leads through links. The place need not exist; a name that the
 // system cannot follow is only made absolute.
 inline std::filesystem::path place_of(const std::filesystem::path& name)

@@ -354,6 +354,9 @@ private:
 
   void begin_anew(const Tiles_options& options, std::size_t at_once)
   {
+    for (const std::string& name : names_in(m_folder.place())) // the folder is removed as a whole
+      if (name_when_finished(name).empty())
+        refuse_file_of_others(m_folder.file(name));
     remove_forgotten(m_folder.place());
     m_input = {m_source->size(),
                fingerprint_of(*m_source),

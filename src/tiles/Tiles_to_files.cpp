@@ -578,15 +578,10 @@ private:
     if (std::filesystem::exists(m_folder / "state" / "input"))
       return;
     std::vector<std::filesystem::path> others = files_of_tiles(m_folder);
-    for (const std::string& name : names_in(m_folder / "state")) // state/ is removed as a whole
-      if (name_when_finished(name).empty())
-        others.push_back(m_folder / "state" / name);
     if (std::filesystem::exists(m_folder / "tiles.json"))
       others.insert(others.begin(), m_folder / "tiles.json");
     if (!others.empty())
-      throw Tile_files_error(others.front().string() +
-                             ": is of another run: remove all files of its tiles, or name another "
-                             "folder");
+      refuse_file_of_others(others.front());
   }
 
   bool is_written(std::uint32_t t) const
@@ -807,6 +802,7 @@ Tiles_report Tiles_in_files_3::run(const Tile_source_3& source, const Tiles_opti
                                    const std::function<void(Delaunay_3_tile&&)>& sink) const
 {
   using namespace Delaunay_from_surface_3::internal;
+  const Folder_lock lock(m_folder, Folder_lock::ALONE);
   Tiles_in_files engine(m_folder, m_number_of_threads);
   return run_until_certified(engine, source, options, no_seed, [&](const Tiles_report& report) {
     for (std::uint32_t t = 0; t < report.tiles; ++t)

@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(upper_levels_are_filled)
   BOOST_TEST(tr.is_valid());
 }
 
-// By one thread and by two.
+// One thread and two end in the same way.
 BOOST_AUTO_TEST_CASE(more_cells_than_there_may_be)
 {
   using namespace DFS::internal;

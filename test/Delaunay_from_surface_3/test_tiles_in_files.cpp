@@ -675,6 +675,31 @@ BOOST_AUTO_TEST_CASE(an_input_that_would_be_overwritten)
   BOOST_TEST(fs::file_size(file) == npy("<f8", "800, 3", "False", data).size());
 }
 
+// The engine alone removes nothing of others either, and has its folder to itself.
+BOOST_AUTO_TEST_CASE(a_state_of_others)
+{
+  const Folder folder;
+  const Points points = some_points(800);
+  CGAL::Tiles_in_files_3 engine(folder.path);
+  const auto run = [&] {
+    CGAL::delaunay_3_tiles(
+        engine, source_of(points), [](const CGAL::Delaunay_3_tile&) {}, options_of(3));
+  };
+  const fs::path file = folder.path / "state" / "tile-5";
+  fs::create_directories(file.parent_path());
+  write_bytes(file, "mine");
+  check_refused(run, file.string(), "is of another run");
+  BOOST_TEST(fs::file_size(file) == 4u);
+  fs::remove(file);
+#ifdef __linux__
+  {
+    const core::Folder_lock lock(folder.path, core::Folder_lock::SHARED);
+    check_refused(run, folder.path.string(), "another run is at work there");
+  }
+#endif
+  run();
+}
+
 // Of an array every coordinate counts.
 BOOST_AUTO_TEST_CASE(arrays_that_change)
 {

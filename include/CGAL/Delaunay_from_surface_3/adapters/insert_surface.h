@@ -347,11 +347,11 @@ struct Order_options
 {
   unsigned int seed;
   bool creates_in_input_order;
-  std::size_t most_cells = Compact_numbers::max_cells; // or CGAL inserts
+  std::size_t most_cells = Compact_numbers::max_cells; // in the core; beyond, CGAL inserts
 };
 
-// CGAL's insertion in the place of the core, for the reason `obstacle`, in the same order: what is known
-// of it, or what `orders` makes.
+// Inserts by CGAL in place of the core, and tells the watcher the reason, `obstacle`. The order is the one
+// that is known already, or else the one that `orders` makes.
 template <class Traits, class Triangulation, class Watcher>
 [[gnu::cold]] Inserted_points<typename Triangulation::Vertex_handle>
 insert_round_core(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
@@ -372,7 +372,7 @@ insert_round_core(Triangulation& tr, const std::vector<typename Triangulation::P
   return insert_through_cgal<Planned_hints_3>(tr, points, *order, Index_graph(), watcher);
 }
 
-// Returns the vertices by point.
+// Inserts through the core if it serves, else by CGAL. Returns the vertices by point.
 template <class Crew, class Traits, class Triangulation, class Input, class Watcher>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_through_core(Triangulation& tr, const Input& input, const Traits& traits,
