@@ -14,7 +14,6 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
@@ -93,16 +92,19 @@ py::tuple views_of(Arrays&& moved, bool with_neighbors)
 }
 
 // Returns the finite cells that the core makes of the points, if it was not stopped.
-Arrays arrays_of(core::Point_source& points, core::Order_source& orders, core::Watcher& watcher,
-                 const core::Executor& executor)
+Arrays arrays_of(core::Point_source& points, CGAL::Delaunay_from_surface_3::Insertion_order* kept,
+                 unsigned int seed, core::Observer& observer, const core::Executor& executor)
 {
   python::refuse_obstacle();
-  const auto build = executor.number_of_workers() > 1 ? &core::build<core::Many_threads>
-                                                      : &core::build<core::One_thread>;
-  const auto built = build(points, orders, {true, true}, watcher, executor);
+  core::Build_options options;
+  options.seed = seed;
+  options.adds_apex = true;
+  const auto built = kept == nullptr
+                         ? core::build(points, options, observer, executor)
+                         : core::build_again(*kept, points, options, observer, executor);
   // Points on a line are sorted at once.
   if (built->outcome == core::Insertion_outcome::FLAT && points.points().size() > 0 &&
-      !watcher.go_further(0))
+      !observer.go_further(0))
     return Arrays();
   return core::arrays_of_built<std::int32_t>(*built, points, executor, false);
 }
@@ -126,25 +128,20 @@ py::tuple triangulated(const py::array& array, const py::object& faces, bool nei
   const core::Thread_executor executor((std::min)(threads, std::size_t(core::Lanes::most_workers)));
   python::Copied_points points(array);
   check_faces(faces, points.size());
-  core::Order_request request;
-  request.seed = seed;
-  auto orders = core::order_of_core(request);
-  if (kept != nullptr)
-    orders = std::make_unique<core::Kept_order>(kept->order, std::move(orders));
-  python::Interruptible_watcher watcher(points.size(), progress, rounding);
+  python::Interruptible_observer observer(points.size(), progress, rounding);
   Arrays arrays;
   try {
     const python::Unlocked unlocked;
-    arrays = arrays_of(points, *orders, watcher, executor);
+    arrays = arrays_of(points, kept == nullptr ? nullptr : &kept->order, seed, observer, executor);
     if (!neighbors)
       arrays.drop_neighbors();
   } catch (const CGAL::Delaunay_from_surface_3::Too_many_cells& error) {
     PyErr_SetString(PyExc_OverflowError, error.what());
     throw py::error_already_set();
   }
-  if (watcher.is_stopped())
+  if (observer.is_stopped())
     throw Stopped("progress returned False");
-  watcher.finish();
+  observer.finish();
   return views_of(std::move(arrays), neighbors);
 }
 

@@ -14,7 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
@@ -118,12 +118,11 @@ void check_triangles(const std::int32_t* triangles, std::size_t number, std::siz
 
 Arrays built_of(const core::Point_array& points, const core::Executor& executor)
 {
-  const auto orders = core::order_of_core(core::Order_request());
   core::Given_points source(points);
-  core::Watcher nobody;
-  const auto build = executor.number_of_workers() > 1 ? &core::build<core::Many_threads>
-                                                      : &core::build<core::One_thread>;
-  const auto built = build(source, *orders, {true, true}, nobody, executor);
+  core::Build_options options;
+  options.adds_apex = true;
+  core::Observer nobody;
+  const auto built = core::build(source, options, nobody, executor);
   return core::arrays_of_built<std::int32_t>(*built, source, executor);
 }
 

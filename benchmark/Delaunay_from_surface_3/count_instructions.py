@@ -32,8 +32,8 @@ EXTENSIONS = {".off", ".ply", ".obj", ".stl"}
 FUNCTIONS = ["insert_once_by_plain_cgal", "insert_once_by_default"]
 PHASES = {  # a phase is all that is called from lines of the first within the second, by regular expressions
     "read": ("adapters/Read_\\w+.h", ""),
-    "plan": ("core/order/Order_of_core.h", "::make"),
-    "permute": ("core/kernel/Ordered_complex.h", "::Ordered_complex"),
+    "plan": ("core/(build_impl|order/\\w+).h", "::(order_of_points|spaced_rounds)"),
+    "permute": ("core/kernel/Ordered_complex.h", "Ordered_complex<.*::start"),
     "walk": ("core/kernel/Walk_to_conflict.h", ""),
     "dig": ("core/kernel/Inserter.h", "::dig_in_vectors"),
     "fill": ("core/kernel/Fill_star.h", "Fill_star<.*operator"),

@@ -65,7 +65,7 @@ struct Watch : CGAL::Default_surface_insertion_visitor_3
   double export_begins = 0; // on the clock
   DFS::Insertion_counts counts;
 
-  void phase_begins(CGAL::Surface_insertion_phase phase)
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
     using Phase = CGAL::Surface_insertion_phase;
     if (phase == Phase::LOCATION || phase == Phase::UPDATE || phase == Phase::TRACE)

@@ -26,17 +26,20 @@ using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 // The base class does nothing; only the functions of interest are redefined.
 struct My_visitor : CGAL::Default_surface_insertion_visitor_3
 {
-  std::size_t inserted = 0, points_of_round = 0, limit = 0;
+  std::size_t inserted = 0, limit = 0;
 
-  void round_begins(std::size_t round, std::size_t number_of_points)
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t number)
   {
-    inserted += points_of_round;
-    points_of_round = number_of_points;
-    std::cout << "round " << round << ": " << number_of_points << " points\n";
+    if (phase == CGAL::Surface_insertion_phase::ROUND)
+      std::cout << "a round of " << number << " points\n";
   }
 
   // Called in each round, every 256 points. A real program would check a clock or a button here.
-  bool go_further() { return inserted < limit; }
+  bool go_further(std::size_t so_far)
+  {
+    inserted = so_far;
+    return inserted < limit;
+  }
 };
 
 int main(int argc, char* argv[])

@@ -9,10 +9,9 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
-#include <CGAL/Delaunay_from_surface_3/adapters/Visitor_watcher.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Visitor_observer.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -35,24 +34,16 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The order that the named parameters ask for.
-template <class NamedParameters>
-Order_request order_of_arrays(const NamedParameters& np)
-{
-  Order_request request;
-  request.seed = static_cast<unsigned int>(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0));
-  return request;
-}
-
-// The way into arrays: one of those that the core has.
+// Makes arrays of the points, by the core: in the order `kept`, if one is given, and else in its own.
 template <class Index, class Executor, class NamedParameters>
-Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& orders,
+Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Insertion_order* kept,
                                             const std::optional<std::string>& irregularity,
-                                            const Executor& executor, const NamedParameters& np)
+                                            const Executor& executor, const NamedParameters& np,
+                                            Build_options options = Build_options())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  using Phase = Surface_insertion_phase;
   static_assert(std::is_same<Index, std::int32_t>::value,
                 "indices are std::int32_t: for more points use delaunay_3_tiles()");
   check_named_parameters<internal_np::point_t, internal_np::random_seed_t, internal_np::visitor_t>(
@@ -65,23 +56,25 @@ Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Order_source& 
   if (const char* const obstacle = obstacle_of_core())
     throw std::runtime_error(std::string("arrays would be slow to make, or not exact: ") +
                              obstacle);
-  Visitor_watcher<Visitor> watcher(visitor, rounding);
+  Visitor_observer<Visitor> observer(visitor, rounding);
   if (irregularity)
-    watcher.surface_is_irregular(*irregularity);
-  const Request request = {true, true};
-  const auto built =
-      build<typename Crew<Executor>::type>(points, orders, request, watcher, executor);
+    observer.notice(Surface_insertion_notice::SURFACE_IS_IRREGULAR, *irregularity);
+  options.seed =
+      static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0));
+  options.adds_apex = true;
+  const auto built = kept == nullptr ? build(points, options, observer, executor)
+                                     : build_again(*kept, points, options, observer, executor);
   if (built->outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
-    watcher.insertion_begins(1);
-    if (points.points().size() > 0 && !watcher.go_further(0)) {
+    observer.phase_begins(Phase::INSERTION, 1);
+    if (points.points().size() > 0 && !observer.go_further(0)) {
       built->outcome = Insertion_outcome::STOPPED;
     } else {
-      watcher.insertion_ends(static_cast<const Insertion_counts&>(built->counts));
-      watcher.phase_begins(Surface_insertion_phase::FINISH);
+      observer.insertion_ends(static_cast<const Insertion_counts&>(built->counts));
+      observer.phase_begins(Phase::FINISH);
     }
   }
   Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(*built, points, executor);
-  watcher.phase_begins(Surface_insertion_phase::DONE);
+  observer.phase_begins(Phase::DONE);
   return arrays;
 }
 
@@ -158,8 +151,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 {
   using namespace Delaunay_from_surface_3::internal;
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
-  const auto orders = order_of_core(order_of_arrays(np));
-  return insert_into_arrays<Index>(read, *orders, std::nullopt,
+  return insert_into_arrays<Index>(read, nullptr, std::nullopt,
                                    typename Executor_of_tag<ConcurrencyTag>::type(), np);
 }
 
@@ -190,8 +182,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points, const FaceR
     irregularity = soup_edges(faces, read.size(), executor).irregularity;
   else
     check_faces(faces, read.size());
-  const auto orders = order_of_core(order_of_arrays(np));
-  return insert_into_arrays<Index>(read, *orders, irregularity, executor, np);
+  return insert_into_arrays<Index>(read, nullptr, irregularity, executor, np);
 }
 
 /*!
@@ -224,8 +215,7 @@ Delaunay_3_arrays<Index> delaunay_3_arrays(const PointRange& points,
 {
   using namespace Delaunay_from_surface_3::internal;
   Read_coordinates<PointRange, CGAL_NP_CLASS> read(points, np);
-  Kept_order orders(order, order_of_core(order_of_arrays(np)));
-  return insert_into_arrays<Index>(read, orders, std::nullopt,
+  return insert_into_arrays<Index>(read, &order, std::nullopt,
                                    typename Executor_of_tag<ConcurrencyTag>::type(), np);
 }
 

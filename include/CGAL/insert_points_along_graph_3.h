@@ -62,7 +62,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 inserts points that are the vertices of any graph: the edges of a soup, curves, nearest neighbours.
 By default the edges are not looked at; other traits trace them, or make the order from them.
 The result, and the state after a stop or an exception, are those of `insert_surface_vertices_3()`.
-As there is no surface, the visitor's `surface_is_irregular()` is not called.
+As there is no surface, the visitor never hears that it is irregular.
 
 <b>Complexity</b>: \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 

@@ -57,14 +57,14 @@ private:
 
 // Takes the interpreter lock now and then, for signals and for the user's function. An exception
 // that these raise, such as KeyboardInterrupt, passes through the core.
-class Interruptible_watcher final : public CGAL::Delaunay_from_surface_3::internal::Watcher
+class Interruptible_observer final : public CGAL::Delaunay_from_surface_3::internal::Observer
 {
   using Rounding = CGAL::Delaunay_from_surface_3::internal::Rounding_to_nearest;
 
 public:
   // Keeps references.
-  Interruptible_watcher(std::size_t number_of_points, const py::object& progress,
-                        const Rounding& rounding)
+  Interruptible_observer(std::size_t number_of_points, const py::object& progress,
+                         const Rounding& rounding)
     : m_number_of_points(number_of_points)
     , m_progress(progress)
     , m_rounding(rounding)

@@ -53,10 +53,17 @@ struct Reasons_visitor : CGAL::Default_surface_insertion_visitor_3
   std::vector<std::string> replaced, irregular;
   std::size_t stop_before = std::size_t(-1), asked = 0, orders_replaced = 0;
 
-  void target_is_replaced(const std::string& reason) { replaced.push_back(reason); }
-  void surface_is_irregular(const std::string& reason) { irregular.push_back(reason); }
-  void order_is_replaced(const std::string&) { ++orders_replaced; }
-  bool go_further() { return asked++ != stop_before; }
+  void notice(CGAL::Surface_insertion_notice what, const std::string& reason)
+  {
+    using Notice = CGAL::Surface_insertion_notice;
+    if (what == Notice::CORE_IS_REPLACED)
+      replaced.push_back(reason);
+    else if (what == Notice::SURFACE_IS_IRREGULAR)
+      irregular.push_back(reason);
+    else if (what == Notice::ORDER_IS_REPLACED)
+      ++orders_replaced;
+  }
+  bool go_further(std::size_t) { return asked++ != stop_before; }
 };
 
 // What was said while the arrays of the points were made, and checked.
@@ -79,30 +86,13 @@ std::vector<Point> grid(int x, int y, int z)
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 
-// The core's order with a budget that nothing keeps.
-class Starved_order final : public DFS::internal::Order_source
+// A budget that nothing keeps.
+DFS::internal::Build_options starved()
 {
-public:
-  DFS::internal::Order_view make(const DFS::internal::Point_array& points,
-                                 const DFS::internal::Executor& executor) override
-  {
-    return m_orders->make(points, executor);
-  }
-  std::size_t cells_per_point() const override
-  {
-    return m_is_first ? 1 : m_orders->cells_per_point();
-  }
-  bool go_on() override
-  {
-    m_is_first = false;
-    return m_orders->go_on();
-  }
-
-private:
-  std::unique_ptr<DFS::internal::Order_source> m_orders =
-      DFS::internal::order_of_core(DFS::internal::Order_request());
-  bool m_is_first = true;
-};
+  DFS::internal::Build_options options;
+  options.cells_per_point = 1;
+  return options;
+}
 
 } // namespace
 
@@ -114,10 +104,9 @@ BOOST_AUTO_TEST_CASE(an_order_over_its_budget_is_replaced)
     Reasons_visitor visitor;
     const auto coordinates = DFS::internal::rounded_coordinates(surface.points);
     DFS::internal::Given_points points({coordinates.data(), surface.points.size()});
-    Starved_order orders;
     check_arrays(DFS::internal::insert_into_arrays<std::int32_t>(
-                     points, orders, std::nullopt, DFS::internal::Alone(),
-                     CGAL::parameters::visitor(std::ref(visitor))),
+                     points, nullptr, std::nullopt, DFS::internal::Alone(),
+                     CGAL::parameters::visitor(std::ref(visitor)), starved()),
                  surface.points);
     BOOST_TEST(visitor.orders_replaced == (n > 1000 ? 1u : 0u));
   }
@@ -501,7 +490,7 @@ BOOST_AUTO_TEST_CASE(visitors_are_called_in_the_rounding_mode_of_the_caller)
   struct Mode_visitor : CGAL::Default_surface_insertion_visitor_3
   {
     std::set<int> modes;
-    bool go_further() { return modes.insert(std::fegetround()), true; }
+    bool go_further(std::size_t) { return modes.insert(std::fegetround()), true; }
   };
   for (const auto& points : {grid(4, 4, 4), grid(5, 5, 1), grid(9, 1, 1)})
     for (const bool has_faces : {false, true}) {
@@ -576,13 +565,12 @@ BOOST_AUTO_TEST_CASE(order_of_the_last_call)
     order.order.push_back(i);
   order.round_ends = {points.size()};
   order.starting_places.clear();
-  DFS::internal::Kept_order orders(order, std::make_unique<Starved_order>());
   const auto coordinates = DFS::internal::rounded_coordinates(points);
   DFS::internal::Given_points source({coordinates.data(), points.size()});
   Reasons_visitor visitor;
   check_arrays(DFS::internal::insert_into_arrays<std::int32_t>(
-                   source, orders, std::nullopt, DFS::internal::Alone(),
-                   CGAL::parameters::visitor(std::ref(visitor))),
+                   source, &order, std::nullopt, DFS::internal::Alone(),
+                   CGAL::parameters::visitor(std::ref(visitor)), starved()),
                points);
   BOOST_CHECK_EQUAL(visitor.orders_replaced, 2u);
   BOOST_CHECK_EQUAL(order.order.size(), points.size());

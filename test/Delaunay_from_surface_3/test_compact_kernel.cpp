@@ -17,12 +17,12 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/adapters/Visitor_watcher.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Visitor_observer.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
@@ -74,7 +74,7 @@ struct As_given
 struct Fallback_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   std::string reason;
-  void target_is_replaced(const std::string& r) { reason = r; }
+  void notice(CGAL::Surface_insertion_notice, const std::string& r) { reason = r; }
 };
 
 namespace {
@@ -220,20 +220,22 @@ BOOST_AUTO_TEST_CASE(more_cells_than_there_may_be)
 {
   using namespace DFS::internal;
   const std::vector<std::array<double, 3>> points = tests::points_of("cube", 4000, 1);
-  const auto build_within = [&](const auto& build, std::size_t most_cells) {
+  const auto build_within = [&](std::size_t threads, std::size_t most_cells) {
     Given_points source(Point_array(points.front().data(), points.size()));
-    const auto orders = order_of_core(Order_request());
-    Watcher nobody;
-    const Thread_executor executor(2);
-    const auto built = build(source, *orders, {true, true, most_cells}, nobody, executor);
+    Observer nobody;
+    Build_options options;
+    options.adds_apex = true;
+    options.most_cells = most_cells;
+    const Thread_executor executor(threads);
+    const auto built = build(source, options, nobody, executor);
     if (built->outcome == Insertion_outcome::TOO_MANY_CELLS)
       BOOST_CHECK_THROW(arrays_of_built<std::int32_t>(*built, source, executor), std::length_error);
     return built->outcome;
   };
-  for (const auto& build : {&build<One_thread>, &build<Many_threads>}) {
-    BOOST_TEST((build_within(build, 60000) == Insertion_outcome::COMPLETE));
+  for (const std::size_t threads : {1, 2}) {
+    BOOST_TEST((build_within(threads, 60000) == Insertion_outcome::COMPLETE));
     for (const std::size_t most : {4, 100, 20000})
-      BOOST_TEST((build_within(build, most) == Insertion_outcome::TOO_MANY_CELLS));
+      BOOST_TEST((build_within(threads, most) == Insertion_outcome::TOO_MANY_CELLS));
   }
 }
 
@@ -249,7 +251,7 @@ struct Input_of_points
 struct Stopping_visitor : Fallback_visitor
 {
   std::size_t calls_left = std::size_t(-1);
-  bool go_further() { return calls_left-- > 0; }
+  bool go_further(std::size_t) { return calls_left-- > 0; }
 };
 
 } // namespace
@@ -263,12 +265,12 @@ BOOST_AUTO_TEST_CASE(insertion_in_place_of_the_core_that_gave_up)
   for (const bool stops : {false, true}) {
     Stopping_visitor visitor;
     const DFS::internal::Rounding_to_nearest rounding;
-    Visitor_watcher<Stopping_visitor> watcher(visitor, rounding);
+    Visitor_observer<Stopping_visitor> observer(visitor, rounding);
     if (stops)
       visitor.calls_left = 3000;
     Triangulation tr;
-    const auto inserted = insert_through_core<One_thread>(
-        tr, input, CGAL::Surface_insertion_traits_3(), {0, false, 20000}, watcher, Alone());
+    const auto inserted = insert_through_core(tr, input, CGAL::Surface_insertion_traits_3(),
+                                              {0, false, 20000}, observer, Alone());
     BOOST_TEST(visitor.reason ==
                "there are more than 2^30 cells, or 2^31 points: tiles serve these");
     BOOST_TEST(inserted.is_complete == !stops);

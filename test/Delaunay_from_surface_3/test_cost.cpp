@@ -44,14 +44,15 @@ Cost cost(std::size_t n)
   const auto meter = [counting = tr.geom_traits()] { return counting.counts(); };
   meters::Metering_visitor_3<decltype(meter)> visitor(meter);
   CGAL::insert_points_3(tr, surface.points, surface.faces, Traits(),
-                                CGAL::parameters::visitor(std::ref(visitor)));
+                        CGAL::parameters::visitor(std::ref(visitor)));
   std::string rounds;
   std::size_t traced = 0;
   for (const auto& round : visitor.rounds()) {
+    if (round[Phase::TRACE].cells_entered() == 0)
+      continue;
     traced += round.number_of_traced_points;
-    if (round.number_of_traced_points > 0)
-      rounds += " " + std::to_string(double(round[Phase::TRACE].cells_entered()) /
-                                     double(round.number_of_traced_points));
+    rounds += " " + std::to_string(double(round[Phase::TRACE].cells_entered()) /
+                                   double(round.number_of_traced_points));
   }
   Cost result;
   if (traced > 0)

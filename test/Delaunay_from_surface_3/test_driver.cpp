@@ -100,12 +100,15 @@ struct Watch : CGAL::Default_surface_insertion_visitor_3
   std::size_t orders_replaced = 0, ends = 0, rounds = 0, plans = 0;
   DFS::Insertion_counts counts;
 
-  void order_is_replaced(const std::string&) { ++orders_replaced; }
-  void phase_begins(CGAL::Surface_insertion_phase phase)
+  void notice(CGAL::Surface_insertion_notice what, const std::string&)
+  {
+    orders_replaced += what == CGAL::Surface_insertion_notice::ORDER_IS_REPLACED;
+  }
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
     plans += phase == CGAL::Surface_insertion_phase::PLAN;
+    rounds += phase == CGAL::Surface_insertion_phase::ROUND;
   }
-  void round_begins(std::size_t, std::size_t) { ++rounds; }
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints&)
   {

@@ -38,7 +38,7 @@ struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   std::size_t told = 0;
 
-  void target_is_replaced(const std::string& why) { told += why == reason; }
+  void notice(CGAL::Surface_insertion_notice, const std::string& why) { told += why == reason; }
 };
 
 } // namespace
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(an_order_of_vertices_is_refused)
   const Indexed_surface surface = surfaces::genus_surface(1, 1000, 0.1);
   Triangulation tr;
   BOOST_CHECK_EXCEPTION(CGAL::insert_points_3(tr, surface.points, surface.faces,
-                                                      CGAL::parameters::preserve_order(true)),
+                                              CGAL::parameters::preserve_order(true)),
                         CGAL::Surface_input_error, [](const CGAL::Surface_input_error& error) {
                           return std::string(error.what()).find(reason) != std::string::npos;
                         });

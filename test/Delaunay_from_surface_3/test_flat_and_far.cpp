@@ -51,7 +51,7 @@ struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
   {
     counts = target.counts();
   }
-  void target_is_replaced(const std::string& r) { reason = r; }
+  void notice(CGAL::Surface_insertion_notice, const std::string& r) { reason = r; }
 };
 
 // What was left open by floating point, and by all but the kernel, of one point on average.

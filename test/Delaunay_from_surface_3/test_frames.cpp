@@ -80,9 +80,9 @@ std::vector<std::string> frames()
 struct Looking_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   std::vector<std::string> stack;
-  void round_begins(std::size_t, std::size_t)
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
-    if (stack.empty())
+    if (phase == CGAL::Surface_insertion_phase::ROUND && stack.empty())
       stack = frames();
   }
 };

@@ -98,7 +98,7 @@ std::vector<std::string> in_large_pages()
 struct Visitor_at_export : CGAL::Default_surface_insertion_visitor_3
 {
   std::size_t advised = 0;
-  void phase_begins(CGAL::Surface_insertion_phase phase)
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
     if (phase == CGAL::Surface_insertion_phase::FINISH)
       advised = in_large_pages().size();

@@ -73,7 +73,7 @@ class Mixtures(unittest.TestCase):
     def test_no_bodies_in_common(self):
         """But for those of abstract classes, which do nothing, and of structs of the standard library's types, whose own
         members are shared anyway."""
-        trivial = re.compile(r"::(Watcher|Task|Executor|(Point|Order)_source|Built|Tile_source_3|"
+        trivial = re.compile(r"::(Observer|Task|Executor|Point_source|Built|Tile_source_3|"
                              r"Tiles_\w+|Tile_files_error|Tile_too_large|Delaunay_3_tile)::")
         names = {name: functions(self.folder / f"{name}.o") for name in (*UNITS, *(source.stem for source in LIBRARY))}
         for one in names:

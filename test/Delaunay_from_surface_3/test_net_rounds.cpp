@@ -16,7 +16,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
@@ -99,11 +99,12 @@ Destroyed destroyed(const std::vector<Point>& all, const DFS::Insertion_order& p
 {
   namespace core = DFS::internal;
   const auto coordinates = core::rounded_coordinates(all);
-  core::Watcher nobody;
+  core::Observer nobody;
   core::Order_view order = core::view_of(plan);
   order.starting_places = nullptr;
-  core::Ordered_complex<core::Compact_vertex> complex(
-      core::Point_array(coordinates.data(), all.size()), order, nullptr);
+  core::Ordered_complex<core::Compact_vertex> complex;
+  complex.order = order;
+  complex.start(core::Point_array(coordinates.data(), all.size()), nullptr);
   core::Insert_alone<core::Compact_vertex> insert(complex, core::Alone(), nobody);
   Destroyed result;
   std::size_t first = 0, before = 0;
@@ -187,8 +188,7 @@ BOOST_AUTO_TEST_CASE(order_of_points_by_request)
   const std::size_t n = surface.points.size();
   const auto coordinates = rounded_coordinates(surface.points);
   const auto order = [&](const auto& plan) {
-    return copy_of(
-        order_of_core(plan.order_request())->make(Point_array(coordinates.data(), n), Alone()));
+    return order_of_points(Point_array(coordinates.data(), n), options_of(plan), Alone());
   };
   const auto planned = [&](const auto& plan) {
     return plan(surface.points, Kernel(), Graph(), get(boost::vertex_index, Graph()));

@@ -204,11 +204,15 @@ BOOST_AUTO_TEST_CASE(arrays)
       points.push_back(points[(7 * i) % points.size()]);
     const auto coordinates = DFS::internal::rounded_coordinates(points);
     DFS::internal::Given_points source({coordinates.data(), points.size()});
-    tests::Given_order order(DFS::internal::spaced_rounds(source.points()));
+    const DFS::Insertion_order order = DFS::internal::spaced_rounds(source.points());
+    const DFS::internal::Order_view view = DFS::internal::view_of(order);
+    DFS::internal::Build_options options;
+    options.given = &view;
+    options.adds_apex = true;
     const auto arrays_by = [&](const DFS::internal::Executor& executor, bool infinite = true) {
-      DFS::internal::Watcher nobody;
-      const auto built = DFS::internal::build<DFS::internal::One_thread>(
-          source, order, {true, true}, nobody, executor);
+      DFS::internal::Observer nobody;
+      const auto built =
+          DFS::internal::build_by<DFS::internal::Insert_alone>(source, options, nobody, executor);
       BOOST_TEST_REQUIRE(built->cells_end > 3u * 65536); // so that threads have a part
       return DFS::internal::arrays_of_built<Index>(*built, source, executor, infinite);
     };

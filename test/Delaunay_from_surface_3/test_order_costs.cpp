@@ -17,7 +17,7 @@
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
@@ -55,7 +55,10 @@ struct Order_watch : CGAL::Default_surface_insertion_visitor_3
   std::size_t orders_replaced = 0;
   double destroyed = 0;
 
-  void order_is_replaced(const std::string&) { ++orders_replaced; }
+  void notice(CGAL::Surface_insertion_notice what, const std::string&)
+  {
+    orders_replaced += what == CGAL::Surface_insertion_notice::ORDER_IS_REPLACED;
+  }
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints&)
   {
@@ -272,7 +275,7 @@ BOOST_AUTO_TEST_CASE(sorting_of_many_points_that_are_equal)
 
 BOOST_AUTO_TEST_CASE(what_the_budget_allows)
 {
-  const DFS::internal::Insertion_budget budget(64), none(DFS::internal::Order_source::any_number),
+  const DFS::internal::Insertion_budget budget(64), none(DFS::internal::Build_options::any_number),
       spread(64, true);
   for (const auto& [inserted, cells] :
        {std::pair<std::size_t, std::size_t>(0, 64), {1000, 64}, {1000000, 64}, {4000000, 72}}) {

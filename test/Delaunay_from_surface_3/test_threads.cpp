@@ -64,10 +64,17 @@ struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
   std::size_t asked_before_replaced = 0;
   bool throws = false;
 
-  void order_is_replaced(const std::string&) { asked_before_replaced = asked; }
-
-  void insertion_begins(std::size_t number) { threads = number; }
-  bool go_further()
+  void notice(CGAL::Surface_insertion_notice what, const std::string&)
+  {
+    if (what == CGAL::Surface_insertion_notice::ORDER_IS_REPLACED)
+      asked_before_replaced = asked;
+  }
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t number)
+  {
+    if (phase == CGAL::Surface_insertion_phase::INSERTION)
+      threads = number;
+  }
+  bool go_further(std::size_t)
   {
     if (asked++ != stops_at)
       return true;
@@ -141,7 +148,6 @@ struct Numbers_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   std::vector<std::size_t> numbers;
 
-  using CGAL::Default_surface_insertion_visitor_3::go_further;
   bool go_further(std::size_t inserted)
   {
     numbers.push_back(inserted);
@@ -355,16 +361,16 @@ struct Cancelling_visitor : Counting_visitor
     , cancel(std::move(c))
   {
   }
-  void phase_begins(CGAL::Surface_insertion_phase phase)
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
     if (phase == moment.phase)
       cancel();
   }
-  bool go_further()
+  bool go_further(std::size_t inserted)
   {
     if (asked == moment.insertion)
       cancel();
-    return Counting_visitor::go_further();
+    return Counting_visitor::go_further(inserted);
   }
 };
 

@@ -72,7 +72,7 @@ void check(const Mesh& mesh, const Traits& traits)
   struct Visitor : CGAL::Default_surface_insertion_visitor_3
   {
     std::size_t* insertions;
-    bool go_further() { return ++*insertions > 0; }
+    bool go_further(std::size_t) { return ++*insertions > 0; }
   } visitor;
   visitor.insertions = &insertions;
   std::vector<std::pair<Mesh::Vertex_index, typename Tr::Vertex_handle>> map;

@@ -9,6 +9,8 @@
 
 #include "Watching_visitor.h"
 
+#include <array>
+
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using namespace tests::input;
 
@@ -71,18 +73,16 @@ void check_stops()
 struct Logging
 {
   std::string log;
-  void surface_is_irregular(const std::string&) { log += "irregular "; }
-  void subgraph_is_replaced(const std::string&) { log += "replaced "; }
-  void target_is_replaced(const std::string&) { log += "by CGAL "; }
-  void order_is_replaced(const std::string&) { log += "anew "; }
-  void insertion_begins(std::size_t) {}
-  void phase_begins(CGAL::Surface_insertion_phase phase) { log += "PSLUTFD"[int(phase)]; }
-  void round_begins(std::size_t h, std::size_t n)
+  static constexpr bool follows_points = true;
+  void notice(CGAL::Surface_insertion_notice what, const std::string&)
   {
-    log += " round " + std::to_string(h) + " of " + std::to_string(n) + ": ";
+    log += std::array<const char*, 4>{"irregular ", "replaced ", "by CGAL ", "anew "}[int(what)];
   }
-  void trace_ends(std::size_t located) { log += " located " + std::to_string(located); }
-  bool go_further() { return log += " go ", true; }
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t number)
+  {
+    log += "PSIRLUTFD"[int(phase)] + (number > 0 ? std::to_string(number) : "");
+  }
+  bool go_further(std::size_t inserted) { return log += " go" + std::to_string(inserted), true; }
   template <class Target, class Hints>
   void insertion_ends(const Target&, const Hints&)
   {
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_everything)
     not_inserted += n - end;
   BOOST_TEST(visitor.asked == n);
   BOOST_TEST(visitor.points_in_rounds == n);
-  BOOST_TEST(visitor.rounds.size() == ends.size());
+  BOOST_TEST(visitor.phases[Phase::ROUND] == ends.size());
   BOOST_TEST(visitor.located_by_traces == not_inserted);
   BOOST_TEST(visitor.phases[Phase::PLAN] == 1u);
   BOOST_TEST(visitor.phases[Phase::SUBGRAPH] == 1u);
@@ -137,8 +137,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_told_in_the_order_documented)
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   CGAL::insert_points_3(tr, points, Faces{{0, 1}}, CGAL::Tracing_traits_3(),
                         parameters::visitor(std::ref(visitor)));
-  BOOST_TEST(visitor.log ==
-             "irregular PSreplaced  round 0 of 2:  go LU go LUT located 1 round 1 of 1:  go LUEFD");
+  BOOST_TEST(visitor.log == "irregular PSreplaced I1R2 go0LU go1LUT1R1 go2LUEFD");
 }
 
 BOOST_AUTO_TEST_CASE(visitor_by_value)
@@ -150,7 +149,7 @@ BOOST_AUTO_TEST_CASE(visitor_by_value)
       : insertions(n)
     {
     }
-    bool go_further() const { return ++*insertions <= 10; }
+    bool go_further(std::size_t) const { return ++*insertions <= 10; }
   };
   std::size_t insertions = 0;
   Triangulation tr = cube_of_points();

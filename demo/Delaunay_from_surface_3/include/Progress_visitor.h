@@ -22,43 +22,35 @@ public:
   {
   }
 
-  void surface_is_irregular(const std::string& reason) { m_messages.note(reason); }
-
-  void subgraph_is_replaced(const std::string& reason)
+  void notice(CGAL::Surface_insertion_notice what, const std::string& reason)
   {
-    m_messages.note(reason + "; a spanning forest serves instead");
-  }
-
-  void target_is_replaced(const std::string& reason)
-  {
-    m_messages.note(reason + ": CGAL's own insertion takes the compact triangulation's place");
-  }
-
-  void order_is_replaced(const std::string& reason)
-  {
-    m_messages.note("another order of the points is tried: " + reason);
-    m_next_shown = 0;
-    m_order_is_replaced = true;
+    using Notice = CGAL::Surface_insertion_notice;
+    if (what == Notice::SUBGRAPH_IS_REPLACED) {
+      m_messages.note(reason + "; a spanning forest serves instead");
+    } else if (what == Notice::CORE_IS_REPLACED) {
+      m_messages.note(reason + ": CGAL's own insertion takes the compact triangulation's place");
+    } else if (what == Notice::ORDER_IS_REPLACED) {
+      m_messages.note("another order of the points is tried: " + reason);
+      m_next_shown = 0;
+      m_order_is_replaced = true;
+    } else {
+      m_messages.note(reason);
+    }
   }
 
   bool has_replaced_order() const { return m_order_is_replaced; }
 
-  void phase_begins(CGAL::Surface_insertion_phase phase)
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
     using Phase = CGAL::Surface_insertion_phase;
     if (phase == Phase::PLAN)
       m_messages.step("ordering the points");
+    else if (phase == Phase::INSERTION)
+      m_messages.step("inserting");
     else if (phase == Phase::FINISH)
       m_messages.step("handing the triangulation over");
   }
 
-  void round_begins(std::size_t round, std::size_t)
-  {
-    if (round == 0)
-      m_messages.step("inserting");
-  }
-
-  // The core says how many points are inserted; CGAL's insertion asks before each.
   bool go_further(std::size_t inserted)
   {
     if (inserted >= m_next_shown) {
@@ -67,11 +59,10 @@ public:
     }
     return true;
   }
-  bool go_further() { return go_further(m_asked++); }
 
 private:
   Messages& m_messages;
-  std::size_t m_number_of_points, m_asked = 0, m_next_shown = 0;
+  std::size_t m_number_of_points, m_next_shown = 0;
   bool m_order_is_replaced = false;
 };
 

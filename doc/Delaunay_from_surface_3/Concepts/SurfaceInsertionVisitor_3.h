@@ -13,23 +13,21 @@ For points p, q, …, in two rounds, the calls come in this order:
 
 | call | |
 |---|---|
-| `surface_is_irregular(reason)` | only if it applies |
-| `phase_begins(PLAN)`, `phase_begins(SUBGRAPH)` | |
-| `subgraph_is_replaced(reason)` | only if the subgraph refuses the surface |
-| `target_is_replaced(reason)` | only if it applies |
-| `insertion_begins(1)` | with the number of threads |
-| `round_begins(0, n_0)` | |
-| `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for p, and so on |
-| `phase_begins(TRACE)`, `trace_ends(k)` | not in the core |
-| `round_begins(1, n_1)` | |
-| `go_further()`, `phase_begins(LOCATION)`, `phase_begins(UPDATE)` | for q, and so on |
-| `insertion_ends(target, hints)`, `phase_begins(FINISH)` | left out after a stop |
-| `phase_begins(DONE)` | |
+| `notice(SURFACE_IS_IRREGULAR, reason)` | only if it applies |
+| `phase_begins(PLAN, 0)`, `phase_begins(SUBGRAPH, 0)` | |
+| `notice(SUBGRAPH_IS_REPLACED, reason)` | only if the subgraph refuses the surface |
+| `notice(CORE_IS_REPLACED, reason)` | only if it applies |
+| `phase_begins(INSERTION, 1)` | with the number of threads |
+| `phase_begins(ROUND, n_0)` | with the number of points |
+| `go_further(0)`, `phase_begins(LOCATION, 0)`, `phase_begins(UPDATE, 0)` | for p, and so on |
+| `phase_begins(TRACE, n_1)` | not in the core |
+| `phase_begins(ROUND, n_1)` | |
+| `go_further(n_0)`, `phase_begins(LOCATION, 0)`, `phase_begins(UPDATE, 0)` | for q, and so on |
+| `insertion_ends(target, hints)`, `phase_begins(FINISH, 0)` | left out after a stop |
+| `phase_begins(DONE, 0)` | |
 
-In the core, `go_further()` is called at the beginning of each round, and then for every 256th point.
-
-If the order is too costly, `order_is_replaced(reason)` is called after an insertion, and all calls
-from `phase_begins(PLAN)` on are repeated.
+If the order is too costly, `notice(ORDER_IS_REPLACED, reason)` is called after an insertion, and all
+calls from `phase_begins(PLAN, 0)` on are repeated.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_surface_insertion_visitor_3}
@@ -38,64 +36,39 @@ from `phase_begins(PLAN)` on are repeated.
 class SurfaceInsertionVisitor_3
 {
 public:
-  /*!
-  is called before the first phase if the surface is not a manifold mesh of triangles. This is not an
-  error.
-
-  \param reason says in words how many faces are not triangles, and how many edges have more than two
-  faces
-  */
-  void surface_is_irregular(const std::string& reason);
+  /// says, at compile time, whether the phases `LOCATION` and `UPDATE` of every point are reported.
+  /// With more than one thread they never are.
+  static constexpr bool follows_points = unspecified_value;
 
   /*!
-  is called before the first round if the compact triangulation of the core cannot be used. This is
-  not an error: %CGAL's own insertion takes its place, and the result is the same. It is called in the
-  middle of the work if there are more cells than 32 bits can number; the rounds then begin anew.
-  \param reason says in words what prevents the use of the core
+  is called when something other than what was asked for is done. This is not an error, and the result
+  is the same.
+
+  \param what is done; `Surface_insertion_notice` says when
+  \param reason says in words why
   */
-  void target_is_replaced(const std::string& reason);
+  void notice(CGAL::Surface_insertion_notice what, const std::string& reason);
 
   /*!
-  is called in the phase `SUBGRAPH` if the subgraph of the traits cannot be used. This is not an
-  error: a spanning forest takes its place, and the result is the same.
+  is called when `phase` begins, which ends the previous phase. The calling thread calls this and all
+  other functions of the visitor.
 
-  \param reason says which vertex or edge the subgraph refuses, or what it needs and the graph lacks
+  \param phase the phase
+  \param number `Surface_insertion_phase` says of what; 0 for phases without a number
   */
-  void subgraph_is_replaced(const std::string& reason);
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t number);
 
   /*!
-  is called in the middle of the work if the order of the plan makes the insertions too costly. This
-  is not an error: they begin anew in another order, with the phase `PLAN`, and the result is the
-  same.
-  \param reason says in words what is too costly
+  is called before each insertion if %CGAL inserts; in the core at the beginning of each round and
+  before every 256th insertion, and with several threads whenever the calling thread takes a portion of
+  points.
+
+  \param inserted the number of points inserted, which is approximate with several threads. It falls
+  only when the work begins anew.
+
+  \return `false` to stop the work here
   */
-  void order_is_replaced(const std::string& reason);
-
-  /*!
-  is called before the first round with the number of threads that may insert. If there is more than
-  one, the phases `LOCATION` and `UPDATE` are not reported, and `go_further()` is called whenever the
-  calling thread takes a portion of points. The calling thread calls all functions of the visitor.
-  */
-  void insertion_begins(std::size_t number_of_threads);
-
-  /// is called when `phase` begins, which ends the previous phase. If a visitor keeps the default's
-  /// version, the phases of single points are not tracked.
-  void phase_begins(CGAL::Surface_insertion_phase phase);
-
-  /*!
-  is called before the first point of a round.
-
-  \param round the number of the round, counted from 0
-  \param number_of_points how many points the round is to insert; at least 1
-  */
-  void round_begins(std::size_t round, std::size_t number_of_points);
-
-  /*!
-  is called after the trace that ends a round: every round but the last, if %CGAL inserts.
-
-  \param number_of_located_points what `InsertionHints_3::trace()` returned
-  */
-  void trace_ends(std::size_t number_of_located_points);
+  bool go_further(std::size_t inserted);
 
   /*!
   is called after the last insertion, before the triangulation is handed over. It gives access to the
@@ -107,22 +80,4 @@ public:
   */
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints& hints);
-
-  /*!
-  is called before each insertion if %CGAL inserts; in the core before every 256th, and at the
-  beginning of each round.
-
-  \return `false` to stop the work here
-  */
-  bool go_further();
-
-  /*!
-  is optional. If it exists, the core calls it instead of the one without argument, with the number of
-  points inserted; with several threads this number is approximate. It falls only when the work begins
-  anew. The one without argument must exist too: a class derived from the default visitor says
-  `using CGAL::Default_surface_insertion_visitor_3::go_further;`.
-
-  \return `false` to stop the work here
-  */
-  bool go_further(std::size_t inserted);
 };

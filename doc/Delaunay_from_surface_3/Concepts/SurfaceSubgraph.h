@@ -44,7 +44,7 @@ public:
   \return the output iterator past the last edge written
 
   \throws Surface_input_error if the model cannot handle this surface. A spanning forest then takes
-  its place, and the visitor's `subgraph_is_replaced()` receives the message. The same happens if the
+  its place, and the visitor is told why (`SUBGRAPH_IS_REPLACED`). The same happens if the
   model cannot be called with this type of graph.
   */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>

@@ -105,17 +105,16 @@ void check_queries(const Arrays& arrays, const core::Point_array& points, const 
   }
 }
 
-Arrays arrays_of(const std::vector<double>& coordinates, core::Order_request::Kind kind,
+Arrays arrays_of(const std::vector<double>& coordinates, core::Build_options::Rounds rounds,
                  const char* where)
 {
   const std::size_t n = coordinates.size() / 3;
   core::Given_points points(core::Point_array(coordinates.data(), n));
-  core::Order_request request;
-  request.kind = kind;
-  const auto orders = core::order_of_core(request);
-  core::Watcher nobody;
-  const auto built =
-      core::build<core::One_thread>(points, *orders, {true, true}, nobody, core::Alone());
+  core::Build_options options;
+  options.rounds = rounds;
+  options.adds_apex = true;
+  core::Observer nobody;
+  const auto built = core::build(points, options, nobody, core::Alone());
   const Arrays arrays = core::arrays_of_built<std::int32_t>(*built, points, core::Alone());
   check(core::is_valid(arrays, points.points(), CGAL::Delaunay_validity_level::DELAUNAY),
         "is no Delaunay triangulation", where);
@@ -133,7 +132,7 @@ void check_lattice(int x, int y, int z, const char* where)
   const int dimension = int(x > 1) + int(y > 1) + int(z > 1);
   const int least[] = {1, 1, 2, 5}, most[] = {1, 1, 2, 6};
   for (const double scale : {1., 0x1p-1070, 0x1p1000, .1})
-    for (const auto kind : {core::Order_request::SPACED, core::Order_request::GEOMETRIC}) {
+    for (const auto rounds : {core::Build_options::SPACED, core::Build_options::RANDOM}) {
       const Arrays arrays = arrays_of(lattice(x, y, z, scale), kind, where);
       check(arrays.dimension() == dimension, "dimension", where);
       check(arrays.number_of_points() == std::size_t(x * y * z), "points", where);
@@ -150,19 +149,19 @@ void check_lattice(int x, int y, int z, const char* where)
 
 int main()
 {
-  check(arrays_of({}, core::Order_request::SPACED, "nothing").dimension() == -1, "dimension",
+  check(arrays_of({}, core::Build_options::SPACED, "nothing").dimension() == -1, "dimension",
         "nothing");
   check_lattice(1, 1, 1, "a point");
   check_lattice(1, 9, 1, "a line");
   check_lattice(7, 1, 6, "a plane");
   check_lattice(5, 6, 7, "space");
   const Arrays sheared =
-      arrays_of(lattice(6, 7, 1, 1, true), core::Order_request::SPACED, "a sheared plane");
+      arrays_of(lattice(6, 7, 1, 1, true), core::Build_options::SPACED, "a sheared plane");
   check(sheared.dimension() == 2, "dimension", "a sheared plane");
   check(sheared.number_of_simplices() == 60, "number of simplices", "a sheared plane");
   std::vector<double> twice = lattice(4, 4, 4, 1);
   twice.insert(twice.end(), twice.begin(), twice.end());
-  const Arrays duplicates = arrays_of(twice, core::Order_request::SPACED, "every point twice");
+  const Arrays duplicates = arrays_of(twice, core::Build_options::SPACED, "every point twice");
   check(duplicates.number_of_points() == 128, "points", "every point twice");
   check(duplicates.number_of_vertices() == 64, "vertices", "every point twice");
   if (failures == 0)

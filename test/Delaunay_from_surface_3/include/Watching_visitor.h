@@ -16,20 +16,27 @@ struct Watching_visitor : CGAL::Default_surface_insertion_visitor_3
   std::size_t stop_before = std::size_t(-1), throw_before = std::size_t(-1);
   std::size_t asked = 0, points_in_rounds = 0, located_by_traces = 0;
   std::vector<std::string> reasons, reasons_of_subgraph;
-  std::vector<std::size_t> rounds;
   std::map<CGAL::Surface_insertion_phase, std::size_t> phases;
   CGAL::Surface_insertion_phase phase = CGAL::Surface_insertion_phase::DONE;
 
-  void surface_is_irregular(const std::string& reason) { reasons.push_back(reason); }
-  void subgraph_is_replaced(const std::string& reason) { reasons_of_subgraph.push_back(reason); }
-  void phase_begins(CGAL::Surface_insertion_phase p) { ++phases[phase = p]; }
-  void round_begins(std::size_t round, std::size_t number_of_points)
+  static constexpr bool follows_points = true;
+
+  void notice(CGAL::Surface_insertion_notice what, const std::string& reason)
   {
-    rounds.push_back(round);
-    points_in_rounds += number_of_points;
+    if (what == CGAL::Surface_insertion_notice::SURFACE_IS_IRREGULAR)
+      reasons.push_back(reason);
+    else if (what == CGAL::Surface_insertion_notice::SUBGRAPH_IS_REPLACED)
+      reasons_of_subgraph.push_back(reason);
   }
-  void trace_ends(std::size_t located) { located_by_traces += located; }
-  bool go_further()
+  void phase_begins(CGAL::Surface_insertion_phase p, std::size_t number)
+  {
+    ++phases[phase = p];
+    if (p == CGAL::Surface_insertion_phase::ROUND)
+      points_in_rounds += number;
+    else if (p == CGAL::Surface_insertion_phase::TRACE)
+      located_by_traces += number;
+  }
+  bool go_further(std::size_t)
   {
     if (asked == throw_before)
       throw std::runtime_error("the visitor throws");

@@ -204,19 +204,14 @@ public:
     : m_insertions(insertions)
   {
   }
-  void surface_is_irregular(const std::string&) {}
-  void target_is_replaced(const std::string&) {}
-  void order_is_replaced(const std::string&) {}
-  void subgraph_is_replaced(const std::string&) {}
-  void insertion_begins(std::size_t) {}
-  void phase_begins(CGAL::Surface_insertion_phase) {}
-  void round_begins(std::size_t, std::size_t) {}
-  void trace_ends(std::size_t) {}
+  static constexpr bool follows_points = true;
+  void notice(CGAL::Surface_insertion_notice, const std::string&) {}
+  void phase_begins(CGAL::Surface_insertion_phase, std::size_t) {}
   template <class Target, class Hints>
   void insertion_ends(const Target&, const Hints&)
   {
   }
-  bool go_further() { return ++*m_insertions > 0; }
+  bool go_further(std::size_t) { return ++*m_insertions > 0; }
 
 private:
   std::size_t* m_insertions;

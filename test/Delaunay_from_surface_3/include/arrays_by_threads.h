@@ -9,7 +9,7 @@
 
 #include "Thread_executor.h"
 
-#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
 #include <CGAL/delaunay_3_arrays.h>
 
 #include <cstddef>
@@ -29,9 +29,8 @@ CGAL::Delaunay_3_arrays<std::int32_t> arrays_by_threads(std::size_t number,
     for (const int k : {0, 1, 2})
       coordinates.push_back(p[k]);
   core::Given_points source(core::Point_array(coordinates.data(), points.size()));
-  const auto orders = core::order_of_core(core::Order_request());
   return core::insert_into_arrays<std::int32_t>(
-      source, *orders, std::nullopt, Thread_executor(number), CGAL::parameters::default_values());
+      source, nullptr, std::nullopt, Thread_executor(number), CGAL::parameters::default_values());
 }
 
 } // namespace tests

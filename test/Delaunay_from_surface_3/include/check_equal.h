@@ -42,8 +42,12 @@ std::vector<typename Triangulation::Point> points_of(const Indexed_surface& surf
 // Fails where the subgraph refuses the surface.
 struct Regular_surface_visitor : CGAL::Default_surface_insertion_visitor_3
 {
-  void surface_is_irregular(const std::string& reason) { BOOST_ERROR(reason); }
-  void subgraph_is_replaced(const std::string& reason) { BOOST_ERROR(reason); }
+  void notice(CGAL::Surface_insertion_notice what, const std::string& reason)
+  {
+    if (what == CGAL::Surface_insertion_notice::SURFACE_IS_IRREGULAR ||
+        what == CGAL::Surface_insertion_notice::SUBGRAPH_IS_REPLACED)
+      BOOST_ERROR(reason);
+  }
 };
 
 // A surface with CGAL's own triangulation of its points.

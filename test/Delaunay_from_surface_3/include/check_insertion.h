@@ -42,25 +42,23 @@ struct Hostile_visitor : CGAL::Default_surface_insertion_visitor_3
   {
   }
 
-  void notice() { keeps_rounding &= rounding == nullptr || rounding->is_kept(); }
-  void surface_is_irregular(const std::string&) { notice(); }
-  void target_is_replaced(const std::string&)
+  static constexpr bool follows_points = true;
+
+  void look() { keeps_rounding &= rounding == nullptr || rounding->is_kept(); }
+  void notice(CGAL::Surface_insertion_notice what, const std::string&)
   {
-    is_replaced = true;
-    notice();
+    is_replaced |= what == CGAL::Surface_insertion_notice::CORE_IS_REPLACED;
+    look();
   }
-  void subgraph_is_replaced(const std::string&) { notice(); }
   template <class Target, class Hints>
   void insertion_ends(const Target&, const Hints&)
   {
-    notice();
+    look();
   }
-  void phase_begins(CGAL::Surface_insertion_phase) { notice(); }
-  void round_begins(std::size_t, std::size_t) { notice(); }
-  void trace_ends(std::size_t) { notice(); }
-  bool go_further()
+  void phase_begins(CGAL::Surface_insertion_phase, std::size_t) { look(); }
+  bool go_further(std::size_t)
   {
-    notice();
+    look();
     if (number_of_insertions++ != insertion.stops_at)
       return true;
     has_stopped = true;

@@ -39,7 +39,10 @@ struct Take_counts : CGAL::Default_surface_insertion_visitor_3
   std::size_t cells_destroyed = 0; // that the hints have seen
   bool order_was_replaced = false;
 
-  void order_is_replaced(const std::string&) { order_was_replaced = true; }
+  void notice(CGAL::Surface_insertion_notice what, const std::string&)
+  {
+    order_was_replaced |= what == CGAL::Surface_insertion_notice::ORDER_IS_REPLACED;
+  }
 
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints& hints)
@@ -109,7 +112,7 @@ inline Json predicates_as_json(const Counting_visitor& visitor, double n)
   result["update"].erase("cells_entered");
   std::size_t traced = 0;
   for (const auto& round : visitor.rounds())
-    traced += round.number_of_traced_points;
+    traced += round[Phase::TRACE].all() > 0 ? round.number_of_traced_points : 0;
   result["rounds"] = visitor.rounds().size() - 1;
   result["traced_points"] = traced;
   if (traced > 0)

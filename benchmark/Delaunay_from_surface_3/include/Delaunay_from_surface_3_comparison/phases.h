@@ -37,7 +37,7 @@ inline constexpr std::array<const char*, 3> stage_names = {"plan", "build", "exp
 class Stage_visitor : public CGAL::Default_surface_insertion_visitor_3
 {
 public:
-  void phase_begins(Phase phase)
+  void phase_begins(Phase phase, std::size_t)
   {
     // Where points are inserted, a few comparisons are left of this.
     if (phase == Phase::PLAN)

@@ -97,14 +97,6 @@ private:
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
-
-template <>
-struct Crew<threads::Timed_executor<Alone>> : Crew<Alone>
-{
-};
-
-} // namespace internal
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
@@ -112,14 +104,15 @@ namespace threads {
 
 struct Timing_visitor : CGAL::Default_surface_insertion_visitor_3
 {
-  void phase_begins(CGAL::Surface_insertion_phase phase)
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
     if (phase == CGAL::Surface_insertion_phase::PLAN)
       part_clock().begin("plan");
     else if (phase == CGAL::Surface_insertion_phase::SUBGRAPH)
       part_clock().begin("permute");
+    else if (phase == CGAL::Surface_insertion_phase::INSERTION)
+      part_clock().begin("insertion");
   }
-  void insertion_begins(std::size_t) { part_clock().begin("insertion"); }
   template <class Target, class Hints>
   void insertion_ends(const Target&, const Hints&)
   {

@@ -33,7 +33,7 @@ public:
   struct Round
   {
     std::size_t number_of_points = 0;        // points of the round; after a stop not all are in.
-    std::size_t number_of_traced_points = 0; // points located by the trace at its end.
+    std::size_t number_of_traced_points = 0; // points that follow the trace at its end.
 
     // returns what was metered in `phase`.
     const Reading& operator[](CGAL::Surface_insertion_phase phase) const
@@ -65,8 +65,11 @@ public:
     return sum;
   }
 
-  // reads the meter, and adds what it gained to the phase that ends.
-  void phase_begins(CGAL::Surface_insertion_phase phase)
+  static constexpr bool follows_points = true;
+
+  // reads the meter, and adds what it gained to the phase that ends; opens the account of another
+  // round.
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t number)
   {
     const Reading now = m_meter();
     // What is running before the first phase and after the last is not ours.
@@ -74,20 +77,12 @@ public:
       m_rounds.back().readings[std::size_t(m_phase)] += now - m_last;
     m_phase = phase;
     m_last = now;
-  }
-
-  // opens the account of another round.
-  void round_begins(std::size_t /* round */, std::size_t number_of_points)
-  {
-    phase_begins(m_phase); // closes the account of the round before
-    m_rounds.emplace_back();
-    m_rounds.back().number_of_points = number_of_points;
-  }
-
-  // keeps the number of points that the trace located.
-  void trace_ends(std::size_t number_of_located_points)
-  {
-    m_rounds.back().number_of_traced_points = number_of_located_points;
+    if (phase == CGAL::Surface_insertion_phase::ROUND) {
+      m_rounds.emplace_back();
+      m_rounds.back().number_of_points = number;
+    } else if (phase == CGAL::Surface_insertion_phase::TRACE) {
+      m_rounds.back().number_of_traced_points = number;
+    }
   }
 
 private:

@@ -89,7 +89,7 @@ using Parallel_executor = void;
 #endif // CGAL_LINKED_WITH_TBB
 
 #if defined(CGAL_LINKED_WITH_TBB) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
-#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
 #endif
 
 #include <type_traits>
@@ -106,18 +106,6 @@ struct Executor_of_tag
   static_assert(!is_parallel || !std::is_void<Parallel_executor>::value,
                 "Parallel_tag is enabled but TBB is unavailable.");
   using type = std::conditional_t<is_parallel, Parallel_executor, Alone>;
-};
-
-// The crew that inserts with an executor.
-template <class Executor>
-struct Crew
-{
-  using type = Many_threads;
-};
-template <>
-struct Crew<Alone>
-{
-  using type = One_thread;
 };
 
 // The executor for the concurrency tag of a call, or else of the triangulation.

@@ -14,14 +14,13 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
-#include <CGAL/Delaunay_from_surface_3/adapters/Visitor_watcher.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Visitor_observer.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/export_complex.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
@@ -41,7 +40,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -204,7 +202,7 @@ template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
 Planned_points(const std::vector<Point>&, const GeomTraits&, const Graph&, VertexIndexMap)
     -> Planned_points<Point, GeomTraits, Graph, VertexIndexMap>;
 
-// Whether a plan names a budget, and a plan to fall back to when it is exceeded.
+// True if a plan names a budget, and a plan to fall back to when it is exceeded.
 template <class Plan>
 using Budget = std::void_t<decltype(Plan::cells_per_point),
                            decltype(std::declval<const Plan&>().fallback_plan())>;
@@ -212,7 +210,7 @@ using Budget = std::void_t<decltype(Plan::cells_per_point),
 template <class Plan>
 constexpr bool has_budget = is_detected<Budget, Plan>;
 
-// Whether the core can carry the plan out: not one that a caller has derived from one of the
+// True if the core can carry the plan out; it cannot if a caller has derived it from one of the
 // core's.
 template <class Plan>
 using Plan_of_core = typename Plan::Plan_of_core;
@@ -220,65 +218,38 @@ using Plan_of_core = typename Plan::Plan_of_core;
 template <class Plan>
 constexpr bool is_plan_of_core = std::is_same<Plan, detected_or_t<void, Plan_of_core, Plan>>::value;
 
-template <class Plan, class Points>
-std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points);
-
-// The order of a caller's plan, and then that of its fallback plan, if the budget is exceeded. An
+// Builds by the core in the order of a plan, and then in that of its fallback plan, if the budget is
+// exceeded. The plan gets the points as the caller knows them, and `order` keeps what it returns. An
 // order that no insertion could use is refused with a std::invalid_argument.
-template <class Plan, class Points>
-class Order_of_plan final : public Order_source
+template <class Plan, class Points, class Observer, class Executor>
+std::unique_ptr<Built> build_by_plan(const Plan& plan, const Points& planned, Point_source& doubles,
+                                     Build_options options, Insertion_order& order,
+                                     Observer& observer, const Executor& executor)
 {
-public:
-  Order_of_plan(const Points& points, const Plan& plan)
-    : m_points(points)
-    , m_plan(plan)
-  {
-  }
-
-  // The plan gets the points as the caller knows them.
-  Order_view make(const Point_array& points, const Executor& executor) override
-  {
-    if (m_next)
-      return m_next->make(points, executor);
-    m_order = m_plan(m_points.points, m_points.gt, m_points.graph, m_points.index_map);
-    check_plan(m_order, m_points.points.size());
-    return view_of(m_order);
-  }
-  std::size_t cells_per_point() const override
-  {
-    if (m_next)
-      return m_next->cells_per_point();
+  if constexpr (is_plan_of_core<Plan>) {
+    plan.ask(options);
+    return build(doubles, options, observer, executor);
+  } else {
+    observer.phase_begins(Surface_insertion_phase::PLAN);
+    order = plan(planned.points, planned.gt, planned.graph, planned.index_map);
+    check_plan(order, planned.points.size());
+    const Order_view view = view_of(order);
+    options.given = &view;
+    options.cells_per_point = Build_options::any_number;
     if constexpr (has_budget<Plan>)
-      return Plan::cells_per_point;
-    else
-      return any_number;
+      options.cells_per_point = Plan::cells_per_point;
+    auto built = build(doubles, options, observer, executor);
+    if constexpr (has_budget<Plan>) {
+      if (built->outcome == Insertion_outcome::OVER_BUDGET) {
+        built.reset();
+        options.given = nullptr;
+        options.cells_per_point = Build_options::usual_number;
+        return build_by_plan(plan.fallback_plan(), planned, doubles, options, order, observer,
+                             executor);
+      }
+    }
+    return built;
   }
-  bool is_spread() const override { return m_next && m_next->is_spread(); }
-  bool go_on() override
-  {
-    if (m_next)
-      return m_next->go_on();
-    m_order = Insertion_order(); // frees the memory before another is made
-    if constexpr (has_budget<Plan>)
-      m_next = order_source(m_plan.fallback_plan(), m_points);
-    return m_next != nullptr;
-  }
-
-private:
-  const Points& m_points;
-  const Plan m_plan;
-  Insertion_order m_order;
-  std::unique_ptr<Order_source> m_next;
-};
-
-// Keeps a reference to the points.
-template <class Plan, class Points>
-std::unique_ptr<Order_source> order_source(const Plan& plan, const Points& points)
-{
-  if constexpr (is_plan_of_core<Plan>)
-    return order_of_core(plan.order_request());
-  else
-    return std::make_unique<Order_of_plan<Plan, Points>>(points, plan);
 }
 
 // What is built aside takes the place of an empty triangulation: with its traits, its lock
@@ -342,7 +313,7 @@ constexpr bool uses_starting_places()
     return true;
 }
 
-// What a caller asks of the order.
+// A caller asks this of the order.
 struct Order_options
 {
   unsigned int seed;
@@ -350,57 +321,48 @@ struct Order_options
   std::size_t most_cells = Compact_numbers::max_cells; // in the core; beyond, CGAL inserts
 };
 
-// Inserts by CGAL in place of the core, and tells the watcher the reason, `obstacle`. The order is the one
-// that is known already, or else the one that `orders` makes.
-template <class Traits, class Triangulation, class Watcher>
-[[gnu::cold]] Inserted_points<typename Triangulation::Vertex_handle>
-insert_round_core(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
-                  Doubles_of_points<typename Triangulation::Point>& doubles, Order_source& orders,
-                  std::optional<Insertion_order> order, const std::string& obstacle,
-                  Watcher& watcher, const Executor& executor)
-{
-  using Phase = Surface_insertion_phase;
-  if (!order) {
-    watcher.phase_begins(Phase::PLAN);
-    order = copy_of(orders.make(doubles.points(), executor));
-    if (!uses_starting_places<Traits>())
-      order->starting_places.clear();
-    watcher.phase_begins(Phase::SUBGRAPH);
-  }
-  doubles.give_up();
-  watcher.target_is_replaced(obstacle);
-  return insert_through_cgal<Planned_hints_3>(tr, points, *order, Index_graph(), watcher);
-}
-
-// Inserts through the core if it serves, else by CGAL. Returns the vertices by point.
-template <class Crew, class Traits, class Triangulation, class Input, class Watcher>
+// Inserts through the core if it serves, else by CGAL, in the same order, and tells the observer the
+// reason. Returns the vertices by point.
+template <class Traits, class Triangulation, class Input, class Observer, class Executor>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_through_core(Triangulation& tr, const Input& input, const Traits& traits,
-                    const Order_options& options, Watcher& watcher, const Executor& executor)
+                    const Order_options& asked, Observer& observer, const Executor& executor)
 {
   Doubles_of_points<typename Triangulation::Point> doubles(input.points);
   const Planned_points planned{input.points, tr.geom_traits(), input.graph, input.index_map};
-  const auto orders = order_source(traits.insertion_plan_object(options.seed), planned);
+  Insertion_order order;
+  Build_options options;
+  options.uses_starting_places = uses_starting_places<Traits>();
+  options.most_cells = asked.most_cells;
+  const auto built_by_plan = [&] {
+    return build_by_plan(traits.insertion_plan_object(asked.seed), planned, doubles, options, order,
+                         observer, executor);
+  };
   std::string obstacle = obstacle_to_core(tr, doubles);
-  std::optional<Insertion_order> order;
+  std::unique_ptr<Built> built;
   if constexpr (serves_geom_traits<Triangulation>())
     if (obstacle.empty()) {
-      const auto built =
-          build<Crew>(doubles, *orders, {false, uses_starting_places<Traits>(), options.most_cells},
-                      watcher, executor);
+      built = built_by_plan();
       if (built->outcome == Insertion_outcome::COMPLETE)
-        return {export_built(*built, input.points, options.creates_in_input_order, tr, executor),
+        return {export_built(*built, input.points, asked.creates_in_input_order, tr, executor),
                 true};
       if (built->outcome == Insertion_outcome::STOPPED)
         return {};
       obstacle = obstacle_found(*built);
-      if (built->outcome == Insertion_outcome::FLAT)
-        order = copy_of(built->order);
     }
-  if (options.creates_in_input_order)
+  if (asked.creates_in_input_order)
     refuse_input_order(obstacle);
-  return insert_round_core<Traits>(tr, input.points, doubles, *orders, std::move(order), obstacle,
-                                   watcher, executor);
+  if (!built || built->outcome != Insertion_outcome::FLAT) {
+    built.reset();
+    options.inserts = false;
+    built = built_by_plan();
+    observer.phase_begins(Surface_insertion_phase::SUBGRAPH);
+  }
+  const Insertion_order copy = copy_of(built->order);
+  built.reset();
+  doubles.give_up();
+  observer.notice(Surface_insertion_notice::CORE_IS_REPLACED, obstacle);
+  return insert_through_cgal<Planned_hints_3>(tr, input.points, copy, Index_graph(), observer);
 }
 
 template <class NamedParameters>
@@ -492,9 +454,9 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
                                      input.points.size());
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   const Rounding_to_nearest rounding;
-  Visitor_watcher<Visitor> watcher(visitor, rounding);
+  Visitor_observer<Visitor> observer(visitor, rounding);
   if (input.irregularity)
-    watcher.surface_is_irregular(*input.irregularity);
+    observer.notice(Surface_insertion_notice::SURFACE_IS_IRREGULAR, *input.irregularity);
 
   const std::size_t before = tr.number_of_vertices();
   const std::unique_ptr<Triangulation> aside(before > 0 ? nullptr
@@ -505,18 +467,17 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
     if (input.points.size() < least_points_for_core<Traits>(tr, np)) {
       inserted = insert_few_points(into, input.points);
     } else {
-      inserted = insert_through_core<typename Crew<ExecutorOfCall>::type>(
-          into, input, traits, options, watcher, ExecutorOfCall());
+      inserted = insert_through_core(into, input, traits, options, observer, ExecutorOfCall());
     }
   } else {
     if (options.creates_in_input_order)
       refuse_input_order("that needs traits that go through the core");
-    inserted = insert_with_traces(into, input, traits, options.seed, watcher);
+    inserted = insert_with_traces(into, input, traits, options.seed, observer);
   }
 
   if (inserted.is_complete || !aside)
     give(inserted.vertices, into.number_of_vertices() - before, input, infos, out, rounding);
-  watcher.phase_begins(Surface_insertion_phase::DONE);
+  observer.phase_begins(Surface_insertion_phase::DONE);
   if (inserted.is_complete && aside)
     take_place(*aside, tr);
   return static_cast<std::ptrdiff_t>(tr.number_of_vertices()) - static_cast<std::ptrdiff_t>(before);

@@ -207,7 +207,7 @@ public:
       if (!m_arrays.is_infinite(Index(c)) && sign_of_cell(here) <= 0)
         return false;
       Insertion_counts uncounted;
-      Compact_predicates<Compact_vertex> predicates(m_vertices.complex, uncounted);
+      Compact_predicates<Compact_vertex> predicates(m_vertices, uncounted);
       const auto neighbors = m_arrays.neighbors(c), corners = m_arrays.vertices(c);
       for (int k = 0; are_without_conflict && k <= m_arrays.dimension(); ++k) {
         const std::size_t d = std::size_t(neighbors[k]);
@@ -257,7 +257,7 @@ private:
   // Returns whether a vertex lies outside the bounding box of a cell.
   bool is_outside(Id v, const Compact_cell& cell) const
   {
-    const auto& complex = m_vertices.complex;
+    const Complex& complex = m_vertices;
     const double* const p = complex.exact_coordinates(v);
     const double* const q[4] = {
         complex.exact_coordinates(cell.v[0]), complex.exact_coordinates(cell.v[1]),
@@ -270,17 +270,20 @@ private:
   }
 
   // Returns a complex with the vertices in the order of the points; its cells are not used.
-  static Ordered_complex<Compact_vertex> vertices_of(const Point_array& points,
-                                                     const Starting_simplex& simplex)
+  static Complex vertices_of(const Point_array& points, const Starting_simplex& simplex)
   {
     std::vector<std::size_t> numbers(points.size());
     std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-    const Order_view order = {numbers.data(), numbers.size(), nullptr, 0, nullptr};
-    if (simplex.dimension == 3)
-      return Ordered_complex<Compact_vertex>(points, order, nullptr);
-    const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
-                                    points[simplex.points[2]]);
-    return Ordered_complex<Compact_vertex>(points, order, apex.data());
+    Ordered_complex<Compact_vertex> made;
+    made.order = {numbers.data(), numbers.size(), nullptr, 0, nullptr};
+    if (simplex.dimension == 3) {
+      made.start(points, nullptr);
+    } else {
+      const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
+                                      points[simplex.points[2]]);
+      made.start(points, apex.data());
+    }
+    return std::move(made.complex);
   }
 
   bool is_flat() const { return m_arrays.dimension() == 2; }
@@ -306,12 +309,12 @@ private:
 
   int sign_of_cell(const Compact_cell& cell) const
   {
-    const auto at = [&](unsigned k) { return m_vertices.complex.exact_coordinates(cell.v[k]); };
+    const auto at = [&](unsigned k) { return m_vertices.exact_coordinates(cell.v[k]); };
     return orientation(at(0), at(1), at(2), at(3));
   }
 
   const Arrays& m_arrays;
-  const Ordered_complex<Compact_vertex> m_vertices;
+  const Complex m_vertices;
   bool m_is_turned = false; // triangles are seen from the other side than the apex
 };
 

@@ -9,14 +9,14 @@
 // a point to start from.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -24,7 +24,10 @@
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -33,67 +36,75 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The core's side of what build() makes.
-template <class Vertex>
-class Built_complex final : public Built
+// How much work an order may cause before another takes its place. No order but a random one
+// bounds the cells that insertions destroy (Amenta, Choi, Rote 2003). So
+// the whole costs no more than the budget, what is done between two looks at it, and one insertion
+// in that order. No order is to blame for what all do: where many cells must stay, as a quadratic
+// number does, about as many are destroyed. Of an order that is spread over the points this is allowed.
+class Insertion_budget
 {
 public:
-  // Keeps an order that has no other owner.
-  Order_view keep(Insertion_order&& order)
+  // A budget of destroyed cells for each point inserted; the first points share that of a thousand,
+  // since few points do not tell a good order from a bad one. The largest number is never exceeded.
+  explicit Insertion_budget(std::size_t cells_per_point, bool is_spread = false)
+    : m_cells_per_point(double(cells_per_point))
+    , m_is_spread(is_spread)
   {
-    m_order = std::move(order);
-    return view_of(m_order);
   }
 
-  // The complex of the points in the order, and its first four.
-  void start(const Point_array& points, const double* apex, const Executor& executor,
-             std::size_t most_cells)
+  // Walks have a threshold of their own: each may be exceeded for reasons that are none of the other's.
+  // A step of a walk makes one test; a destroyed cell makes two or three, and is replaced as well.
+  bool is_exceeded(const Insertion_counts& counts, std::size_t inserted) const
   {
-    m_points = Ordered_complex<Vertex>(points, this->order, apex, executor, most_cells);
-    this->has_apex = apex != nullptr;
-    show();
-  }
-
-  Ordered_complex<Vertex>& points() { return m_points; }
-
-  // To be called when cells have come.
-  void show()
-  {
-    this->vertex_of = m_points.vertex_of.data();
-    this->number_of_places = m_points.vertex_of.size();
-    this->cells = m_points.complex.cells();
-    this->cells_end = m_points.complex.cells_end();
-    this->vertices_end = m_points.complex.vertices_end();
-  }
-
-  void release_cells(std::size_t first, std::size_t last) override
-  {
-    m_points.complex.memory_of_cells().release_before_end(first, last);
-  }
-  void give_up_cells() override { m_points.complex.memory_of_cells().deallocate(); }
-  void give_up_vertices() override { m_points.complex.memory_of_vertices().deallocate(); }
-  Id cell_of(std::size_t v) const override { return m_points.complex.vertex(v).cell; }
-  Compact_cell* take_cells(std::size_t& capacity) override
-  {
-    return m_points.complex.memory_of_cells().give_away(capacity);
+    const double stay =
+        m_is_spread ? double(counts.cells_created) - double(counts.cells_destroyed) : 0;
+    const double most =
+        cells_per_point(inserted) * (double(inserted) + 1000) + (std::max)(stay, 0.);
+    return double(counts.cells_destroyed) > most ||
+           double(counts.cells_tested_to_start) > steps_per_cell * most;
   }
 
 private:
-  Ordered_complex<Vertex> m_points;
-  Insertion_order m_order;
+  static constexpr double steps_per_cell = 2, many_points = 1e6;
+
+  // On smooth tori orders destroy a number of cells that grows with the logarithm of that of the
+  // points. Where there are many, another sixteenth is allowed for each doubling. Asked rarely, so
+  // nothing of it goes into the loop that asks.
+  [[gnu::cold]] double cells_per_point(std::size_t inserted) const
+  {
+    const double doublings = std::log2((std::max)(double(inserted) / many_points, 1.));
+    return m_cells_per_point * (1 + doublings / 16);
+  }
+
+  double m_cells_per_point;
+  bool m_is_spread;
 };
 
-// The points in rounds, the rounds in pieces, between which watcher and budget are asked; not when all
-// are inserted, since what is done is kept.
+// Makes the order that the core inserts in. Rounds are random where there are too many points for
+// numbers of 32 bits.
+inline Insertion_order order_of_points(const Point_array& points, const Build_options& options,
+                                       const Executor& executor)
+{
+  const bool are_few = points.size() < (std::numeric_limits<std::uint32_t>::max)();
+  Insertion_order order =
+      options.rounds == Build_options::SPACED && are_few
+          ? spaced_rounds(points, executor)
+          : geometric_rounds(points, options.seed, options.ratio, options.first_round);
+  CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(is_order(order, points.size()));
+  return order;
+}
+
+// Inserts the points in rounds, and the rounds in pieces, between which observer and budget are
+// asked; not when all are inserted, since what is done is kept.
 template <class Insert>
-Insertion_outcome insert_in_rounds(Insert& insert, const Order_view& order, Watcher& watcher,
+Insertion_outcome insert_in_rounds(Insert& insert, const Order_view& order, Observer& observer,
                                    const Insertion_budget& budget)
 {
-  watcher.insertion_begins(insert.number_of_threads());
+  observer.phase_begins(Surface_insertion_phase::INSERTION, insert.number_of_threads());
   std::size_t first = 0;
   for (std::size_t h = 0; h < order.number_of_rounds; ++h) {
     const std::size_t N_h = order.round_ends[h];
-    watcher.round_begins(h, N_h - first);
+    observer.phase_begins(Surface_insertion_phase::ROUND, N_h - first);
     while (first < N_h) {
       const std::size_t next = (std::min)(N_h, first + insert.size_of_piece(first));
       if (!insert(first, next)) // 2b, 2c
@@ -106,83 +117,100 @@ Insertion_outcome insert_in_rounds(Insert& insert, const Order_view& order, Watc
   return Insertion_outcome::COMPLETE;
 }
 
-// The points in the order of `orders`: the order and the four points that come first.
+// Makes the order, unless one is given, and the complex with the four points that come first.
 template <class Vertex>
-void begin_to_build(Built_complex<Vertex>& built, Point_source& source, Order_source& orders,
-                    const Request& request, Watcher& watcher, const Executor& executor)
+void begin_to_build(Ordered_complex<Vertex>& built, Point_source& source,
+                    const Build_options& options, Observer& observer, const Executor& executor)
 {
   using Phase = Surface_insertion_phase;
-  watcher.phase_begins(Phase::PLAN);
+  if (options.given == nullptr)
+    observer.phase_begins(Phase::PLAN, 0);
   const Point_array points = source.points();
-  const Starting_simplex simplex =
-      starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
-  built.dimension = simplex.dimension;
-  built.order =
-      simplex.dimension < 2 ? built.keep(order_along_line(points)) : orders.make(points, executor);
-  if (!request.uses_starting_places)
+  Starting_simplex simplex = {};
+  if (options.inserts) {
+    simplex = starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
+    built.dimension = simplex.dimension;
+  }
+  if (options.inserts && simplex.dimension < 2)
+    built.keep(order_along_line(points));
+  else if (options.given == nullptr)
+    built.keep(order_of_points(points, options, executor));
+  else
+    built.order = *options.given;
+  if (!options.uses_starting_places)
     built.order.starting_places = nullptr;
-  watcher.phase_begins(Phase::SUBGRAPH);
+  if (!options.inserts)
+    return;
+  observer.phase_begins(Phase::SUBGRAPH, 0);
   if (simplex.dimension == 3) {
-    built.start(points, nullptr, executor, request.most_cells);
-  } else if (simplex.dimension == 2 && request.adds_apex) {
+    built.start(points, nullptr, executor, options.most_cells);
+  } else if (simplex.dimension == 2 && options.adds_apex) {
     const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
                                     points[simplex.points[2]]);
-    built.start(points, apex.data(), executor, request.most_cells);
+    built.start(points, apex.data(), executor, options.most_cells);
   }
   if (built.has_started())
     source.give_up();
 }
 
+// Is build() with the class that inserts.
+template <template <class> class Insert>
+std::unique_ptr<Built> build_by(Point_source& points, Build_options options, Observer& observer,
+                                const Executor& executor)
+{
+  const bool is_given = options.given != nullptr;
+  for (;;) {
+    const bool is_spaced = options.rounds == Build_options::SPACED;
+    auto built = std::make_unique<Ordered_complex<Compact_vertex>>();
+    try {
+      begin_to_build(*built, points, options, observer, executor);
+      if (!built->has_started())
+        return built;
+      const bool is_spread = is_given ? options.is_spread : is_spaced;
+      const Insertion_budget budget(
+          is_given || is_spaced ? options.cells_per_point : Build_options::any_number, is_spread);
+      Insert<Compact_vertex> insert(*built, executor, observer);
+      built->outcome = insert_in_rounds(insert, built->order, observer, budget);
+      built->counts = insert.counts();
+      if (built->outcome == Insertion_outcome::COMPLETE) {
+        observer.insertion_ends(built->counts);
+        observer.phase_begins(Surface_insertion_phase::FINISH, 0);
+        insert.finish();
+        CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(
+            is_valid(built->complex, Delaunay_validity_level::DELAUNAY));
+      }
+    } catch (const Too_many_cells&) {
+      built->outcome = Insertion_outcome::TOO_MANY_CELLS;
+    }
+    const bool is_over_budget = built->outcome == Insertion_outcome::OVER_BUDGET;
+    if (is_over_budget)
+      observer.notice(Surface_insertion_notice::ORDER_IS_REPLACED,
+                      "its insertions destroy or enter too many cells");
+    if (!is_over_budget || is_given) {
+      built->show();
+      return built;
+    }
+    options.rounds = Build_options::RANDOM;
+  }
+}
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
+inline std::unique_ptr<Built> build(Point_source& points, const Build_options& options,
+                                    Observer& observer, const Alone& executor)
+{
+  return build_by<Insert_alone>(points, options, observer, executor);
+}
+#endif
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
-
-CGAL_DELAUNAY_FROM_SURFACE_3_INLINE std::unique_ptr<Order_source>
-order_of_core(const Order_request& request)
-{
-  return std::make_unique<Order_of_core>(request);
-}
 
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE const char* obstacle_of_core()
 {
   if (!keeps_denormals())
     return "denormal numbers become zero, in a mode that cannot be left";
   return obstacle_of_compiler();
-}
-
-template <class Crew>
-std::unique_ptr<Built> build(Point_source& points, Order_source& orders, const Request& request,
-                             Watcher& watcher, const Executor& executor)
-{
-  for (;;) {
-    auto built = std::make_unique<Built_complex<Compact_vertex>>();
-    try {
-      begin_to_build(*built, points, orders, request, watcher, executor);
-      if (!built->has_started())
-        return built;
-      const Insertion_budget budget(orders.cells_per_point(), orders.is_spread());
-      typename Inserter_of<Crew>::template type<Compact_vertex> insert(built->points(), executor,
-                                                                       watcher);
-      built->outcome = insert_in_rounds(insert, built->order, watcher, budget);
-      built->counts = insert.counts();
-      if (built->outcome == Insertion_outcome::COMPLETE) {
-        watcher.insertion_ends(built->counts);
-        watcher.phase_begins(Surface_insertion_phase::FINISH);
-        insert.finish();
-        CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(
-            is_valid(built->points().complex, Delaunay_validity_level::DELAUNAY));
-      }
-    } catch (const Too_many_cells&) {
-      built->outcome = Insertion_outcome::TOO_MANY_CELLS;
-    }
-    if (built->outcome != Insertion_outcome::OVER_BUDGET) {
-      built->show();
-      return built;
-    }
-    if (!orders.go_on())
-      fail("an order with a budget has another behind it");
-    watcher.order_is_replaced("its insertions destroy or enter too many cells");
-  }
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE

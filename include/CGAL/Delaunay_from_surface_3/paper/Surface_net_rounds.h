@@ -16,7 +16,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
@@ -428,10 +428,8 @@ inline bool joins_near_points(const Point_array& points, const Net_hierarchy& ne
 
 inline Insertion_order rounds_behind_nets(const Point_array& points, unsigned int seed)
 {
-  Order_request request;
-  request.kind = Order_request::GEOMETRIC;
-  request.seed = seed;
-  return order_of_points(points, request, Alone());
+  const Build_options options;
+  return geometric_rounds(points, seed, options.ratio, options.first_round);
 }
 
 // Appends one round after the other to an order, from the coarsest net to the finest.
@@ -568,11 +566,8 @@ inline Insertion_order surface_net_rounds(const Point_array& points,
                                           const Lists_view<std::uint32_t>& lower, unsigned int seed,
                                           std::size_t block)
 {
-  if (lower.number_of_items == 0) {
-    Order_request request;
-    request.seed = seed;
-    return order_of_points(points, request, Alone());
-  }
+  if (lower.number_of_items == 0)
+    return spaced_rounds(points, Alone());
   const Net_hierarchy nets(lower, points, seed, block);
   return joins_near_points(points, nets) ? Rounds_of_nets(points, nets, seed).order()
                                          : rounds_behind_nets(points, seed);
@@ -650,7 +645,7 @@ public:
   /// the budget (`InsertionPlan::cells_per_point`). On most surfaces nets destroy 12 to 33 cells
   /// per point. On smooth tori without noise they destroy more, and 3 to 4 more for each doubling
   /// of the points; on adversarial surfaces any number.
-  static constexpr std::size_t cells_per_point = internal::cells_per_point_of_core;
+  static constexpr std::size_t cells_per_point = internal::Build_options::usual_number;
 
   /// the largest size of a cluster whose members are not ordered by `Geometric_rounds`.
   static constexpr std::size_t large_cluster = internal::large_cluster;

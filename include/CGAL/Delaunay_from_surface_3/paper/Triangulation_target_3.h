@@ -239,32 +239,32 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The following is the loop of Choi 2002, Fig. 1, on CGAL's own triangulation.
 
-// Round h ends before s_{N_h}, N_h = round_ends[h]. Returns false if the watcher stopped it.
-template <class Target, class Hints, class Watcher>
+// Round h ends before s_{N_h}, N_h = round_ends[h]. Returns false if the visitor stopped it.
+template <class Target, class Hints, class Observer>
 bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints& hints,
-                             Watcher& watcher)
+                             Observer& observer)
 {
   using Phase = Surface_insertion_phase;
-  watcher.insertion_begins(1);
+  observer.phase_begins(Phase::INSERTION, 1);
   std::size_t i = 0;
   for (std::size_t h = 0; h < plan.round_ends.size(); ++h) {
     const std::size_t N_h = plan.round_ends[h];
-    watcher.round_begins(h, N_h - i);
+    observer.phase_begins(Phase::ROUND, N_h - i);
     for (; i < N_h; ++i) {
-      if (!watcher.go_further())
+      if (!observer.go_further(i))
         return false;
-      watcher.phase_begins(Phase::LOCATION);
+      observer.phase_begins(Phase::LOCATION);
       const typename Target::Location d_i = target.locate(i, hints.start(i)); // 2b
-      watcher.phase_begins(Phase::UPDATE);
+      observer.phase_begins(Phase::UPDATE);
       target.insert(i, d_i, hints); // 2c
     }
     if (N_h < target.size()) {
-      watcher.phase_begins(Phase::TRACE);
-      watcher.trace_ends(hints.trace()); // 2a
+      observer.phase_begins(Phase::TRACE, target.size() - N_h);
+      hints.trace(); // 2a
     }
   }
-  watcher.insertion_ends(target, hints);
-  watcher.phase_begins(Phase::FINISH);
+  observer.insertion_ends(target, hints);
+  observer.phase_begins(Phase::FINISH);
   return true;
 }
 
@@ -279,17 +279,17 @@ struct Inserted_points
 // Inserts the points in the order of the plan. T, `subgraph`, is a graph on the places in the
 // order. The points are copied in this order: in the order of the mesh nearly every access would
 // miss the cache.
-template <template <class, class> class Hints, class Triangulation, class Watcher>
+template <template <class, class> class Hints, class Triangulation, class Observer>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_through_cgal(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
-                    const Insertion_order& plan, const Index_graph& subgraph, Watcher& watcher)
+                    const Insertion_order& plan, const Index_graph& subgraph, Observer& observer)
 {
   using Target = Triangulation_target_3<Triangulation>;
   const auto ordered = permuted(points, plan.order);
   Target target(tr, ordered);
   Hints<Target, Index_graph> hints(target, subgraph, plan);
   Inserted_points<typename Triangulation::Vertex_handle> inserted;
-  inserted.is_complete = insert_in_traced_rounds(plan, target, hints, watcher);
+  inserted.is_complete = insert_in_traced_rounds(plan, target, hints, observer);
   inserted.vertices = permuted(target.take_vertices(), inverse(plan.order));
   return inserted;
 }
@@ -314,25 +314,25 @@ insert_few_points(Triangulation& tr, const std::vector<typename Triangulation::P
 
 // Follows the paper: takes order and T from the surface, then runs Fig. 1 on CGAL's triangulation.
 
-template <class Traits, class Triangulation, class Input, class Watcher>
+template <class Traits, class Triangulation, class Input, class Observer>
 Inserted_points<typename Triangulation::Vertex_handle>
 insert_with_traces(Triangulation& tr, const Input& input, const Traits& traits, unsigned int seed,
-                   Watcher& watcher)
+                   Observer& observer)
 {
   using Phase = Surface_insertion_phase;
   using Target = Triangulation_target_3<Triangulation>;
   using Hints = typename Traits::template Insertion_hints_3<Target, Index_graph>;
-  watcher.phase_begins(Phase::PLAN);
+  observer.phase_begins(Phase::PLAN);
   const Insertion_order plan = traits.insertion_plan_object(seed)(input.points, tr.geom_traits(),
                                                                   input.graph, input.index_map);
   const std::vector<std::size_t> places = check_plan(plan, input.points.size());
-  watcher.phase_begins(Phase::SUBGRAPH);
+  observer.phase_begins(Phase::SUBGRAPH);
   Index_graph subgraph;
   if constexpr (Hints::uses_subgraph)
     subgraph = spanning_subgraph(traits.surface_subgraph_object(), input.graph, input.index_map,
-                                 places, watcher);
+                                 places, observer);
   return insert_through_cgal<Traits::template Insertion_hints_3>(tr, input.points, plan, subgraph,
-                                                                 watcher);
+                                                                 observer);
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -10,7 +10,6 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
-#include <CGAL/Delaunay_from_surface_3/core/order/Order_of_core.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
@@ -104,11 +103,22 @@ Large_vector<double> rounded_coordinates(const std::vector<Point>& points)
 }
 
 template <class Point>
-Insertion_order order_by_core(const std::vector<Point>& points, const Order_request& request)
+Insertion_order order_by_core(const std::vector<Point>& points, Build_options options)
 {
   const auto coordinates = rounded_coordinates(points);
-  const Point_array array(coordinates.data(), points.size());
-  return copy_of(order_of_core(request)->make(array, Alone()));
+  Given_points source(Point_array(coordinates.data(), points.size()));
+  Observer nobody;
+  options.inserts = false;
+  return copy_of(build(source, options, nobody, Alone())->order);
+}
+
+// Returns what a plan of the core's asks of it.
+template <class Plan>
+Build_options options_of(const Plan& plan)
+{
+  Build_options options;
+  plan.ask(options);
+  return options;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
@@ -156,7 +166,7 @@ public:
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&, const Graph&,
                              VertexIndexMap) const
   {
-    return internal::order_by_core(points, order_request());
+    return internal::order_by_core(points, internal::options_of(*this));
   }
 
   /// returns the round ends …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n, and none for n = 0.
@@ -168,14 +178,12 @@ public:
   /// \cond
   using Plan_of_core = Geometric_rounds;
 
-  internal::Order_request order_request() const
+  void ask(internal::Build_options& options) const
   {
-    internal::Order_request request;
-    request.kind = internal::Order_request::GEOMETRIC;
-    request.seed = m_seed;
-    request.ratio = m_ratio;
-    request.first_round = m_first_round;
-    return request;
+    options.rounds = internal::Build_options::RANDOM;
+    options.seed = m_seed;
+    options.ratio = m_ratio;
+    options.first_round = m_first_round;
   }
   /// \endcond
 
@@ -209,7 +217,7 @@ class Spaced_rounds
 {
 public:
   /// the budget (`InsertionPlan::cells_per_point`).
-  static constexpr std::size_t cells_per_point = internal::cells_per_point_of_core;
+  static constexpr std::size_t cells_per_point = internal::Build_options::usual_number;
 
   /// makes the plan. Only `fallback_plan()` uses the seed: this order has no random numbers.
   explicit Spaced_rounds(unsigned int seed = 0)
@@ -222,7 +230,7 @@ public:
   Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&, const Graph&,
                              VertexIndexMap) const
   {
-    return internal::order_by_core(points, order_request());
+    return internal::order_by_core(points, internal::options_of(*this));
   }
 
   /// returns the plan that is used when the budget is exceeded; the bound of \cgalCite{acr-icbr-03}
@@ -232,12 +240,7 @@ public:
   /// \cond
   using Plan_of_core = Spaced_rounds;
 
-  internal::Order_request order_request() const
-  {
-    internal::Order_request request;
-    request.seed = m_seed;
-    return request;
-  }
+  void ask(internal::Build_options& options) const { options.seed = m_seed; }
   /// \endcond
 
 private:

@@ -5,6 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SPANNING_SUBGRAPH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_SPANNING_SUBGRAPH_H
 
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
@@ -53,21 +54,21 @@ Index_graph index_graph(const SurfaceSubgraph& subgraph, const Graph& graph,
 // Makes T by the functor of the traits. If the functor needs more than the graph has, such as
 // faces, or refuses the surface by a Surface_input_error, a spanning forest is used, and the
 // visitor is told why.
-template <class SurfaceSubgraph, class Graph, class VertexIndexMap, class Visitor>
+template <class SurfaceSubgraph, class Graph, class VertexIndexMap, class Observer>
 Index_graph spanning_subgraph(const SurfaceSubgraph& subgraph, const Graph& graph,
                               VertexIndexMap index_map, const std::vector<std::size_t>& numbers,
-                              Visitor& visitor)
+                              Observer& observer)
 {
   if constexpr (std::is_invocable<const SurfaceSubgraph&, const Graph&, VertexIndexMap,
                                   Emptyset_iterator>::value) {
     try {
       return index_graph(subgraph, graph, index_map, numbers);
     } catch (const Surface_input_error& refusal) {
-      visitor.subgraph_is_replaced(refusal.what());
+      observer.notice(Surface_insertion_notice::SUBGRAPH_IS_REPLACED, refusal.what());
     }
   } else {
-    visitor.subgraph_is_replaced(
-        "the subgraph needs a surface with faces, which a plain graph is not");
+    observer.notice(Surface_insertion_notice::SUBGRAPH_IS_REPLACED,
+                    "the subgraph needs a surface with faces, which a plain graph is not");
   }
   return index_graph(Spanning_forest(), graph, index_map, numbers);
 }

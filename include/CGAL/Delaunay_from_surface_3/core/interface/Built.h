@@ -19,8 +19,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
-#include <CGAL/Delaunay_from_surface_3/support/Executor.h>
-#include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <cstddef>
@@ -101,8 +100,8 @@ struct Order_view
 
 enum class Insertion_outcome {
   COMPLETE,
-  STOPPED,       // by the watcher
-  OVER_BUDGET,   // never returned: another order follows
+  STOPPED,       // by the observer
+  OVER_BUDGET,   // the given order costs too much
   FLAT,          // nothing is inserted: the points lie in one plane
   TOO_MANY_CELLS // for numbers of 32 bits
 };
@@ -142,81 +141,93 @@ public:
   std::size_t vertices_end = 0; // 0 and unused ones too
 };
 
-// How many cells an order of the core may destroy for each point, before random rounds take its place.
-constexpr std::size_t cells_per_point_of_core = 64;
-
-// The order in which points are to be inserted.
-struct Order_request
+// A caller asks this of build().
+struct Build_options
 {
   // Not "= default", which may be a function of its own.
   // NOLINTNEXTLINE(modernize-use-equals-default)
-  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Order_request() {}
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Build_options() {}
 
-  // Spaced rounds, or random rounds, which take their place when the budget is exceeded.
-  enum Kind { SPACED, GEOMETRIC } kind = SPACED;
+  // The rounds that the core makes. Spaced rounds destroy the fewest cells and give every point a
+  // start beside it, but no bound is proved for them: they have a budget, and when it is exceeded,
+  // the insertions begin anew in random rounds, which destroy more cells and walk further. Spaced
+  // rounds take 16 bytes per point, random rounds 8.
+  enum Rounds { SPACED, RANDOM } rounds = SPACED;
 
-  // Of random rounds: 0 < ratio < 1, first_round > 0.
+  // Random rounds depend on these: 0 < ratio < 1, first_round > 0.
   unsigned int seed = 0;
   double ratio = 0.125;
   std::size_t first_round = 64;
-};
 
-// Where the order of insertion comes from: from the points, or from a caller's own plan. It is asked
-// when it is needed, and need not do anything before.
-class Order_source
-{
-public:
-  virtual ~Order_source() = default;
+  // How many cells spaced rounds, or a given order, may destroy for each point (Insertion_budget).
+  // If a given order destroys more, the outcome is OVER_BUDGET.
+  static constexpr std::size_t any_number = std::size_t(-1), usual_number = 64;
+  std::size_t cells_per_point = usual_number;
 
-  // Of the points, by as many threads as it can use. What is returned is valid until the next call
-  // of make() or go_on().
-  virtual Order_view make(const Point_array& points, const Executor& executor) = 0;
+  // An order that takes the place of the core's own: a permutation of the points that outlives the
+  // result of build(). It is not checked. Points on a line are ordered along it all the same.
+  const Order_view* given = nullptr;
 
-  // What that order may cost: the number of destroyed cells per point (Insertion_budget), or any
-  // number.
-  static constexpr std::size_t any_number = std::size_t(-1);
-  virtual std::size_t cells_per_point() const = 0;
+  // True if the first points of the given order are spread over all at any time, so that of the
+  // cells which are then many most must stay. A caller's own plan may begin with hubs.
+  bool is_spread = false;
 
-  // Whether the first points are spread over all at any time, so that of the cells which are then many
-  // most must stay. Nothing is known of a caller's own plan, which may begin with hubs.
-  virtual bool is_spread() const { return false; }
+  // Makes each point start where the order says, or else from the one before, which makes
+  // walks longer.
+  bool uses_starting_places = true;
 
-  // Goes on to the order that takes its place if that was exceeded; false if there is none, as there
-  // may be where there is no budget.
-  virtual bool go_on() = 0;
+  // Gives points in one plane an apex off it. The cells at it are then their triangles, with the
+  // same perturbation. Otherwise such points are not triangulated.
+  bool adds_apex = false;
+
+  // Ends, if false, when there is an order: the result has nothing else.
+  bool inserts = true;
+
+  // How many cells there may be, dead ones included, before the outcome is TOO_MANY_CELLS.
+  std::size_t most_cells = std::size_t(1) << 30;
 };
 
 // Is told what the core does, and can stop it. All functions are called by the thread that called
 // the core.
-class Watcher
+class Observer
 {
 public:
-  virtual ~Watcher() = default;
+  virtual ~Observer() = default;
 
-  virtual void phase_begins(Surface_insertion_phase) {}
-  virtual void order_is_replaced(const char* /* reason */) {}
-  virtual void insertion_begins(std::size_t /* number_of_threads */) {}
-  virtual void round_begins(std::size_t /* round */, std::size_t /* number_of_points */) {}
+  // For the number see Surface_insertion_phase.
+  virtual void phase_begins(Surface_insertion_phase, std::size_t /* number */) {}
+  virtual void notice(Surface_insertion_notice, const char* /* reason */) {}
   virtual void insertion_ends(const Insertion_counts&) {}
 
   // Is asked every 256 points, with the number inserted so far; `false` stops the work.
   virtual bool go_further(std::size_t /* inserted */) { return true; }
 
-  // Whether it is told of the phases LOCATION and UPDATE, point by point. Not with many threads.
+  // Returns whether it is told of the phases LOCATION and UPDATE, point by point. It never is with
+  // many threads.
   virtual bool follows_points() const { return false; }
 };
-
-// Who inserts.
-struct One_thread;
-struct Many_threads;
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The header of each crew names the class.
-template <class Crew>
-struct Inserter_of;
+// Returns a view of an order that is kept elsewhere.
+inline Order_view view_of(const Insertion_order& order)
+{
+  return {order.order.data(), order.order.size(), order.round_ends.data(), order.round_ends.size(),
+          order.starting_places.empty() ? nullptr : order.starting_places.data()};
+}
+
+// Returns a copy, which owns its arrays.
+inline Insertion_order copy_of(const Order_view& view)
+{
+  Insertion_order order;
+  order.order.assign(view.order, view.order + view.size);
+  order.round_ends.assign(view.round_ends, view.round_ends + view.number_of_rounds);
+  if (view.starting_places != nullptr)
+    order.starting_places.assign(view.starting_places, view.starting_places + view.size);
+  return order;
+}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

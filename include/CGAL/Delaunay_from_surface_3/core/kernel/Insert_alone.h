@@ -32,11 +32,11 @@ class Insert_alone
 
 public:
   // Keeps references.
-  Insert_alone(Ordered_complex<Vertex>& points, const Executor&, Watcher& watcher)
+  Insert_alone(Ordered_complex<Vertex>& points, const Executor&, Observer& observer)
     : m_points(points)
-    , m_watcher(watcher)
+    , m_observer(observer)
     , m_inserter(points.complex)
-    , m_follows_points(watcher.follows_points())
+    , m_follows_points(observer.follows_points())
     , m_starting_cells(points.starting_cells())
   {
   }
@@ -45,14 +45,14 @@ public:
   static constexpr std::size_t size_of_piece(std::size_t /* inserted */) { return 256; }
   static constexpr std::size_t number_of_threads() { return 1; }
 
-  // Inserts the points at the places first, …, last - 1; false if the watcher stopped it.
+  // Inserts the points at the places first, …, last - 1; false if the observer stopped it.
   bool operator()(std::size_t first, std::size_t last)
   {
-    if (!m_watcher.go_further(first))
+    if (!m_observer.go_further(first))
       return false;
     for (std::size_t k = first; k < last; ++k) {
       const Id p = Complex::vertex_of_point(k);
-      Id& vertex = m_points.vertex_of[k];
+      Id& vertex = m_points.vertices[k];
       if (vertex != p) { // it is none of the first four
         begin(Phase::LOCATION);
         const Id start = m_starting_cells.start(k);
@@ -83,21 +83,14 @@ private:
   void begin(Phase phase)
   {
     if (m_follows_points)
-      m_watcher.phase_begins(phase);
+      m_observer.phase_begins(phase, 0);
   }
 
   Ordered_complex<Vertex>& m_points;
-  Watcher& m_watcher;
+  Observer& m_observer;
   Inserter<Alone_with_complex<Vertex>> m_inserter;
   const bool m_follows_points;
   Starting_cells<Vertex> m_starting_cells;
-};
-
-template <>
-struct Inserter_of<One_thread>
-{
-  template <class Vertex>
-  using type = Insert_alone<Vertex>;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

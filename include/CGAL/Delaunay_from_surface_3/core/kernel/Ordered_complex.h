@@ -9,6 +9,7 @@
 //
 // One vertex, one number: the point at place k of the order is vertex k + 1.
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
@@ -220,27 +221,31 @@ private:
   bool m_is_exact = false;
 };
 
+// What build() makes, as the core sees it.
 template <class Vertex>
-struct Ordered_complex
+class Ordered_complex final : public Built
 {
-  using Complex = Compact_complex<Vertex>;
-
-  Ordered_complex() = default;
-
-  // Of these points, in an order that is kept elsewhere; if there is an apex, of that one too, at the
-  // place behind the last. Four of them that do not lie in one plane are inserted.
-  Ordered_complex(const Point_array& points, const Order_view& by, const double* apex,
-                  const Executor& executor = Alone(),
-                  std::size_t most_cells = Compact_numbers::max_cells)
-    : order(by)
-    , vertex_of(order.size + (apex != nullptr), 0)
+public:
+  // Takes an order over.
+  void keep(Insertion_order&& made)
   {
+    m_order = std::move(made);
+    order = view_of(m_order);
+  }
+
+  // Makes the complex of the points in the order; if there is an apex, of that one too, at the place
+  // behind the last. Four of them that do not lie in one plane are inserted.
+  void start(const Point_array& points, const double* apex, const Executor& executor = Alone(),
+             std::size_t most_cells = Compact_numbers::max_cells)
+  {
+    has_apex = apex != nullptr;
+    vertices.assign(order.size + has_apex, 0);
     const Power_of_scale scaled(points, apex);
     const auto point = [&](std::size_t k) {
       return k < order.size ? points[order.order[k]] : apex;
     };
-    complex = Complex(
-        vertex_of.size(), [&](std::size_t k) { return scaled(point(k)); }, executor);
+    complex = Compact_complex<Vertex>(
+        vertices.size(), [&](std::size_t k) { return scaled(point(k)); }, executor);
     CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(std::all_of(
         complex.vertices() + 1, complex.vertices() + complex.vertices_end(), [](const auto& v) {
           return std::all_of(v.coordinates, v.coordinates + 3,
@@ -248,27 +253,49 @@ struct Ordered_complex
         }));
     if (!scaled.is_exact()) {
       std::vector<std::array<double, 3>> own;
-      own.reserve(vertex_of.size());
-      for (std::size_t k = 0; k < vertex_of.size(); ++k)
+      own.reserve(vertices.size());
+      for (std::size_t k = 0; k < vertices.size(); ++k)
         own.push_back({point(k)[0], point(k)[1], point(k)[2]});
       complex.keep_own_coordinates(std::move(own));
     }
     complex.limit_cells(most_cells);
-    any_vertex = start_complex(starting_simplex(vertex_of.size(), point), complex, vertex_of);
+    m_any_vertex = start_complex(starting_simplex(vertices.size(), point), complex, vertices);
+    show();
   }
 
-  // Whether there are four points that do not lie in one plane.
-  bool has_started() const { return any_vertex != 0; }
+  // To be called when cells have come.
+  void show()
+  {
+    vertex_of = vertices.data();
+    number_of_places = vertices.size();
+    cells = complex.cells();
+    cells_end = complex.cells_end();
+    vertices_end = complex.vertices_end();
+  }
 
   Starting_cells<Vertex> starting_cells() const
   {
-    return Starting_cells<Vertex>(complex, vertex_of, order.starting_places, any_vertex);
+    return Starting_cells<Vertex>(complex, vertices, order.starting_places, m_any_vertex);
   }
 
-  Order_view order = {nullptr, 0, nullptr, 0, nullptr};
-  Complex complex;
-  std::vector<Id> vertex_of; // by place: 0 as long as there is none
-  Id any_vertex = 0;         // any vertex of the complex
+  void release_cells(std::size_t first, std::size_t last) override
+  {
+    complex.memory_of_cells().release_before_end(first, last);
+  }
+  void give_up_cells() override { complex.memory_of_cells().deallocate(); }
+  void give_up_vertices() override { complex.memory_of_vertices().deallocate(); }
+  Id cell_of(std::size_t v) const override { return complex.vertex(v).cell; }
+  Compact_cell* take_cells(std::size_t& capacity) override
+  {
+    return complex.memory_of_cells().give_away(capacity);
+  }
+
+  Compact_complex<Vertex> complex;
+  std::vector<Id> vertices; // by place: 0 as long as there is none
+
+private:
+  Insertion_order m_order;
+  Id m_any_vertex = 0; // of the complex
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -14,7 +14,7 @@
 // The result is right even if workers run one after the other: then the first one takes all points.
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
@@ -341,52 +341,6 @@ private:
   const Parallel_rules m_rules;
   std::vector<std::unique_ptr<Worker>> m_workers;
   Insertion_counts m_counts; // counts that are not a worker's
-};
-
-// Inserts pieces of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads.
-
-template <class Vertex>
-class Insert_by_workers
-{
-public:
-  // Keeps references.
-  Insert_by_workers(Ordered_complex<Vertex>& points, const Executor& executor, Watcher& watcher)
-    : m_points(points)
-    , m_watcher(watcher)
-    , m_triangulation(points.complex, executor)
-  {
-  }
-
-  std::size_t size_of_piece(std::size_t inserted) const
-  {
-    return m_triangulation.size_of_piece(inserted);
-  }
-  std::size_t number_of_threads() const { return m_triangulation.number_of_workers(); }
-
-  // Inserts the points at the places first, …, last - 1; returns false if the watcher stopped it.
-  bool operator()(std::size_t first, std::size_t last)
-  {
-    return m_triangulation.insert_round(
-        first, last, m_points.vertex_of, m_points.starting_cells(),
-        [&](std::size_t inserted) { return m_watcher.go_further(inserted); });
-  }
-
-  // To be called when all is inserted.
-  void finish() { m_triangulation.finish(); }
-
-  Insertion_counts counts() const { return m_triangulation.counts(); }
-
-private:
-  Ordered_complex<Vertex>& m_points;
-  Watcher& m_watcher;
-  Parallel_triangulation<Vertex> m_triangulation;
-};
-
-template <>
-struct Inserter_of<Many_threads>
-{
-  template <class Vertex>
-  using type = Insert_by_workers<Vertex>;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_VISITOR_WATCHER_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_VISITOR_WATCHER_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_VISITOR_OBSERVER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_VISITOR_OBSERVER_H
 
 // A visitor may be a model of SurfaceInsertionVisitor_3, or a callable that is told about progress.
 
@@ -25,18 +25,16 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Visitor>
-using Go_further = decltype(std::declval<Visitor&>().go_further());
+using Go_further = decltype(std::declval<Visitor&>().go_further(std::size_t()));
 
 template <class Visitor>
 constexpr bool is_visitor = is_detected<Go_further, Visitor>;
 
 // Calls `progress` with the share of the points that are inserted, before the first insertion,
-// every so often, and when all are. `false` stops the work; what returns nothing never does.
+// every 256 points or more, and when all are. `false` stops the work; what returns nothing never does.
 template <class Progress>
 class Progress_visitor : public Default_surface_insertion_visitor_3
 {
-  static constexpr std::size_t interval = 256;
-
 public:
   Progress_visitor(Progress progress, std::size_t number_of_points)
     : m_progress(std::move(progress))
@@ -44,9 +42,15 @@ public:
   {
   }
 
-  // By the core, now and then; by CGAL's insertion, before each.
-  bool go_further(std::size_t inserted) { return tell(inserted); }
-  bool go_further() { return m_asked++ % interval != 0 || tell(m_asked - 1); }
+  // If the work begins anew, the number falls, and the share waits.
+  bool go_further(std::size_t inserted)
+  {
+    if (inserted > m_asked && inserted < m_asked + 256)
+      return true;
+    m_asked = inserted;
+    m_farthest = (std::max)(m_farthest, inserted);
+    return tell(m_farthest);
+  }
 
   template <class Target, class Hints>
   void insertion_ends(const Target&, const Hints&)
@@ -57,8 +61,8 @@ public:
 private:
   bool tell(std::size_t inserted)
   {
-    m_told = (std::max)(m_told, inserted);
-    const double share = m_number_of_points == 0 ? 1. : double(m_told) / double(m_number_of_points);
+    const double share =
+        m_number_of_points == 0 ? 1. : double(inserted) / double(m_number_of_points);
     if constexpr (std::is_void<std::invoke_result_t<Progress&, double>>::value) {
       m_progress(share);
       return true;
@@ -69,7 +73,7 @@ private:
 
   Progress m_progress;
   std::size_t m_number_of_points;
-  std::size_t m_asked = 0, m_told = 0;
+  std::size_t m_asked = 0, m_farthest = 0; // numbers of inserted points
 };
 
 template <class Progress>
@@ -106,22 +110,6 @@ decltype(auto) visitor_of_caller(const std::reference_wrapper<Visitor>& visitor,
     return Default_surface_insertion_visitor_3();
 }
 
-// Whether the visitor has a phase_begins() of its own: it is then told of every point.
-template <class Visitor>
-using Phase_begins = decltype(&Visitor::phase_begins);
-
-template <class Visitor>
-constexpr bool follows_all_points =
-    !std::is_same<detected_or_t<void, Phase_begins, Visitor>,
-                  Phase_begins<Default_surface_insertion_visitor_3>>::value;
-
-// Whether go_further() takes the number of points inserted.
-template <class Visitor>
-using Go_further_with_number = decltype(std::declval<Visitor&>().go_further(std::size_t()));
-
-template <class Visitor>
-constexpr bool counts_points = is_detected<Go_further_with_number, Visitor>;
-
 // What a visitor gets in place of target and hints where the core inserts.
 struct Core_target
 {
@@ -132,83 +120,47 @@ struct Core_hints
 {
 };
 
-// A function that earlier visitors had, and that nobody calls.
-template <class Visitor>
-using Accept_of_visitor = decltype(&Visitor::accept);
-
 // Tells a caller's visitor what the core, or the loop of the paper, is doing, in the floating-point
 // mode of whoever called the package.
 template <class Visitor>
-class Visitor_watcher final : public Watcher
+class Visitor_observer final : public Observer
 {
   using Phase = Surface_insertion_phase;
-  static_assert(!is_detected<Accept_of_visitor, Visitor>,
-                "visitors leave no points out: accept() would not be called");
+  using Notice = Surface_insertion_notice;
 
 public:
   // Keeps references.
-  Visitor_watcher(Visitor& visitor, const Rounding_to_nearest& rounding)
+  Visitor_observer(Visitor& visitor, const Rounding_to_nearest& rounding)
     : m_visitor(visitor)
     , m_rounding(rounding)
   {
   }
 
-  void phase_begins(Phase phase) override
+  void phase_begins(Phase phase, std::size_t number = 0) override
   {
-    m_rounding.in_mode_of_caller([&] { m_visitor.phase_begins(phase); });
+    const bool is_of_point = phase == Phase::LOCATION || phase == Phase::UPDATE;
+    if (Visitor::follows_points || !is_of_point)
+      m_rounding.in_mode_of_caller([&] { m_visitor.phase_begins(phase, number); });
   }
-  void order_is_replaced(const char* reason) override
+  void notice(Notice what, const char* reason) override { notice(what, std::string(reason)); }
+  void notice(Notice what, const std::string& reason)
   {
-    m_rounding.in_mode_of_caller([&] { m_visitor.order_is_replaced(std::string(reason)); });
-  }
-  void insertion_begins(std::size_t number_of_threads) override
-  {
-    m_rounding.in_mode_of_caller([&] { m_visitor.insertion_begins(number_of_threads); });
-  }
-  void round_begins(std::size_t round, std::size_t number_of_points) override
-  {
-    m_rounding.in_mode_of_caller([&] { m_visitor.round_begins(round, number_of_points); });
+    m_rounding.in_mode_of_caller([&] { m_visitor.notice(what, reason); });
   }
   void insertion_ends(const Insertion_counts& counts) override
   {
     insertion_ends(Core_target{counts}, Core_hints());
-  }
-  bool go_further(std::size_t inserted) override
-  {
-    if constexpr (counts_points<Visitor>)
-      return m_rounding.in_mode_of_caller([&] { return m_visitor.go_further(inserted); });
-    else
-      return go_further();
-  }
-  bool follows_points() const override { return follows_all_points<Visitor>; }
-
-  // What only the paper's way, or CGAL's insertion in place of the core's, reports.
-
-  void surface_is_irregular(const std::string& reason)
-  {
-    m_rounding.in_mode_of_caller([&] { m_visitor.surface_is_irregular(reason); });
-  }
-  void subgraph_is_replaced(const std::string& reason)
-  {
-    m_rounding.in_mode_of_caller([&] { m_visitor.subgraph_is_replaced(reason); });
-  }
-  void target_is_replaced(const std::string& reason)
-  {
-    m_rounding.in_mode_of_caller([&] { m_visitor.target_is_replaced(reason); });
-  }
-  void trace_ends(std::size_t number_of_located_points)
-  {
-    m_rounding.in_mode_of_caller([&] { m_visitor.trace_ends(number_of_located_points); });
   }
   template <class Target, class Hints>
   void insertion_ends(const Target& target, const Hints& hints)
   {
     m_rounding.in_mode_of_caller([&] { m_visitor.insertion_ends(target, hints); });
   }
-  bool go_further()
+  bool go_further(std::size_t inserted) override
   {
-    return m_rounding.in_mode_of_caller([&] { return m_visitor.go_further(); });
+    return m_rounding.in_mode_of_caller([&] { return m_visitor.go_further(inserted); });
   }
+  bool follows_points() const override { return Visitor::follows_points; }
 
 private:
   Visitor& m_visitor;
@@ -220,4 +172,4 @@ private:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_VISITOR_WATCHER_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_VISITOR_OBSERVER_H
