@@ -29,7 +29,7 @@
 #include <utility>
 
 namespace py = pybind11;
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace core = CGAL::Delaunay_from_surface_3::core;
 
 namespace {
 
@@ -115,7 +115,7 @@ void check_faces(const py::object& faces, std::size_t n)
   if (!faces.is_none())
     python::with_faces(faces, [&](const auto& rows) {
       const python::Unlocked unlocked;
-      core::check_faces(rows, n);
+      CGAL::Delaunay_from_surface_3::internal::check_faces(rows, n);
     });
 }
 

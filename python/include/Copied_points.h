@@ -18,9 +18,9 @@ namespace python {
 // Points of an array, copied for as long as the core reads them in its input order: 24 bytes per
 // point before the insertion begins, but none at the peak of memory. If another thread writes into
 // the array meanwhile, the result may be of other points, but these are checked like the first.
-class Copied_points final : public CGAL::Delaunay_from_surface_3::internal::Point_source
+class Copied_points final : public CGAL::Delaunay_from_surface_3::core::Point_source
 {
-  using Point_array = CGAL::Delaunay_from_surface_3::internal::Point_array;
+  using Point_array = CGAL::Delaunay_from_surface_3::core::Point_array;
 
 public:
   // Keeps a reference; the first copy is made with the interpreter's lock.
@@ -44,7 +44,7 @@ public:
   void give_up() override { Vector().swap(m_copy); }
 
 private:
-  using Vector = CGAL::Delaunay_from_surface_3::internal::Large_vector<double>;
+  using Vector = CGAL::Delaunay_from_surface_3::core::Large_vector<double>;
 
   const Points_view m_view;
   const std::size_t m_size;

@@ -17,7 +17,7 @@ namespace python {
 // Throws if signs would not be right, as in a thread that takes denormal numbers for 0.
 inline void refuse_obstacle()
 {
-  if (const char* const obstacle = CGAL::Delaunay_from_surface_3::internal::obstacle_of_core())
+  if (const char* const obstacle = CGAL::Delaunay_from_surface_3::core::obstacle_of_core())
     throw std::runtime_error(std::string("the module would be slow, or not exact: ") + obstacle);
 }
 

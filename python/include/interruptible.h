@@ -57,9 +57,9 @@ private:
 
 // Takes the interpreter lock now and then, for signals and for the user's function. An exception
 // that these raise, such as KeyboardInterrupt, passes through the core.
-class Interruptible_observer final : public CGAL::Delaunay_from_surface_3::internal::Observer
+class Interruptible_observer final : public CGAL::Delaunay_from_surface_3::core::Observer
 {
-  using Rounding = CGAL::Delaunay_from_surface_3::internal::Rounding_to_nearest;
+  using Rounding = CGAL::Delaunay_from_surface_3::core::Rounding_to_nearest;
 
 public:
   // Keeps references.
@@ -109,9 +109,9 @@ private:
 
 // Runs tasks by threads, and ends them when a signal has raised an exception, such as
 // KeyboardInterrupt. One thread makes the executor and calls run(), without the interpreter's lock.
-class Interruptible_executor final : public CGAL::Delaunay_from_surface_3::internal::Executor
+class Interruptible_executor final : public CGAL::Delaunay_from_surface_3::core::Executor
 {
-  using Task = CGAL::Delaunay_from_surface_3::internal::Task;
+  using Task = CGAL::Delaunay_from_surface_3::core::Task;
 
 public:
   explicit Interruptible_executor(std::size_t threads)
@@ -140,7 +140,7 @@ private:
     m_is_stopped = true;
   }
 
-  const CGAL::Delaunay_from_surface_3::internal::Thread_executor m_threads;
+  const CGAL::Delaunay_from_surface_3::core::Thread_executor m_threads;
   const std::thread::id m_caller = std::this_thread::get_id();
   mutable Alarm_clock m_clock; // for the caller's thread only
   mutable std::exception_ptr m_error;

@@ -80,7 +80,7 @@ class Mixtures(unittest.TestCase):
             for other in names:
                 if one < other and not {one, other} <= {source.stem for source in LIBRARY}:
                     own = [name for name in names[one] & names[other]
-                           if re.match(r"_ZNK?4CGAL(23Delaunay_from_surface_38internal|17delaunay_3_arrays|\d+v\d)", name)]
+                           if re.match(r"_ZNK?4CGAL(23Delaunay_from_surface_3(8internal|4core)|17delaunay_3_arrays|\d+v\d)", name)]
                     common = [name for name in readable(sorted(own)) if name and not trivial.search(name)]
                     self.assertEqual(common, [], f"{one} and {other}")
         self.assertTrue(any("v7_8_9" in name for name in names["of_another_version"]))

@@ -20,7 +20,7 @@
 #include <cstdio>
 #include <vector>
 
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace core = CGAL::Delaunay_from_surface_3::core;
 using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
 
 namespace {
@@ -133,7 +133,7 @@ void check_lattice(int x, int y, int z, const char* where)
   const int least[] = {1, 1, 2, 5}, most[] = {1, 1, 2, 6};
   for (const double scale : {1., 0x1p-1070, 0x1p1000, .1})
     for (const auto rounds : {core::Build_options::SPACED, core::Build_options::RANDOM}) {
-      const Arrays arrays = arrays_of(lattice(x, y, z, scale), kind, where);
+      const Arrays arrays = arrays_of(lattice(x, y, z, scale), rounds, where);
       check(arrays.dimension() == dimension, "dimension", where);
       check(arrays.number_of_points() == std::size_t(x * y * z), "points", where);
       check(arrays.number_of_vertices() == std::size_t(x * y * z), "vertices", where);

@@ -17,7 +17,7 @@
 
 namespace tests {
 
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace core = CGAL::Delaunay_from_surface_3::core;
 
 template <class Point>
 std::unique_ptr<core::Built>

@@ -30,7 +30,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Refers to tetrahedra as rows of arrays that it does not own: entry k of simplex c is at
@@ -236,7 +236,7 @@ void find_simplices(const Simplices_view<Index>& simplices, const PointOf& point
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

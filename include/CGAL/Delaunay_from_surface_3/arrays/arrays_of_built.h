@@ -27,7 +27,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The following makes the arrays of points that lie in one plane, on one line, or at one place.
@@ -330,7 +330,7 @@ Delaunay_3_arrays<Index> arrays_of_built(Built& built, Point_source& source,
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

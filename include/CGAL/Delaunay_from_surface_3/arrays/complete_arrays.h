@@ -25,7 +25,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Neighbours are found from the vertices alone: they are two simplices that share a facet.
@@ -333,7 +333,7 @@ Adjacent_vertices<Index> adjacent_vertices(std::size_t number, std::size_t corne
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -28,7 +28,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Checks the properties of arrays that do not depend on coordinates.
@@ -379,7 +379,7 @@ bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

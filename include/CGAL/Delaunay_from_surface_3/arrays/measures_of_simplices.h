@@ -29,7 +29,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Represents value 2^exponent: products of integers may exceed the range of doubles even if their
@@ -326,7 +326,7 @@ inline std::array<std::array<double, 3>, 3> gradients_of(const Corners_of_tetrah
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

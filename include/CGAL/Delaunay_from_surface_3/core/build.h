@@ -21,7 +21,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 // Returns what keeps the core from being exact or fast: what its compiler does to operations on
@@ -91,7 +91,7 @@ std::unique_ptr<Built> build_again(Insertion_order& kept, Point_source& points,
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

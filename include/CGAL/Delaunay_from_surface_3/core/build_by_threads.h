@@ -21,7 +21,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Inserts pieces of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads.
@@ -78,7 +78,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE std::unique_ptr<Built> build(Point_source& p
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

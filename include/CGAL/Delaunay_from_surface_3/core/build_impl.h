@@ -33,7 +33,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // How much work an order may cause before another takes its place. No order but a random one
@@ -214,7 +214,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE const char* obstacle_of_core()
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

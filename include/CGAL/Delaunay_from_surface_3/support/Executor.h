@@ -19,7 +19,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 // A function that an executor runs; it must not throw.
@@ -207,7 +207,7 @@ inline std::vector<std::size_t> inverse(const std::vector<std::size_t>& order)
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

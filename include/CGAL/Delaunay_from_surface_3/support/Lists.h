@@ -20,7 +20,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Lists of numbers, one after the other, owned elsewhere: list i is items[first[i]], …,
@@ -215,7 +215,7 @@ Lists<Index> in_lists(std::size_t n, const Items& items, const Executor& executo
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -15,7 +15,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Reports a broken invariant. It throws even if assertions are off.
@@ -25,7 +25,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
@@ -33,7 +33,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(invariant) static_cast<void>(0)
 #else
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(invariant)                                             \
-  ((invariant) ? static_cast<void>(0) : ::CGAL::Delaunay_from_surface_3::internal::fail(#invariant))
+  ((invariant) ? static_cast<void>(0) : ::CGAL::Delaunay_from_surface_3::core::fail(#invariant))
 #endif
 
 #if defined(CGAL_CHECK_EXPENSIVE)

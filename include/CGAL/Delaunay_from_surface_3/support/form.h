@@ -123,7 +123,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Default, class Void, template <class...> class Operation, class... Types>
@@ -156,7 +156,13 @@ constexpr bool is_index = std::is_integral<Index>::value ||
                                std::numeric_limits<Index>::is_integer);
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
+
+// The other rooms know the core and what it stands on.
+namespace internal {
+using namespace core;
+}
+
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

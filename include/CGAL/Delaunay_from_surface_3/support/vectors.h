@@ -29,7 +29,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 inline bool machine_has_vectors()
@@ -105,7 +105,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS unsigned bits_of(Four_longs compa
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -34,7 +34,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The flat sides of parts are parallel to the axes more often than not, and have a great many
@@ -150,7 +150,7 @@ public:
   // Of an infinite cell: 1 if p is beyond its finite facet, -1 if before, 0 if not decided.
   int beyond_sign(const Cell& cell, const double* p) const
   {
-    return internal::beyond_sign(row(coordinates(Complex::first_vertex(cell)), p),
+    return core::beyond_sign(row(coordinates(Complex::first_vertex(cell)), p),
                                  row(coordinates(cell.v[1]), p), row(coordinates(cell.v[2]), p));
   }
 
@@ -262,7 +262,7 @@ private:
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

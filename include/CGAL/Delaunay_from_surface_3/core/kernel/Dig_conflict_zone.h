@@ -26,7 +26,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The working memory of one insertion, kept for the next: all that a thread that inserts has for
@@ -226,7 +226,7 @@ struct Explore_neighbors : Explore_alone
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
@@ -238,7 +238,7 @@ struct Explore_neighbors : Explore_alone
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // With the cells themselves, and their first vertices.
@@ -363,7 +363,7 @@ inline constexpr Wide_explore_neighbors::Of_mask Wide_explore_neighbors::of_mask
 
 // The widest search for these ids, where the machine has vectors.
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
@@ -371,7 +371,7 @@ inline constexpr Wide_explore_neighbors::Of_mask Wide_explore_neighbors::of_mask
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Explore: how cells are read and their neighbours looked at, scalar or in vectors, and beside
@@ -456,7 +456,7 @@ private:
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

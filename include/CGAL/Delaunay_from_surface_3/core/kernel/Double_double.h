@@ -24,7 +24,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 #if defined(__GNUC__) && defined(__x86_64__)
@@ -189,7 +189,7 @@ fused_close_sphere_sign(const Exact_differences<4>& differences)
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

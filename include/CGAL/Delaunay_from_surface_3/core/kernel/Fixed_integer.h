@@ -30,7 +30,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 __extension__ using Double_digit = __int128;
@@ -133,7 +133,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign_of(const Fixed_integer<Halve
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
@@ -155,7 +155,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign_of(const Fixed_integer<Halve
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The differences of N vertices and p, times a power of 2, in digits of 60 bits.
@@ -289,7 +289,7 @@ private:
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

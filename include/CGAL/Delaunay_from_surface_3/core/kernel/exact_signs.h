@@ -26,7 +26,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // sign: 1 or -1, perturbed where the determinant is 0; 0 from stages that round and leave it open,
@@ -357,7 +357,7 @@ inline bool are_collinear(const double* a, const double* b, const double* c)
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -24,7 +24,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Whether the link of each vertex is a sphere, for tetrahedra whose facets are shared by two each.
@@ -131,7 +131,7 @@ bool is_valid(const Compact_complex<Vertex>& complex, Delaunay_validity_level le
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

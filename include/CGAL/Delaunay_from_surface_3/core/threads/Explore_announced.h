@@ -32,7 +32,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 struct Links
@@ -226,7 +226,7 @@ protected:
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
@@ -241,7 +241,7 @@ protected:
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class Vertex, class Protocol = Handshake>
@@ -349,7 +349,7 @@ private:
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
@@ -357,7 +357,7 @@ private:
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Writes stars while others read. The first store to a cell makes it busy, and the last one gives
@@ -423,7 +423,7 @@ private:
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
