@@ -24,10 +24,13 @@
 #include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
 
+#include "build_in_order.h"
 #include "points_and_graphs.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -217,23 +220,46 @@ static std::size_t orders_made(const std::vector<Point>& points)
   return Counted_rounds::calls;
 }
 
-BOOST_AUTO_TEST_CASE(no_order_is_made_of_points_on_a_line)
+// A plan is asked once, whatever the points are like.
+BOOST_AUTO_TEST_CASE(plan_of_points_on_a_line)
 {
   std::vector<Point> points(500, Point(.1, .2, .3));
-  BOOST_TEST(orders_made(points) == 0u);
+  BOOST_TEST(orders_made(points) == 1u);
   points[400] = Point(1, 2, 3);
-  BOOST_TEST(orders_made(points) == 0u);
+  BOOST_TEST(orders_made(points) == 1u);
   points[450] = Point(1, 2, 4);
   BOOST_TEST(orders_made(points) == 1u); // in a plane
   surfaces::Indexed_surface line = surfaces::collinear(500);
   surfaces::shuffle(line, 1);
   line.points.insert(line.points.end(), line.points.begin(), line.points.begin() + 100);
-  BOOST_TEST(orders_made(line.points) == 0u);
+  BOOST_TEST(orders_made(line.points) == 1u);
   for (Point& p : line.points)
     p = Point(p.x(), 7, -0.);
-  BOOST_TEST(orders_made(line.points) == 0u);
-  BOOST_TEST(orders_made({}) == 0u);
-  BOOST_TEST(orders_made({Point(1, 1, 1)}) == 0u);
+  BOOST_TEST(orders_made(line.points) == 1u);
+  BOOST_TEST(orders_made({}) == 1u);
+  BOOST_TEST(orders_made({Point(1, 1, 1)}) == 1u);
+}
+
+// Points on a line are inserted along it, whatever order is given: at random they would take
+// quadratic time.
+BOOST_AUTO_TEST_CASE(order_of_points_on_a_line)
+{
+  surfaces::Indexed_surface line = surfaces::collinear(500);
+  surfaces::shuffle(line, 1);
+  DFS::Insertion_order plan;
+  for (std::size_t i = 0; i < line.points.size(); ++i)
+    plan.order.push_back(i);
+  plan.round_ends = {line.points.size()};
+  const auto built = tests::build_in_order(line.points, plan);
+  BOOST_TEST(built->dimension == 1);
+  BOOST_TEST_REQUIRE(built->order.size == line.points.size());
+  const auto lies_before = [&](std::size_t i, std::size_t j) {
+    return line.points[i] < line.points[j];
+  };
+  const std::size_t* const order = built->order.order;
+  BOOST_TEST((std::is_sorted(order, order + built->order.size, lies_before) ||
+              std::is_sorted(std::reverse_iterator(order + built->order.size),
+                             std::reverse_iterator(order), lies_before)));
 }
 
 // The faces of points at one place are still looked at.
