@@ -147,15 +147,20 @@ Json count_tiles(const Points& points, std::uint32_t tiles)
   const auto run_to_rest = [&] {
     do {
       load.by_round.push_back(0);
-      by_round.push_back(engine.exchange([&](core::Tile_message& message) {
+      by_round.push_back(0);
+      std::vector<core::Tile_message> messages = engine.tell();
+      for (const core::Tile_message& message : messages) {
+        by_round.back() += message.points.size();
         told[message.to] += message.points.size();
         load.add(message);
-      }));
+      }
+      engine.deliver(std::move(messages));
     } while (by_round.back() > 0);
   };
   run_to_rest();
   const double rest = seconds_since(start);
-  auto certificates = engine.gather(seed);
+  const auto draw = [] { return std::uint64_t(seed); };
+  auto certificates = engine.gather(draw);
   const double all = seconds_since(start);
   std::uint64_t shown = 0; // as the driver does it, where tiles are small
   for (auto pairs = core::tiles_that_differ(certificates); !pairs.empty();
@@ -164,7 +169,7 @@ Json count_tiles(const Points& points, std::uint32_t tiles)
     load.add_shown(engine, pairs);
     engine.show(pairs);
     run_to_rest();
-    certificates = engine.gather(seed);
+    certificates = engine.gather(draw);
   }
   if (!core::is_certified(certificates, tiles, points.size()))
     throw std::runtime_error("the certificate does not hold");

@@ -7,13 +7,11 @@
 
 #include "Messages.h"
 #include "Report.h"
-#include "checked_number.h"
 #include "report_tiles.h"
+#include "tiles_command.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Tiles_by_mpi_3.h>
-
-#include <boost/program_options.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -28,8 +26,6 @@
 #include <vector>
 
 namespace {
-
-namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 const char* const help =
     R"(Usage: mpirun -n RANKS delaunay_from_surface_mpi POINTS... --output FOLDER [OPTION...]
@@ -54,48 +50,8 @@ A rank that fails ends all: its number, and what went wrong, are on one line of
 the standard error. Exit code: 0 if all went well, else 1.
 )";
 
-struct Command
-{
-  std::vector<std::string> inputs;
-  std::string output, join;
-  CGAL::Tiles_options options;
-  unsigned int threads = 1;
-  bool vtu = false, json = false, quiet = false, verbose = false, help = false;
-};
-
-Command parse_command_line(int argc, char* argv[])
-{
-  namespace po = boost::program_options;
-  Command command;
-  long long tiles = 0, threads = 1;
-  po::options_description all;
-  all.add_options()("help,h", po::bool_switch(&command.help))(
-      "output,o", po::value(&command.output))("tiles", po::value(&tiles))("threads",
-                                                                          po::value(&threads))(
-      "vtu", po::bool_switch(&command.vtu))("join", po::value(&command.join))(
-      "json", po::bool_switch(&command.json))("quiet", po::bool_switch(&command.quiet))(
-      "verbose", po::bool_switch(&command.verbose))("input", po::value(&command.inputs));
-  const auto positional = po::positional_options_description().add("input", -1);
-  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::variables_map given;
-  po::store(
-      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-      given);
-  po::notify(given);
-  if (command.help)
-    return command;
-  if (command.inputs.empty())
-    throw std::runtime_error("no points given");
-  if (command.output.empty())
-    throw std::runtime_error("option '--output' needs a folder for the tiles");
-  command.threads = checked_number("threads", threads, 1, most_threads);
-  if (given.count("tiles") != 0)
-    command.options.number_of_tiles = checked_number("tiles", tiles, 1, 1000000);
-  return command;
-}
-
 // Returns the options that all ranks must share, with their names. Points are compared by value.
-std::vector<std::pair<const char*, std::string>> common_options(const Command& command)
+std::vector<std::pair<const char*, std::string>> common_options(const Tiles_command& command)
 {
   return {{"output", command.output},
           {"join", command.join},
@@ -104,28 +60,26 @@ std::vector<std::pair<const char*, std::string>> common_options(const Command& c
           {"json", std::to_string(command.json)}};
 }
 
-void agree_on_command(core::Ranks_of_mpi& ranks, const Command& command)
+void agree_on_command(core::Ranks_of_mpi& ranks, const Tiles_command& command)
 {
-  core::Packed_bytes mine;
+  const auto options = common_options(command);
+  std::vector<std::vector<char>> mine;
   ranks.together([&] {
-    for (const auto& [name, value] : common_options(command))
-      core::pack(mine, std::vector<char>(value.begin(), value.end()));
+    for (const auto& option : options)
+      mine.emplace_back(option.second.begin(), option.second.end());
   });
-  const auto all = ranks.all_gather(mine);
+  const auto all = ranks.all_gather(mine); // those of rank 0 are first
   ranks.together([&] {
-    core::Unpack theirs(all.front());
-    for (const auto& [name, value] : common_options(command)) {
-      std::vector<char> other;
-      theirs.get(other);
-      if (std::string(other.begin(), other.end()) != value)
-        throw std::runtime_error("was given other options than rank 0: --" + std::string(name));
-    }
+    for (std::size_t k = 0; k < options.size(); ++k)
+      if (all[k] != mine[k])
+        throw std::runtime_error("was given other options than rank 0: --" +
+                                 std::string(options[k].first));
   });
 }
 
 // Throws if ranks see different points, which would not be noticed, as each reads only a part of
 // them. 64 points are compared; the times of the files may differ.
-void agree_on_points(const core::Ranks_of_mpi& ranks, const Command& command,
+void agree_on_points(const core::Ranks_of_mpi& ranks, const Tiles_command& command,
                      const CGAL::Point_files_3& points)
 {
   std::uint64_t print = 0;
@@ -141,23 +95,6 @@ void agree_on_points(const core::Ranks_of_mpi& ranks, const Command& command,
   });
 }
 
-void show_progress(Command& command, Messages& messages)
-{
-  command.options.progress = [&messages](const char* what, std::size_t done, std::size_t all) {
-    const std::string text =
-        std::string(what) + ": " + std::to_string(done) + " of " + std::to_string(all);
-    done == 0 ? messages.step(text) : messages.show(text);
-    return true;
-  };
-}
-
-Report::Style style_of(const Command& command)
-{
-  return command.json    ? Report::Style::JSON
-         : command.quiet ? Report::Style::NONE
-                         : Report::Style::TEXT;
-}
-
 void finish(Report& report)
 {
   report.finish();
@@ -166,11 +103,11 @@ void finish(Report& report)
 }
 
 // Finishes the work that concerns all tiles, on one rank, when all are written.
-void finish(const Command& command, const CGAL::Tiles_report& result,
-            const CGAL::Tiles_by_mpi_3& engine, core::Joined_tiles* joined)
+void finish(const Tiles_command& command, const CGAL::Tiles_report& result,
+            const CGAL::Tiles_by_mpi_3& engine, Joined_file* joined)
 {
   core::finish_tiles(command.output, result, command.vtu);
-  Report report(std::cout, style_of(command));
+  Report report(std::cout, command.style());
   report_tiles(command.output, result, report);
   report("ranks", engine.number_of_ranks());
   report("bytes sent by rank 0", engine.bytes_sent());
@@ -181,9 +118,9 @@ void finish(const Command& command, const CGAL::Tiles_report& result,
 }
 
 // Joins tiles that were finished before.
-void join_alone(const Command& command, core::Joined_tiles& joined)
+void join_alone(const Tiles_command& command, Joined_file& joined)
 {
-  Report report(std::cout, style_of(command));
+  Report report(std::cout, command.style());
   report("output", command.output);
   report("tiles", core::number_of_tiles_in(command.output));
   report("finite cells joined", joined.write());
@@ -191,8 +128,8 @@ void join_alone(const Command& command, core::Joined_tiles& joined)
 }
 
 // Begins on one rank. Returns whether all that was asked for is done by then.
-bool begin_output(const Command& command, const CGAL::Point_files_3& points,
-                  std::optional<core::Joined_tiles>& joined)
+bool begin_output(const Tiles_command& command, const CGAL::Point_files_3& points,
+                  std::optional<Joined_file>& joined)
 {
   if (!command.join.empty())
     joined.emplace(points, command.output, command.join); // before anything is removed
@@ -205,21 +142,18 @@ bool begin_output(const Command& command, const CGAL::Point_files_3& points,
   return has_ended;
 }
 
-void run(Command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engine,
+void run(Tiles_command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3& engine,
          Messages& messages)
 {
   const bool is_first = engine.rank() == 0;
   if (is_first)
-    show_progress(command, messages);
+    command.show_progress(messages);
   if (command.options.number_of_tiles == 0)
     command.options.number_of_tiles =
         unsigned(engine.number_of_ranks()) * unsigned(ranks.of_first(command.threads));
   std::optional<CGAL::Point_files_3> points;
-  std::optional<core::Joined_tiles> joined; // opened before there is any work to lose
-  ranks.together([&] {
-    points.emplace(
-        std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
-  });
+  std::optional<Joined_file> joined; // opened before there is any work to lose
+  ranks.together([&] { points.emplace(command.points()); });
   agree_on_points(ranks, command, *points);
   bool has_ended = false;
   ranks.together([&] { has_ended = is_first && begin_output(command, *points, joined); });
@@ -244,14 +178,10 @@ int main(int argc, char* argv[])
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &threads);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   try {
-    Command command;
+    Tiles_command command;
     core::Ranks_of_mpi ranks(MPI_COMM_WORLD);
     ranks.together([&] {
-      try {
-        command = parse_command_line(argc, argv);
-      } catch (const std::exception& e) {
-        throw std::runtime_error(std::string(e.what()) + " (--help explains all options)");
-      }
+      command = parse_with_help(argc, argv, true);
       if (command.threads > 1 && threads < MPI_THREAD_FUNNELED)
         throw std::runtime_error("this MPI bears no threads: '--threads' needs 1");
     });
@@ -259,9 +189,7 @@ int main(int argc, char* argv[])
       std::cout << (rank == 0 ? help : "");
     } else {
       agree_on_command(ranks, command);
-      Messages messages(command.quiet || rank > 0 ? Messages::Volume::QUIET
-                        : command.verbose         ? Messages::Volume::VERBOSE
-                                                  : Messages::Volume::NORMAL);
+      Messages messages(rank > 0 ? Messages::Volume::QUIET : command.volume());
       CGAL::Tiles_by_mpi_3 engine(MPI_COMM_WORLD, command.threads);
       run(command, ranks, engine, messages);
     }

@@ -13,6 +13,7 @@ import os
 import random
 import resource
 import shutil
+import signal
 import struct
 import subprocess
 import tempfile
@@ -233,6 +234,23 @@ class Tiles(unittest.TestCase):
                        says="'--join' is done by one process, when all tasks are")
         self.works(points, other, "--tiles", 2, "--output", output, "--join", output / "all.npy", "--neighbors", "--quiet")
         self.assertEqual(read_npy(output / "all.npy")[0], read_npy(output / "all-neighbors.npy")[0])
+
+    def test_interrupted_before_it_joins(self):
+        """Nothing of the joined file stays, and the work goes on."""
+        points = self.folder / "points.raw"
+        write_points(points, 20000)
+        for end in (signal.SIGINT, signal.SIGTERM):
+            output = self.folder / end.name
+            arguments = (points, "--tiles", 9, "--output", output, "--join", self.folder / "all.npy")
+            with subprocess.Popen(self.command(*arguments), stdout=subprocess.DEVNULL) as process:
+                while not (output / "state" / "input").exists():
+                    time.sleep(.01)
+                self.assertEqual(len([*self.folder.glob("all.npy-*.unfinished")]), 1)
+                process.send_signal(end)
+            self.assertEqual(process.returncode, -end)
+            self.assertEqual([], [*self.folder.glob("all.npy*")])
+        self.works(*arguments, "--quiet")
+        self.assertEqual(len([*self.folder.glob("all.npy*")]), 1)
 
     def test_files_of_others_stay(self):
         """Only what a run has left is removed, and only where it is; folders that cannot be read are not looked into."""

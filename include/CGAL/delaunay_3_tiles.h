@@ -10,8 +10,6 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_memory.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 
-#include <cstdint>
-#include <random>
 #include <type_traits>
 #include <utility>
 
@@ -75,11 +73,7 @@ Tiles_report delaunay_3_tiles(Engine& engine, const Tile_source_3& source, Sink&
   if constexpr (std::is_same<std::remove_const_t<Engine>, Tiles_in_files_3>::value) {
     return engine.run(source, options, [&](Delaunay_3_tile&& tile) { sink(std::move(tile)); });
   } else {
-    const auto draw = [] {
-      std::random_device random;
-      return std::uint64_t(random()) << 32 | random();
-    };
-    return run_until_certified(engine, source, options, draw, [&](const Tiles_report& report) {
+    return run_until_certified(engine, source, options, [&](const Tiles_report& report) {
       engine.give(sink);
       return report;
     });

@@ -33,14 +33,6 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-enum class Number_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
-
-constexpr std::size_t size_of(Number_type type)
-{
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[std::size_t(type)];
-}
-
 template <class T>
 double number_at(const char* bytes, bool is_swapped)
 {
@@ -53,37 +45,35 @@ double number_at(const char* bytes, bool is_swapped)
   return double(number);
 }
 
+// The types of numbers, by their names in a .ply.
+struct Number_type
+{
+  const char *name, *other_name;
+  std::size_t size;
+  double (*at)(const char* bytes, bool is_swapped);
+};
+constexpr Number_type number_types[] = {{"char", "int8", 1, number_at<std::int8_t>},
+                                        {"uchar", "uint8", 1, number_at<std::uint8_t>},
+                                        {"short", "int16", 2, number_at<std::int16_t>},
+                                        {"ushort", "uint16", 2, number_at<std::uint16_t>},
+                                        {"int", "int32", 4, number_at<std::int32_t>},
+                                        {"uint", "uint32", 4, number_at<std::uint32_t>},
+                                        {"float", "float32", 4, number_at<float>},
+                                        {"double", "float64", 8, number_at<double>}};
+constexpr const Number_type *float32 = number_types + 6, *float64 = number_types + 7;
+
 struct Point_file_layout
 {
   std::uint64_t number_of_points = 0, first = 0; // the latter: offset of the first point, in bytes
   std::size_t stride = 24;                       // bytes from a point to the next
   std::array<std::size_t, 3> offsets = {0, 8, 16};
-  std::array<Number_type, 3> types = {Number_type::FLOAT64, Number_type::FLOAT64,
-                                      Number_type::FLOAT64};
+  std::array<const Number_type*, 3> types = {float64, float64, float64};
   bool is_swapped = !machine_is_little_endian();
 
   // Returns coordinate k of a point.
   double number(const char* point, std::size_t k) const
   {
-    const char* const bytes = point + offsets[k];
-    switch (types[k]) {
-    case Number_type::INT8:
-      return number_at<std::int8_t>(bytes, is_swapped);
-    case Number_type::UINT8:
-      return number_at<std::uint8_t>(bytes, is_swapped);
-    case Number_type::INT16:
-      return number_at<std::int16_t>(bytes, is_swapped);
-    case Number_type::UINT16:
-      return number_at<std::uint16_t>(bytes, is_swapped);
-    case Number_type::INT32:
-      return number_at<std::int32_t>(bytes, is_swapped);
-    case Number_type::UINT32:
-      return number_at<std::uint32_t>(bytes, is_swapped);
-    case Number_type::FLOAT32:
-      return number_at<float>(bytes, is_swapped);
-    default:
-      return number_at<double>(bytes, is_swapped);
-    }
+    return types[k]->at(point + offsets[k], is_swapped);
   }
 };
 
@@ -105,7 +95,7 @@ inline Point_file_layout layout_of_npy(const std::filesystem::path& file)
   layout.first = first;
   layout.stride = is_float ? 12 : 24;
   layout.offsets = {0, layout.stride / 3, layout.stride / 3 * 2};
-  layout.types.fill(is_float ? Number_type::FLOAT32 : Number_type::FLOAT64);
+  layout.types.fill(is_float ? float32 : float64);
   layout.is_swapped = (type[0] == '<') != machine_is_little_endian();
   return layout;
 }
@@ -178,14 +168,14 @@ private:
   {
     if (type == "list")
       refuse_file(m_file, "lists in its vertices, or before them, are not read");
-    const Number_type t = type_of(type);
+    const Number_type& t = type_of(type);
     const std::size_t k = name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : 3;
     if (m_is_vertex && k < 3) {
       m_has[k] = true;
       m_layout.offsets[k] = m_stride;
-      m_layout.types[k] = t;
+      m_layout.types[k] = &t;
     }
-    m_stride += size_of(t);
+    m_stride += t.size;
     if (m_is_vertex) {
       m_has_vertices = true;
       m_layout.stride = m_stride;
@@ -193,14 +183,11 @@ private:
     }
   }
 
-  Number_type type_of(const std::string& name) const
+  const Number_type& type_of(const std::string& name) const
   {
-    static const char* const names[][2] = {
-        {"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"},   {"ushort", "uint16"},
-        {"int", "int32"}, {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"}};
-    for (std::size_t i = 0; i < 8; ++i)
-      if (name == names[i][0] || name == names[i][1])
-        return Number_type(i);
+    for (const Number_type& type : number_types)
+      if (name == type.name || name == type.other_name)
+        return type;
     refuse_file(m_file, "'" + name + "' is no type of a .ply");
   }
 

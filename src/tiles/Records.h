@@ -14,6 +14,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/pack.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -28,7 +29,6 @@
 #include <random>
 #include <string>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -88,7 +88,7 @@ public:
     std::random_device random;
     m_unfinished = m_place.string() + "-" + std::to_string(random()) + unfinished;
     errno = 0;
-    m_file.reset(std::fopen(m_unfinished.string().c_str(), "wb"));
+    m_file.reset(std::fopen(m_unfinished.string().c_str(), "wbx")); // no file of others
     if (!m_file)
       fail_to_write(m_place, errno);
     if (std::filesystem::exists(there))
@@ -111,6 +111,9 @@ public:
     if (n > 0 && std::fwrite(bytes, 1, n, m_file.get()) != n)
       fail_to_write(m_place, errno);
   }
+
+  // Returns the name that the file has until it is complete.
+  const std::filesystem::path& unfinished_place() const { return m_unfinished; }
 
   void finish()
   {
@@ -202,13 +205,13 @@ private:
 // The beginning of each file of a run.
 struct Record_head
 {
-  char what[32] = {}; // for example "dfs3 tiles 4 tiling"
+  char what[32] = {}; // for example "dfs3 tiles 5 tiling"
   std::uint64_t run;
 
   Record_head(const char* kind, std::uint64_t run_number)
     : run(run_number)
   {
-    std::snprintf(what, sizeof(what), "dfs3 tiles 4 %s", kind);
+    std::snprintf(what, sizeof(what), "dfs3 tiles 5 %s", kind);
   }
 };
 
@@ -256,7 +259,7 @@ private:
   std::size_t m_filled = 0;
 };
 
-// Writes records, each an item or a vector of items. Its checksum follows, so it can be read alone.
+// Writes records, each a packed item (pack.h). Its checksum follows, so it can be read alone.
 class Record_writer
 {
 public:
@@ -267,33 +270,18 @@ public:
   }
 
   template <class T>
-  void put(const T& record)
+  void put(const T& item)
   {
-    add(record);
+    pack(*this, item);
     end();
   }
 
-  // Writes the number of the items, and then the items.
-  template <class T>
-  void put(const std::vector<T>& items)
-  {
-    put(items.data(), items.size());
-  }
-  template <class T>
-  void put(const T* items, std::size_t n)
-  {
-    static_assert(std::is_trivially_copyable<T>::value, "records are written as bytes");
-    add(std::uint64_t(n));
-    add(items, n * sizeof(T));
-    end();
-  }
-
-  // Writes n items, which give(put) passes to put() one after the other.
+  // Writes a vector of n items, which give(put) passes to put() one after the other.
   template <class Give>
   void put_each(std::uint64_t n, const Give& give)
   {
-    add(n);
-    give([&](const auto& item) { add(item); });
+    pack(*this, n);
+    give([&](const auto& item) { pack(*this, item); });
     end();
   }
 
@@ -308,7 +296,16 @@ public:
       place += size_of_record<std::uint64_t> + (ends[t + 1] - ends[t]) * sizeof(T);
     }
     for (std::size_t t = 0; t + 1 < ends.size(); ++t)
-      put(items.data() + ends[t], std::size_t(ends[t + 1] - ends[t]));
+      put_each(ends[t + 1] - ends[t], [&](const auto&) {
+        write(items.data() + ends[t], std::size_t(ends[t + 1] - ends[t]) * sizeof(T));
+      });
+  }
+
+  // For pack().
+  void write(const void* bytes, std::size_t n)
+  {
+    m_checksum.add(bytes, n);
+    m_bytes.write(bytes, n);
   }
 
   void finish() { m_bytes.finish(); }
@@ -319,17 +316,6 @@ public:
   static constexpr std::uint64_t size_of_head = size_of_record<Record_head>;
 
 private:
-  void add(const void* bytes, std::size_t n)
-  {
-    m_checksum.add(bytes, n);
-    m_bytes.write(bytes, n);
-  }
-  template <class T>
-  void add(const T& record)
-  {
-    static_assert(std::is_trivially_copyable<T>::value, "records are written as bytes");
-    add(&record, sizeof(T));
-  }
   void end()
   {
     const std::uint64_t sum = m_checksum.finish();
@@ -350,7 +336,7 @@ public:
   {
     Record_head head("", 0);
     const Record_head expected(kind, run);
-    take(&head, sizeof(head));
+    read(&head, sizeof(head));
     if (std::memcmp(head.what, expected.what, sizeof(head.what)) != 0)
       throw Tile_files_error(place.string() + ": not a file of this version of the program");
     check();
@@ -361,25 +347,12 @@ public:
 
   std::uint64_t run() const { return m_run; }
 
+  // Takes out a record; of a vector the items are appended.
   template <class T>
-  void get(T& record)
+  void get(T& item)
   {
-    static_assert(std::is_trivially_copyable<T>::value, "records are read as bytes");
-    take(&record, sizeof(T));
+    unpack(*this, item);
     check();
-  }
-  template <class T>
-  T get()
-  {
-    T record{};
-    get(record);
-    return record;
-  }
-  template <class T>
-  void get(std::vector<T>& items)
-  {
-    items.clear();
-    append(items);
   }
 
   // Appends the vector at a place of the file to `items`.
@@ -387,7 +360,7 @@ public:
   void append_at(std::uint64_t offset, std::vector<T>& items)
   {
     seek(offset);
-    append(items);
+    get(items);
   }
 
   // Appends the items of a part to `items`.
@@ -395,7 +368,25 @@ public:
   void append_part(std::uint64_t part, std::vector<T>& items)
   {
     seek(Record_writer::size_of_head + part * Record_writer::size_of_record<std::uint64_t>);
-    append_at(get<std::uint64_t>(), items);
+    std::uint64_t place = 0;
+    get(place);
+    append_at(place, items);
+  }
+
+  // For unpack(), which allocates no memory for more items than the file can have.
+  void read(void* bytes, std::size_t n)
+  {
+    if (n > m_left)
+      throw Tile_files_error(m_bytes.place().string() + ": ends early");
+    m_bytes.read(bytes, n);
+    m_left -= n;
+    m_checksum.add(bytes, n);
+  }
+  std::uint64_t checked(std::uint64_t n, std::size_t size) const
+  {
+    if (n > m_left / size)
+      fail();
+    return n;
   }
 
 private:
@@ -406,35 +397,11 @@ private:
     m_bytes.seek(offset);
   }
 
-  // Does not allocate memory for more items than the file can have.
-  template <class T>
-  void append(std::vector<T>& items)
-  {
-    static_assert(std::is_trivially_copyable<T>::value, "records are read as bytes");
-    std::uint64_t n = 0;
-    take(&n, sizeof(n));
-    if (n > m_left / sizeof(T))
-      fail();
-    const std::size_t before = items.size();
-    items.resize(before + std::size_t(n));
-    take(items.data() + before, std::size_t(n) * sizeof(T));
-    check();
-  }
-
-  void take(void* bytes, std::size_t n)
-  {
-    if (n > m_left)
-      throw Tile_files_error(m_bytes.place().string() + ": ends early");
-    m_bytes.read(bytes, n);
-    m_left -= n;
-    m_checksum.add(bytes, n);
-  }
-
   void check()
   {
     const std::uint64_t expected = m_checksum.finish();
     std::uint64_t sum = 0;
-    take(&sum, sizeof(sum));
+    read(&sum, sizeof(sum));
     m_checksum.finish();
     if (sum != expected)
       fail();

@@ -20,7 +20,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Delaunay_tile.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Ranks_of_mpi.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
@@ -33,6 +32,7 @@
 #include <random>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,13 +47,13 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A run has its folder alone. Processes that do tasks one by one share it with each other, or take
-// turns and wait for their own. A killed process loses its locks. If the system has no such locks,
+// A run has its folder alone. Processes that do tasks one by one share it with each other. Those
+// that close stages take turns, and wait for their own, as do those that share a turn. A killed process loses its locks. If the system has no such locks,
 // or the folder is on another machine, no process is refused.
 class Folder_lock
 {
 public:
-  enum Way { ALONE, SHARED, IN_TURN };
+  enum Way { ALONE, SHARED, IN_TURN, SHARED_IN_TURN };
 
   Folder_lock(const std::filesystem::path& folder, Way way)
   {
@@ -61,7 +61,8 @@ public:
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
     m_file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const int how = way == IN_TURN ? LOCK_EX : (way == ALONE ? LOCK_EX : LOCK_SH) | LOCK_NB;
+    const int how = (way == ALONE || way == IN_TURN ? LOCK_EX : LOCK_SH) |
+                    (way == ALONE || way == SHARED ? LOCK_NB : 0);
     int failed = -1;
     while (m_file >= 0 && (failed = ::flock(m_file, how)) != 0 && errno == EINTR) {
     }
@@ -103,11 +104,19 @@ struct Posted
   std::uint64_t offset, number;
 };
 
+inline bool is_to_an_earlier_tile(const Posted& p, const Posted& q)
+{
+  return p.to < q.to;
+}
+
 struct Closed_round
 {
-  std::uint64_t told = 0, seed = 0;       // the seed is for certificates, if nothing was told
-  std::vector<Posted> posts;              // by sender
-  std::vector<std::uint32_t> last_rounds; // by tile: the round of its last state
+  std::uint64_t told = 0, told_before = 0; // in the rounds before it
+  std::uint64_t seed = 0;                  // for certificates, if nothing was told
+  std::vector<Posted> posts;               // by receiver, then by sender
+  std::vector<std::uint32_t> last_rounds;  // by tile: the round of its last state
+
+  auto parts() { return std::tie(told, told_before, seed, posts, last_rounds); }
 };
 
 class Tile_folder
@@ -121,51 +130,39 @@ public:
   const std::filesystem::path& place() const { return m_place; }
   void set_run(std::uint64_t run) { m_run = run; }
 
-  std::filesystem::path file(const std::string& name) const { return m_place / name; }
-  std::filesystem::path file(const char* kind, std::size_t k) const
+  // Returns the place of a file, for example file("tile", t, round).
+  template <class... Numbers>
+  std::filesystem::path file(std::string name, Numbers... numbers) const
   {
-    return m_place / (kind + ("-" + std::to_string(k)));
+    ((name += "-" + std::to_string(numbers)), ...);
+    return m_place / name;
   }
-  std::filesystem::path file(const char* kind, std::size_t k, std::size_t round) const
+
+  // Writes such a file with one item, and reads the first item of one.
+  template <class T, class... Numbers>
+  void write(const T& item, const char* kind, Numbers... numbers) const
   {
-    return m_place / (kind + ("-" + std::to_string(k)) + "-" + std::to_string(round));
+    Record_writer to(file(kind, numbers...), kind, m_run);
+    to.put(item);
+    to.finish();
+  }
+  template <class T, class... Numbers>
+  T read(const char* kind, Numbers... numbers) const
+  {
+    T item{};
+    Record_reader(file(kind, numbers...), kind, m_run).get(item);
+    return item;
   }
 
   void write_mark(const char* name) const { Record_writer(file(name), name, m_run).finish(); }
 
-  void write_input(const Tiles_input& input) const { write(file("input"), "input", input); }
   Tiles_input read_input()
   {
     Record_reader from(file("input"), "input", 0);
     m_run = from.run();
-    return from.get<Tiles_input>();
-  }
-
-  void write_summary(std::size_t k, const Range_summary& summary) const
-  {
-    write(file("range", k), "range", summary.largest, summary.least, summary.basis, summary.sample);
-  }
-  Range_summary read_summary(std::size_t k) const
-  {
-    Range_summary summary;
-    read(file("range", k), "range", summary.largest, summary.least, summary.basis, summary.sample);
-    return summary;
-  }
-
-  void write_tiling(const Tiling& tiling) const
-  {
-    write(file("tiling"), "tiling", tiling.tree.number_of_tiles(), tiling.tree.nodes(),
-          tiling.start, tiling.largest, tiling.least, tiling.number_of_points, tiling.sample);
-  }
-  Tiling read_tiling() const
-  {
-    std::uint32_t tiles = 0;
-    std::vector<Tile_tree::Node> nodes;
-    Tiling tiling{Tile_tree({}, 0), {}, 0, 0, 0, {}};
-    read(file("tiling"), "tiling", tiles, nodes, tiling.start, tiling.largest, tiling.least,
-         tiling.number_of_points, tiling.sample);
-    tiling.tree = Tile_tree(std::move(nodes), tiles);
-    return tiling;
+    Tiles_input input{};
+    from.get(input);
+    return input;
   }
 
   // Writes the points of a range, sorted by owner; those of tile t begin at ends[t].
@@ -179,17 +176,6 @@ public:
   void append_home(std::size_t k, std::uint32_t tile, std::vector<Tile_point>& points) const
   {
     Record_reader(file("home", k), "home", m_run).append_part(tile, points);
-  }
-
-  void write_state(std::uint32_t t, std::size_t round, const Tile_state& state) const
-  {
-    write(file("tile", t, round), "tile", state.kept, state.known, state.told);
-  }
-  Tile_state read_state(std::uint32_t t, std::size_t round) const
-  {
-    Tile_state state;
-    read(file("tile", t, round), "tile", state.kept, state.known, state.told);
-    return state;
   }
 
   void write_post(std::uint32_t t, std::size_t round,
@@ -209,54 +195,10 @@ public:
       to.put(m.points);
     to.finish();
   }
-  std::vector<Posted> read_posts(std::uint32_t t, std::size_t round) const
-  {
-    std::vector<Posted> posts;
-    read(file("post", t, round), "post", posts);
-    return posts;
-  }
   void append_message(const Posted& posted, std::size_t round,
                       std::vector<Tile_point>& points) const
   {
     Record_reader(file("post", posted.from, round), "post", m_run).append_at(posted.offset, points);
-  }
-
-  void write_closed(std::size_t round, const Closed_round& closed) const
-  {
-    write(file("closed", round), "closed", closed.told, closed.seed, closed.posts,
-          closed.last_rounds);
-  }
-  Closed_round read_closed(std::size_t round) const
-  {
-    Closed_round closed;
-    read(file("closed", round), "closed", closed.told, closed.seed, closed.posts,
-         closed.last_rounds);
-    return closed;
-  }
-
-  void write_show(std::size_t round, const Tile_pairs& pairs) const
-  {
-    write(file("show", round), "show", pairs);
-  }
-  Tile_pairs read_show(std::size_t round) const
-  {
-    Tile_pairs pairs;
-    read(file("show", round), "show", pairs);
-    return pairs;
-  }
-
-  void write_certificate(const Tile_certificate& c) const
-  {
-    Packed_bytes bytes;
-    pack(bytes, c);
-    write(file("certificate", c.tile), "certificate", bytes);
-  }
-  Tile_certificate read_certificate(std::uint32_t t) const
-  {
-    Packed_bytes bytes;
-    read(file("certificate", t), "certificate", bytes);
-    Unpack packed(bytes);
-    return unpack_certificate(packed);
   }
 
   void write_piece(const Piece_of_tile& piece) const
@@ -279,8 +221,14 @@ public:
   {
     Delaunay_3_tile piece;
     std::uint64_t own = 0, owned = 0, finite = 0;
-    read(file("piece", t), "piece", piece.ids, piece.points, own, piece.cells, owned, finite,
-         piece.equal_points);
+    Record_reader from(file("piece", t), "piece", m_run);
+    from.get(piece.ids);
+    from.get(piece.points);
+    from.get(own);
+    from.get(piece.cells);
+    from.get(owned);
+    from.get(finite);
+    from.get(piece.equal_points);
     piece.number = t;
     piece.number_of_own_vertices = std::size_t(own);
     piece.number_of_owned_cells = std::size_t(owned);
@@ -289,21 +237,6 @@ public:
   }
 
 private:
-  template <class... Items>
-  void write(const std::filesystem::path& place, const char* kind, const Items&... items) const
-  {
-    Record_writer to(place, kind, m_run);
-    (to.put(items), ...);
-    to.finish();
-  }
-
-  template <class... Items>
-  void read(const std::filesystem::path& place, const char* kind, Items&... items) const
-  {
-    Record_reader from(place, kind, m_run);
-    (from.get(items), ...);
-  }
-
   const std::filesystem::path m_place;
   std::uint64_t m_run = 0;
 };

@@ -32,7 +32,6 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
-#include <random>
 #include <set>
 #include <string>
 #include <system_error>
@@ -64,15 +63,15 @@ struct Tile_tasks
   void summarize(std::size_t k) const
   {
     const std::uint64_t first = first_of_range(k);
-    folder.write_summary(
-        k, summary_of(read_range(source, first, first_of_range(k + 1)), first, sampling()));
+    folder.write(summary_of(read_range(source, first, first_of_range(k + 1)), first, sampling()),
+                 "range", k);
   }
 
   Tiling make_tiling() const
   {
     std::vector<Range_summary> ranges;
     for (std::size_t k = 0; k < number_of_ranges(); ++k)
-      ranges.push_back(folder.read_summary(k));
+      ranges.push_back(folder.read<Range_summary>("range", k));
     return tiling_of(ranges, input.points, std::uint32_t(input.tiles), sampling());
   }
 
@@ -103,7 +102,7 @@ struct Tile_tasks
   {
     Tile_state state;
     if (round > 0)
-      state = folder.read_state(t, before.last_rounds[t]);
+      state = folder.read<Tile_state>("tile", t, before.last_rounds[t]);
     std::optional<Delaunay_tile> tile; // made when something is new
     const auto make = [&] {
       if (!tile)
@@ -124,7 +123,7 @@ struct Tile_tasks
       hear_messages(t, round - 1, before, hear);
     const std::vector<std::uint32_t> partners = partners_of(t, shown);
     if (round > 0 && !tile && partners.empty()) // nothing is new
-      return folder.write_state(t, round, state);
+      return folder.write(state, "tile", t, round);
     make();
     std::vector<Tile_message> messages = tile->tell_and_answer(questions);
     for (Tile_message& message : tile->witnesses(partners))
@@ -132,17 +131,18 @@ struct Tile_tasks
     if (!messages.empty())
       folder.write_post(t, round, messages);
     std::vector<Tile_message>().swap(messages);
-    folder.write_state(t, round, std::move(*tile).state());
+    folder.write(std::move(*tile).state(), "tile", t, round);
   }
 
   // Writes the result and the certificate of a tile.
   void finish_tile(std::uint32_t t, const Tiling& tiling, const Closed_round& last) const
   {
-    Tile_state state{folder.read_state(t, last.last_rounds[t]).kept, {}, {}}; // nothing is told now
+    auto state = folder.read<Tile_state>("tile", t, last.last_rounds[t]);
+    state = {std::move(state.kept), {}, {}}; // nothing is told now
     const Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit,
                              Thread_executor(threads));
     folder.write_piece(Piece_of_tile(tile));
-    folder.write_certificate(certificate_of(tile, last.seed));
+    folder.write(certificate_of(tile, last.seed), "certificate", t);
   }
 
 private:
@@ -171,16 +171,17 @@ private:
   {
     std::vector<Tile_message> messages;
     std::size_t waiting = 0;
-    for (const Posted& posted : closed.posts)
-      if (posted.to == t) {
-        messages.push_back({posted.from, t, {}});
-        folder.append_message(posted, round, messages.back().points);
-        waiting += messages.back().points.size();
-        if (waiting > limit) {
-          hear(std::exchange(messages, {}));
-          waiting = 0;
-        }
+    auto [posted, end] = std::equal_range(closed.posts.begin(), closed.posts.end(),
+                                          Posted{0, t, 0, 0}, is_to_an_earlier_tile);
+    for (; posted != end; ++posted) {
+      messages.push_back({posted->from, t, {}});
+      folder.append_message(*posted, round, messages.back().points);
+      waiting += messages.back().points.size();
+      if (waiting > limit) {
+        hear(std::exchange(messages, {}));
+        waiting = 0;
       }
+    }
     hear(std::move(messages));
   }
 
@@ -195,24 +196,70 @@ private:
 };
 
 // The stages of a run in a folder (Tile_folder.h), and their tasks: first the ranges of the input
-// are read, then their points are brought home, then there are rounds, and at last the results.
+// are read, then their points are brought home, then there are rounds, and at last the results. An
+// engine does the tasks of a stage by its threads, and closes it; or a caller does one by one.
 
-class Tiles_stages
+class Tiles_in_files
 {
 public:
   enum Stage { SAMPLE, HOME, ROUND, PIECES, DONE };
 
-  explicit Tiles_stages(const std::filesystem::path& place)
-    : m_folder(place)
+  explicit Tiles_in_files(const std::filesystem::path& folder, std::size_t number_of_threads = 1)
+    : m_executor(number_of_threads)
+    , m_folder(folder / "state")
   {
   }
 
+  // Begins, or continues from the state in the folder.
+  void begin(const Tile_source_3& source, const Tiles_options& options)
+  {
+    m_progress = options.progress;
+    find(source, options, m_executor.number_of_workers());
+    if (m_stage == DONE) // it may have been killed before it cleaned
+      clean();
+    while (m_stage < ROUND)
+      do_stage();
+  }
+
+  std::uint64_t exchange()
+  {
+    if (m_stage != ROUND)
+      return 0;
+    const std::uint64_t before = told();
+    do_stage();
+    return told() - before;
+  }
+
+  // The seed was drawn when the last round was closed.
+  template <class Draw>
+  std::vector<Tile_certificate> gather(const Draw&)
+  {
+    if (m_stage == PIECES)
+      do_stage();
+    return certificates();
+  }
+
+  // Continues with a round in which the tiles of each pair show each other why they differ.
+  void show(const Tile_pairs& pairs)
+  {
+    m_folder.write(pairs, "show", m_round);
+    find_stage();
+  }
+
+  // Removes the whole state.
+  void forget() const { forget_folder(m_folder.place()); }
+
+  template <class F>
+  void together(const F& f) const
+  {
+    f();
+  }
+
   // Begins, or finds out how far a run is. `at_once` tiles are in memory at the same time.
-  void begin(const Tile_source_3& source, const Tiles_options& options, std::size_t at_once)
+  void find(const Tile_source_3& source, const Tiles_options& options, std::size_t at_once)
   {
     m_source = &source;
     m_tiling.reset(); // it is from another call
-    m_closed = {};
     m_limit = most_points_kept(options, at_once);
     std::error_code error;
     std::filesystem::create_directories(m_folder.place(), error);
@@ -225,11 +272,13 @@ public:
     find_stage();
   }
 
+  const Executor& executor() const { return m_executor; }
   const Tile_folder& folder() const { return m_folder; }
-  const Tiles_input& input() const { return m_input; }
+  std::uint64_t number_of_points() const { return m_input.points; }
+  std::uint32_t number_of_tiles() const { return std::uint32_t(m_input.tiles); }
   Stage stage() const { return m_stage; }
   std::size_t rounds() const { return m_round; } // closed ones
-  std::uint64_t told() const { return m_told; }
+  std::uint64_t told() const { return m_closed.told_before + m_closed.told; }
 
   std::string name() const
   {
@@ -279,7 +328,7 @@ public:
       throw Tile_files_error(m_folder.place().string() + ": a task of " + name() + " is not done");
     const Rounding_to_nearest rounding;
     if (m_stage == SAMPLE)
-      m_folder.write_tiling(tasks().make_tiling());
+      m_folder.write(tasks().make_tiling(), "tiling");
     else if (m_stage == HOME) {
       if (m_input.fingerprint != fingerprint_of(*m_source))
         throw Surface_input_error("the input has changed while it was read");
@@ -296,15 +345,8 @@ public:
   {
     std::vector<Tile_certificate> certificates;
     for (std::uint32_t t = 0; t < m_input.tiles; ++t)
-      certificates.push_back(m_folder.read_certificate(t));
+      certificates.push_back(m_folder.read<Tile_certificate>("certificate", t));
     return certificates;
-  }
-
-  // Continues with a round in which the tiles of each pair show each other why they differ.
-  void show(const Tile_pairs& pairs)
-  {
-    m_folder.write_show(m_round, pairs);
-    find_stage();
   }
 
   // Removes files that are read no more or were left by killed processes, when no task is at work.
@@ -331,9 +373,18 @@ public:
       std::filesystem::remove(path, ignored);
   }
 
-  void forget() const { forget_folder(m_folder.place()); }
-
 private:
+  void do_stage()
+  {
+    const std::size_t n = number_of_tasks();
+    const Stage_progress progress(m_progress, name(), n);
+    run_tasks(m_executor, n, [&](std::size_t k) {
+      do_task(k, threads_of_task(k, n, m_executor.number_of_workers()));
+      progress.tell_next();
+    });
+    close();
+  }
+
   void do_task_of_stage(std::size_t k, std::size_t n) const
   {
     switch (m_stage) {
@@ -363,10 +414,9 @@ private:
                options.sample_share,
                most_points_read(options, at_once),
                m_limit,
-               number_of_tiles(options, m_source->size(), at_once)};
-    std::random_device random;
-    m_folder.set_run(std::uint64_t(random()) << 32 | random() | 1);
-    m_folder.write_input(m_input);
+               internal::number_of_tiles(options, m_source->size(), at_once)};
+    m_folder.set_run(draw_seed() | 1);
+    m_folder.write(m_input, "input");
   }
 
   void go_on(const Tiles_options& options)
@@ -378,7 +428,7 @@ private:
                              std::to_string(m_input.points) +
                              " points: remove it, or name another folder");
     if (options.number_of_tiles != 0 &&
-        number_of_tiles(options, m_input.points, 1) != m_input.tiles)
+        internal::number_of_tiles(options, m_input.points, 1) != m_input.tiles)
       throw Tile_files_error(place + ": holds the state of a run with " +
                              std::to_string(m_input.tiles) +
                              " tiles: remove it, or ask for as many");
@@ -391,16 +441,16 @@ private:
     };
     m_stage = !is_there("tiling") ? SAMPLE : !is_there("homes") ? HOME : ROUND;
     if (m_stage >= HOME && !m_tiling)
-      m_tiling.emplace(m_folder.read_tiling());
+      m_tiling.emplace(m_folder.read<Tiling>("tiling"));
     m_round = 0;
-    m_told = 0;
     m_shown.clear();
-    for (; m_stage == ROUND && is_there("closed", m_round); ++m_round) {
-      m_closed = m_folder.read_closed(m_round);
-      m_told += m_closed.told;
-    }
+    while (m_stage == ROUND && is_there("closed", m_round))
+      ++m_round;
+    m_closed = {};
+    if (m_round > 0)
+      m_closed = m_folder.read<Closed_round>("closed", m_round - 1);
     if (m_stage == ROUND && is_there("show", m_round))
-      m_shown = m_folder.read_show(m_round);
+      m_shown = m_folder.read<Tile_pairs>("show", m_round);
     else if (m_round > 0 && m_closed.told == 0)
       m_stage = is_there("certified") ? DONE : PIECES;
     find_tasks();
@@ -438,12 +488,13 @@ private:
   void close_round()
   {
     Closed_round closed;
+    closed.told_before = told();
     closed.last_rounds = m_closed.last_rounds;
     closed.last_rounds.resize(m_input.tiles);
     for (const std::uint32_t t : m_tasks) {
       closed.last_rounds[t] = std::uint32_t(m_round);
       if (std::filesystem::exists(m_folder.file("post", t, m_round)))
-        for (const Posted& posted : m_folder.read_posts(t, m_round)) {
+        for (const Posted& posted : m_folder.read<std::vector<Posted>>("post", t, m_round)) {
           closed.told += posted.number;
           closed.posts.push_back(posted);
         }
@@ -451,11 +502,13 @@ private:
     for (std::uint32_t t = 0; t < m_input.tiles && closed.told == 0; ++t)
       for (const char* kind : {"certificate", "piece"}) // from before the rounds went on
         std::filesystem::remove(m_folder.file(kind, t));
-    std::random_device random;
-    closed.seed = std::uint64_t(random()) << 32 | random();
-    m_folder.write_closed(m_round, closed);
+    std::stable_sort(closed.posts.begin(), closed.posts.end(), is_to_an_earlier_tile);
+    closed.seed = draw_seed();
+    m_folder.write(closed, "closed", m_round);
   }
 
+  Thread_executor m_executor;
+  Stage_progress::Function m_progress;
   Tile_folder m_folder;
   const Tile_source_3* m_source = nullptr;
   std::size_t m_limit = 0;
@@ -463,93 +516,9 @@ private:
   Stage m_stage = SAMPLE;
   std::optional<Tiling> m_tiling;
   std::size_t m_round = 0;
-  std::uint64_t m_told = 0;
   Closed_round m_closed; // the last one
   Tile_pairs m_shown;
   std::vector<std::uint32_t> m_tasks; // tiles
-};
-
-class Tiles_in_files
-{
-public:
-  explicit Tiles_in_files(const std::filesystem::path& folder, std::size_t number_of_threads = 1)
-    : m_executor(number_of_threads)
-    , m_stages(folder / "state")
-  {
-  }
-
-  // Begins, or continues from the state in the folder.
-  void begin(const Tile_source_3& source, const Tiles_options& options)
-  {
-    m_progress = options.progress;
-    m_stages.begin(source, options, m_executor.number_of_workers());
-    if (m_stages.stage() == Tiles_stages::DONE) // it may have been killed before it cleaned
-      m_stages.clean();
-    while (m_stages.stage() < Tiles_stages::ROUND)
-      do_stage();
-  }
-
-  std::uint64_t number_of_points() const { return m_stages.input().points; }
-  std::uint32_t number_of_tiles() const { return m_stages.input().tiles; }
-  std::size_t rounds() const { return m_stages.rounds(); }
-  std::uint64_t told() const { return m_stages.told(); }
-
-  std::uint64_t exchange()
-  {
-    if (m_stages.stage() != Tiles_stages::ROUND)
-      return 0;
-    const std::uint64_t before = told();
-    do_stage();
-    return told() - before;
-  }
-
-  // The seed was drawn when the last round was closed.
-  std::vector<Tile_certificate> gather(std::uint64_t)
-  {
-    if (m_stages.stage() == Tiles_stages::PIECES)
-      do_stage();
-    return m_stages.certificates();
-  }
-
-  std::vector<Tile_certificate> certificates() const { return m_stages.certificates(); }
-
-  void show(const Tile_pairs& pairs) { m_stages.show(pairs); }
-
-  // tile(t) returns the result of tile t; drop_tile(t) says that it will not be asked for again.
-  Delaunay_3_tile tile(std::uint32_t t) const { return m_stages.folder().read_piece(t); }
-  void drop_tile(std::uint32_t t) const
-  {
-    std::error_code ignored;
-    std::filesystem::remove(m_stages.folder().file("piece", t), ignored);
-  }
-
-  // Removes the whole state.
-  void forget() { m_stages.forget(); }
-
-  template <class F>
-  void together(const F& f) const
-  {
-    f();
-  }
-
-  // The stages, for callers that do tasks one by one and close the stages.
-  Tiles_stages& stages() { return m_stages; }
-
-private:
-  void do_stage()
-  {
-    const std::size_t n = m_stages.number_of_tasks();
-    const Stage_progress progress(m_progress, m_stages.name(), n);
-    run_tasks(m_executor, n, [&](std::size_t k) {
-      m_stages.do_task(k, threads_of_task(k, n, m_executor.number_of_workers()));
-      progress.tell_next();
-    });
-    m_stages.close();
-  }
-
-  Thread_executor m_executor;
-  Tiles_stages m_stages;
-  Stage_progress::Function m_progress;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

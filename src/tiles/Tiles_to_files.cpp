@@ -32,7 +32,6 @@
 #include <fstream>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -459,23 +458,15 @@ private:
   std::vector<std::uint64_t> m_first; // by tile: the number of its first cell
 };
 
-// The engine ignores this seed: it draws one when a round is closed, and stores it in the state.
-std::uint64_t no_seed()
-{
-  return 0;
-}
-
 // The work of one call in a folder.
 class Folder_work
 {
 public:
-  Folder_work(std::filesystem::path folder, std::size_t number_of_threads, bool with_vtu,
-              bool with_neighbors)
-    : m_folder(std::move(folder))
-    , m_executor(number_of_threads)
-    , m_engine(m_folder, number_of_threads)
-    , m_with_vtu(with_vtu)
-    , m_with_neighbors(with_neighbors)
+  explicit Folder_work(const Tiles_to_files::Options& options)
+    : m_folder(options.folder)
+    , m_engine(m_folder, options.number_of_threads)
+    , m_with_vtu(options.with_vtu)
+    , m_with_neighbors(options.with_neighbors)
   {
   }
 
@@ -487,17 +478,17 @@ public:
     const auto write = [&](const Tiles_report& report) {
       write_all(options);
       if (m_with_neighbors)
-        Tile_neighbors(m_folder, m_folder / "state", report.tiles).run(m_executor);
+        Tile_neighbors(m_folder, m_folder / "state", report.tiles).run(m_engine.executor());
       return finish();
     };
-    return run_until_certified(m_engine, source, options, no_seed, write);
+    return run_until_certified(m_engine, source, options, write);
   }
 
   Tiles_to_files::Tasks next(const Tile_source_3& source, const Tiles_options& options)
   {
     const Folder_lock lock(m_folder, Folder_lock::SHARED);
     refuse_other_tiles(source);
-    const Folder_lock turn = my_turn(); // another process would close the same stage
+    const Folder_lock turn(m_folder / "state", Folder_lock::IN_TURN); // others close stages, too
     try {
       const std::size_t n = close_and_count(source, options);
       return {n, name(), m_engine.number_of_tiles()};
@@ -511,63 +502,55 @@ public:
   {
     const Folder_lock lock(m_folder, Folder_lock::SHARED);
     refuse_other_tiles(source);
-    Tiles_stages& stages = begin_in_turn(source, options);
-    const bool writes = stages.stage() == Tiles_stages::DONE;
-    const std::size_t n = writes ? m_engine.number_of_tiles() : stages.number_of_tasks();
+    {
+      const bool is_new = !std::filesystem::exists(m_folder / "state" / "input");
+      const Folder_lock turn(m_folder / "state",
+                             is_new ? Folder_lock::IN_TURN : Folder_lock::SHARED_IN_TURN);
+      m_engine.find(source, options, 1);
+    }
+    const bool writes = m_engine.stage() == Tiles_in_files::DONE;
+    const std::size_t n = writes ? m_engine.number_of_tiles() : m_engine.number_of_tasks();
     if (k >= n)
       throw Tile_files_error(m_folder.string() + ": there are tasks 0 to " + std::to_string(n - 1) +
                              " only");
     if (writes)
       write(std::uint32_t(k));
     else
-      stages.do_task(k, threads_of_task(0, 1, m_executor.number_of_workers()));
+      m_engine.do_task(k, threads_of_task(0, 1, m_engine.executor().number_of_workers()));
   }
 
 private:
   std::string name()
   {
-    return m_engine.stages().stage() == Tiles_stages::DONE ? "writing" : m_engine.stages().name();
+    return m_engine.stage() == Tiles_in_files::DONE ? "writing" : m_engine.name();
   }
 
-  Folder_lock my_turn() const { return Folder_lock(m_folder / "state", Folder_lock::IN_TURN); }
-
+  // For single tasks: one of them is in memory, and has all threads.
   std::size_t close_and_count(const Tile_source_3& source, const Tiles_options& options)
   {
-    Tiles_stages& stages = begin(source, options);
-    if (stages.stage() != Tiles_stages::DONE && stages.is_all_done()) {
-      const bool was_pieces = stages.stage() == Tiles_stages::PIECES;
-      stages.close();
-      if (was_pieces && stages.stage() == Tiles_stages::PIECES)
-        repair(stages);
+    m_engine.find(source, options, 1);
+    if (m_engine.stage() != Tiles_in_files::DONE && m_engine.is_all_done()) {
+      const bool was_pieces = m_engine.stage() == Tiles_in_files::PIECES;
+      m_engine.close();
+      if (was_pieces && m_engine.stage() == Tiles_in_files::PIECES)
+        repair();
     }
-    if (stages.stage() != Tiles_stages::DONE)
-      return stages.number_of_tasks();
+    if (m_engine.stage() != Tiles_in_files::DONE)
+      return m_engine.number_of_tasks();
     for (std::uint32_t t = 0; t < m_engine.number_of_tiles(); ++t)
       if (!is_written(t))
         return m_engine.number_of_tiles();
-    stages.clean(); // the process that closed the last stage may have been killed before
+    m_engine.clean(); // the process that closed the last stage may have been killed before
     finish();
     return 0;
   }
 
-  // For single tasks: one of them is in memory, and has all threads.
-  Tiles_stages& begin(const Tile_source_3& source, const Tiles_options& options)
+  void repair()
   {
-    m_engine.stages().begin(source, options, 1);
-    return m_engine.stages();
-  }
-  Tiles_stages& begin_in_turn(const Tile_source_3& source, const Tiles_options& options)
-  {
-    const Folder_lock turn = my_turn();
-    return begin(source, options);
-  }
-
-  static void repair(Tiles_stages& stages)
-  {
-    const Tile_pairs differing = tiles_that_differ(stages.certificates());
+    const Tile_pairs differing = tiles_that_differ(m_engine.certificates());
     if (differing.empty())
       throw std::runtime_error(tiles_do_not_fit);
-    stages.show(differing);
+    m_engine.show(differing);
   }
 
   // Throws if tiles are there without a state: they are of another run, but would be taken for
@@ -592,25 +575,25 @@ private:
 
   void write(std::uint32_t t)
   {
+    const std::filesystem::path piece = m_engine.folder().file("piece", t);
     if (!is_written(t)) {
-      if (!std::filesystem::exists(m_engine.stages().folder().file("piece", t)))
+      if (!std::filesystem::exists(piece))
         throw Tile_files_error(m_folder.string() +
                                ": a tile has been removed, or tiles are written "
                                "without .vtu: remove it, or name another folder");
-      write_tile(m_folder, m_engine.tile(t), m_with_vtu);
+      write_tile(m_folder, m_engine.folder().read_piece(t), m_with_vtu);
     }
-    m_engine.drop_tile(t);
+    std::error_code ignored; // it will not be asked for again
+    std::filesystem::remove(piece, ignored);
   }
 
   void write_all(const Tiles_options& options)
   {
     const std::size_t n = m_engine.number_of_tiles();
-    std::size_t done = 0;
-    run_tasks(m_executor, n, [&](std::size_t t) {
+    const Stage_progress progress(options.progress, "writing", n);
+    run_tasks(m_engine.executor(), n, [&](std::size_t t) {
       write(std::uint32_t(t));
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      if (options.progress && !options.progress("writing", ++done, n))
-        throw Tiles_stopped();
+      progress.tell_next();
     });
   }
 
@@ -642,10 +625,8 @@ private:
   }
 
   const std::filesystem::path m_folder;
-  Thread_executor m_executor;
   Tiles_in_files m_engine;
   const bool m_with_vtu, m_with_neighbors;
-  std::mutex m_mutex;
 };
 
 // Returns the file that marks a folder without a state as long as a run has not ended there.
@@ -661,27 +642,24 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 
 Tiles_report Tiles_to_files::run(const Tile_source_3& source, const Tiles_options& options) const
 {
-  return Folder_work(m_folder, m_number_of_threads, m_with_vtu, m_with_neighbors)
-      .run(source, options);
+  return Folder_work(m_options).run(source, options);
 }
 
 Tiles_to_files::Tasks Tiles_to_files::next(const Tile_source_3& source,
                                            const Tiles_options& options) const
 {
-  return Folder_work(m_folder, m_number_of_threads, m_with_vtu, m_with_neighbors)
-      .next(source, options);
+  return Folder_work(m_options).next(source, options);
 }
 
 void Tiles_to_files::do_task(const Tile_source_3& source, const Tiles_options& options,
                              std::size_t k) const
 {
-  Folder_work(m_folder, m_number_of_threads, m_with_vtu, m_with_neighbors)
-      .do_task(source, options, k);
+  Folder_work(m_options).do_task(source, options, k);
 }
 
 void Tiles_to_files::forget() const
 {
-  forget_folder(m_folder / "state");
+  forget_folder(m_options.folder / "state");
 }
 
 void begin_tiles(const std::filesystem::path& folder, const Tile_source_3& source)
@@ -694,14 +672,10 @@ void begin_tiles(const std::filesystem::path& folder, const Tile_source_3& sourc
   std::filesystem::create_directories(folder, error);
   if (error)
     fail_to_write(folder, error.value());
+  refuse_to_overwrite(source, folder);
   std::vector<std::filesystem::path> files = files_of_tiles(folder);
   const std::vector<std::filesystem::path> left = left_files(folder);
   files.insert(files.end(), left.begin(), left.end());
-  for (const auto& file : files)
-    for (const std::filesystem::path& input : source.files())
-      if (std::filesystem::equivalent(file, input, error))
-        throw Tile_files_error(file.string() +
-                               ": would be overwritten: name another folder for the tiles");
   if (!files.empty() && !std::filesystem::exists(mark_of_run(folder)))
     throw Tile_files_error(files.front().string() +
                            ": is not of a run that was stopped here: remove all files of "
@@ -781,6 +755,11 @@ Joined_tiles::Joined_tiles(const Tile_source_3& source, const std::filesystem::p
 
 Joined_tiles::~Joined_tiles() = default;
 
+std::string Joined_tiles::unfinished() const
+{
+  return m_file->unfinished_place().string();
+}
+
 std::uint64_t Joined_tiles::write(const char* kind)
 {
   return join_tiles(m_folder, number_of_tiles_in(m_folder), kind, *m_file);
@@ -804,9 +783,9 @@ Tiles_report Tiles_in_files_3::run(const Tile_source_3& source, const Tiles_opti
   using namespace Delaunay_from_surface_3::internal;
   const Folder_lock lock(m_folder, Folder_lock::ALONE);
   Tiles_in_files engine(m_folder, m_number_of_threads);
-  return run_until_certified(engine, source, options, no_seed, [&](const Tiles_report& report) {
+  return run_until_certified(engine, source, options, [&](const Tiles_report& report) {
     for (std::uint32_t t = 0; t < report.tiles; ++t)
-      sink(engine.tile(t));
+      sink(engine.folder().read_piece(t));
     return report;
   });
 }

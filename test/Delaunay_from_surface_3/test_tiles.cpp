@@ -23,6 +23,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace core = CGAL::Delaunay_from_surface_3::internal;
@@ -79,6 +80,25 @@ template <class Engine>
 CGAL::Tiles_report run_to_rest(Engine& engine)
 {
   return core::run_tiles(engine, [] { return std::uint64_t(1); });
+}
+
+// As the engine does it, but post(message) may lose or change messages.
+template <class Post>
+std::uint64_t exchange(core::Tiles_here& engine, const Post& post)
+{
+  std::uint64_t told = 0;
+  std::vector<core::Tile_message> messages = engine.tell();
+  for (core::Tile_message& message : messages) {
+    told += message.points.size();
+    post(message);
+  }
+  engine.deliver(std::move(messages));
+  return told;
+}
+
+auto seed_of(std::uint64_t seed)
+{
+  return [seed] { return seed; };
 }
 
 Points points_of(const tests::Named_surface& named)
@@ -183,9 +203,9 @@ BOOST_AUTO_TEST_CASE(messages_that_are_lost_doubled_and_out_of_order)
       else if (!message.points.empty())
         message.points.push_back(message.points.front());
     };
-    while (engine.exchange(post) > 0)
+    while (exchange(engine, post) > 0)
       ;
-    const auto certificates = engine.gather(random());
+    const auto certificates = engine.gather(seed_of(random()));
     const bool is_certified =
         core::is_certified(certificates, engine.number_of_tiles(), points.size());
     const bool is_right = cells_of(engine) == expected;
@@ -227,14 +247,15 @@ Outcome run_mutated(Mutation mutation, const Points& points, const Cells& expect
 {
   core::Tiles_here engine;
   const std::uint32_t tiles = 2 + random() % 6;
-  engine.begin(source_of(points), options_of(tiles), [&](auto& own) {
-    auto& from = own[random() % tiles];
-    if (mutation < A_POINT_COMES_HOME_TO_ANOTHER_TILE || from.empty())
-      return;
-    if (mutation == A_POINT_COMES_HOME_TO_ANOTHER_TILE)
-      own[random() % tiles].push_back(from.back());
+  auto own = engine.bring_home(source_of(points), options_of(tiles));
+  auto& from = own[random() % tiles];
+  if (mutation >= A_POINT_COMES_HOME_TO_ANOTHER_TILE && !from.empty()) {
+    const core::Tile_point point = from.back();
     from.pop_back();
-  });
+    if (mutation == A_POINT_COMES_HOME_TO_ANOTHER_TILE)
+      own[random() % tiles].push_back(point);
+  }
+  engine.make_tiles(std::move(own), core::most_points_of_tile);
   const std::uint64_t id = random() % points.size(), other = random() % points.size();
   const std::uint32_t tile = random() % tiles;
   std::size_t round = 0;
@@ -255,10 +276,10 @@ Outcome run_mutated(Mutation mutation, const Points& points, const Cells& expect
     else if (mutation == AN_ID_CHANGES_ON_THE_WAY)
       found->id = other;
   };
-  for (; round < 30 && engine.exchange(post) > 0; ++round)
+  for (; round < 30 && exchange(engine, post) > 0; ++round)
     ;
   return {cells_of(engine) == expected,
-          core::is_certified(engine.gather(random()), tiles, points.size())};
+          core::is_certified(engine.gather(seed_of(random())), tiles, points.size())};
 }
 
 } // namespace
@@ -456,7 +477,7 @@ BOOST_AUTO_TEST_CASE(a_certificate_needs_all_tiles_and_all_points)
   core::Tiles_here engine;
   engine.begin(source_of(points), options_of(4));
   run_to_rest(engine);
-  auto certificates = engine.gather(5);
+  auto certificates = engine.gather(seed_of(5));
   BOOST_TEST(core::is_certified(certificates, 4, points.size()));
   BOOST_TEST(!core::is_certified(certificates, 4, points.size() + 1));
   BOOST_TEST(!core::is_certified(certificates, 5, points.size()));

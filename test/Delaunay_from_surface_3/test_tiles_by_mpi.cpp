@@ -106,13 +106,7 @@ struct Owned_cells
 
   Cells of_all_ranks() const
   {
-    core::Packed_bytes bytes;
-    core::pack(bytes, cells);
-    Cells all;
-    for (const auto& of_rank : core::Ranks_of_mpi(MPI_COMM_WORLD).all_gather(bytes)) {
-      const auto some = core::Unpack(of_rank).get<Cells>();
-      all.insert(all.end(), some.begin(), some.end());
-    }
+    Cells all = core::Ranks_of_mpi(MPI_COMM_WORLD).all_gather(cells);
     std::sort(all.begin(), all.end());
     return all;
   }
@@ -192,20 +186,21 @@ BOOST_AUTO_TEST_CASE(bytes_by_chunks)
   core::Ranks_of_mpi ranks(MPI_COMM_WORLD, 7);
   const auto text = [&](int from, int to) {
     std::mt19937 random(unsigned(100 * from + to));
-    core::Packed_bytes bytes(random() % 50);
+    std::vector<char> bytes(random() % 50);
     for (char& c : bytes)
       c = char(random());
     return bytes;
   };
-  std::vector<core::Packed_bytes> to;
-  for (int r = 0; r < ranks.size(); ++r)
-    to.push_back(text(ranks.rank(), r));
-  const auto from = ranks.exchange(to);
-  const auto all = ranks.all_gather(text(ranks.rank(), 99));
+  using Texts = std::vector<std::vector<char>>;
+  std::vector<Texts> to;
+  Texts from, all;
   for (int r = 0; r < ranks.size(); ++r) {
-    BOOST_TEST((from[std::size_t(r)] == text(r, ranks.rank())));
-    BOOST_TEST((all[std::size_t(r)] == text(r, 99)));
+    to.push_back({text(ranks.rank(), r), text(ranks.rank(), r + 50)});
+    from.insert(from.end(), {text(r, ranks.rank()), text(r, ranks.rank() + 50)});
+    all.push_back(text(r, 99));
   }
+  BOOST_TEST((ranks.exchange(to) == from));
+  BOOST_TEST((ranks.all_gather(Texts{text(ranks.rank(), 99)}) == all));
   BOOST_TEST((ranks.bytes_sent() > 0) == (ranks.size() > 1));
   BOOST_TEST(ranks.sum(1) == std::uint64_t(ranks.size()));
   BOOST_TEST(ranks.of_first(std::uint64_t(ranks.rank() + 3)) == 3u);
@@ -277,7 +272,8 @@ BOOST_AUTO_TEST_CASE(shown_and_compared)
   const auto told_when_shown = [&](auto& tiles) {
     tiles.begin(source_of(points), options);
     tiles.exchange();
-    BOOST_TEST(!core::tiles_that_differ(tiles.gather(1)).empty()); // too early
+    const auto seed = [] { return std::uint64_t(1); };
+    BOOST_TEST(!core::tiles_that_differ(tiles.gather(seed)).empty()); // too early
     while (tiles.exchange() > 0)
       ;
     tiles.show(pairs);
@@ -285,7 +281,7 @@ BOOST_AUTO_TEST_CASE(shown_and_compared)
     BOOST_TEST(told > 0u);
     while (tiles.exchange() > 0)
       ;
-    BOOST_TEST(core::is_certified(tiles.gather(1), 6, points.size()));
+    BOOST_TEST(core::is_certified(tiles.gather(seed), 6, points.size()));
     return told;
   };
   BOOST_TEST(told_when_shown(engine) == told_when_shown(here));
@@ -376,13 +372,13 @@ BOOST_AUTO_TEST_CASE(seed_of_the_first_rank)
   const auto run = [&] {
     return core::run_until_certified(
         engine, source_of(points), options_of(3),
+        [](const CGAL::Tiles_report& report) { return report; },
         [&] {
           ++drawn;
           if (is_broken && engine.rank() == 0)
             throw std::runtime_error("no random numbers");
           return std::uint64_t(7);
-        },
-        [](const CGAL::Tiles_report& report) { return report; });
+        });
   };
   BOOST_TEST(run().is_certified);
   BOOST_TEST(drawn == (engine.rank() == 0 ? 1 : 0));
@@ -390,26 +386,32 @@ BOOST_AUTO_TEST_CASE(seed_of_the_first_rank)
   check_thrown<std::runtime_error>(run, 0, "no random numbers");
 }
 
+namespace {
+
+struct Engine_with_a_strange_tile : CGAL::Tiles_by_mpi_3
+{
+  using Base = CGAL::Tiles_by_mpi_3;
+  Engine_with_a_strange_tile()
+    : Base(MPI_COMM_WORLD)
+  {
+  }
+  template <class Draw>
+  std::vector<core::Tile_certificate> gather(const Draw& draw)
+  {
+    auto certificates = Base::gather(draw);
+    if (rank() == number_of_ranks() - 1)
+      certificates.front().common[99]; // there is no such tile
+    return certificates;
+  }
+};
+
+} // namespace
+
 // What a rank throws when it has the certificates of all.
 BOOST_AUTO_TEST_CASE(certificates_are_judged_together)
 {
-  struct Engine : CGAL::Tiles_by_mpi_3
-  {
-    using Base = CGAL::Tiles_by_mpi_3;
-    Engine()
-      : Base(MPI_COMM_WORLD)
-    {
-    }
-    std::vector<core::Tile_certificate> gather(std::uint64_t seed)
-    {
-      auto certificates = Base::gather(seed);
-      if (rank() == number_of_ranks() - 1)
-        certificates.front().common[99]; // there is no such tile
-      return certificates;
-    }
-  };
   const Points points = random_points(500, 1, 1000);
-  Engine engine;
+  Engine_with_a_strange_tile engine;
   engine.begin(source_of(points), options_of(3));
   check_thrown<std::runtime_error>(
       [&] { core::run_tiles(engine, [] { return std::uint64_t(7); }); },

@@ -513,7 +513,7 @@ BOOST_AUTO_TEST_CASE(states_of_others)
   fs::resize_file(tiling, size - 1);
   check_refused([&] { run(points, 4); }, tiling.string(), "ends early");
   write_bytes(folder.path / "state" / "input",
-              "dfs3 tiles 3 input, of an older version of the program");
+              "dfs3 tiles 4 input, of an older version of the program");
   check_refused([&] { run(points, 4); }, "input", "version");
   fs::remove_all(folder.path / "state");
   check_refused([&] { run(points, 4); }, "tiles.json", "another run");
@@ -534,23 +534,24 @@ void read_all_of(core::Tile_folder& folder, const std::string& name, std::uint32
   if (kind == "input")
     folder.read_input();
   else if (kind == "tiling")
-    folder.read_tiling();
+    folder.read<core::Tiling>(kind.c_str());
   else if (kind == "range")
-    folder.read_summary(number(0));
+    folder.read<core::Range_summary>(kind.c_str(), number(0));
   else if (kind == "home")
     for (std::uint32_t t = 0; t < tiles; ++t)
       folder.append_home(number(0), t, points);
   else if (kind == "tile")
-    folder.read_state(number(0), number(1));
+    folder.read<core::Tile_state>(kind.c_str(), number(0), number(1));
   else if (kind == "post")
-    for (const core::Posted& posted : folder.read_posts(number(0), number(1)))
+    for (const auto& posted :
+         folder.read<std::vector<core::Posted>>(kind.c_str(), number(0), number(1)))
       folder.append_message(posted, number(1), points);
   else if (kind == "closed")
-    folder.read_closed(number(0));
+    folder.read<core::Closed_round>(kind.c_str(), number(0));
   else if (kind == "show")
-    folder.read_show(number(0));
+    folder.read<core::Tile_pairs>(kind.c_str(), number(0));
   else if (kind == "certificate")
-    folder.read_certificate(number(0));
+    folder.read<core::Tile_certificate>(kind.c_str(), number(0));
   else if (kind == "piece")
     folder.read_piece(number(0));
   else
@@ -784,6 +785,20 @@ BOOST_AUTO_TEST_CASE(stages_are_closed_in_turn)
     BOOST_TEST((other.wait_for(std::chrono::milliseconds(200)) == std::future_status::timeout));
   }
   BOOST_TEST(other.get() == n);
+
+  // A task waits for those that close a stage, but not for other tasks.
+  const auto task = [&] {
+    core::Tiles_to_files(folder.path, 1, false).do_task(source_of(points), options_of(3), 0);
+  };
+  std::future<void> waiting;
+  {
+    const core::Folder_lock turn(folder.path / "state", core::Folder_lock::IN_TURN);
+    waiting = std::async(std::launch::async, task);
+    BOOST_TEST((waiting.wait_for(std::chrono::milliseconds(200)) == std::future_status::timeout));
+  }
+  waiting.get();
+  const core::Folder_lock turn(folder.path / "state", core::Folder_lock::SHARED_IN_TURN);
+  task();
 }
 
 // As root a rename would put a file where the device is.

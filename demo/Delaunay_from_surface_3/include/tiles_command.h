@@ -14,6 +14,8 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 
+#include <Delaunay_from_surface_3_files/Remove_on_signal.h>
+
 #include <boost/program_options.hpp>
 
 #include <cctype>
@@ -29,7 +31,7 @@
 
 namespace core = CGAL::Delaunay_from_surface_3::internal;
 
-// The arguments of `delaunay_from_surface tiles`.
+// The arguments of `delaunay_from_surface tiles`, and of `delaunay_from_surface_mpi`.
 struct Tiles_command
 {
   std::vector<std::string> inputs;
@@ -38,6 +40,50 @@ struct Tiles_command
   unsigned int threads = 1;
   std::optional<unsigned int> task;
   bool next = false, vtu = false, neighbors = false, json = false, quiet = false, verbose = false;
+  bool help = false; // by MPI
+
+  Report::Style style() const
+  {
+    return json ? Report::Style::JSON : quiet ? Report::Style::NONE : Report::Style::TEXT;
+  }
+  Messages::Volume volume() const
+  {
+    return quiet     ? Messages::Volume::QUIET
+           : verbose ? Messages::Volume::VERBOSE
+                     : Messages::Volume::NORMAL;
+  }
+
+  CGAL::Point_files_3 points() const
+  {
+    return CGAL::Point_files_3(std::vector<std::filesystem::path>(inputs.begin(), inputs.end()));
+  }
+
+  // Shows progress by messages. Keeps a reference.
+  void show_progress(Messages& messages)
+  {
+    options.progress = [&messages](const char* what, std::size_t done, std::size_t all) {
+      const std::string text =
+          std::string(what) + ": " + std::to_string(done) + " of " + std::to_string(all);
+      done == 0 ? messages.step(text) : messages.show(text);
+      return true;
+    };
+  }
+};
+
+// A file in which tiles are joined. Nothing of it stays if a signal ends the program.
+class Joined_file : public core::Joined_tiles
+{
+public:
+  Joined_file(const CGAL::Tile_source_3& points, const std::filesystem::path& folder,
+              const std::filesystem::path& file)
+    : Joined_tiles(points, folder, file)
+  {
+    files::remove_files_on_signal();
+    m_remove_on_signal.watch(unfinished());
+  }
+
+private:
+  files::Remove_on_signal m_remove_on_signal;
 };
 
 // Returns the bytes of 8G, 500M, …
@@ -56,20 +102,26 @@ inline std::uint64_t parse_memory(const std::string& text)
   return std::uint64_t(number * factor);
 }
 
-inline Tiles_command parse_tiles_command(int argc, char* argv[])
+// By MPI there are fewer options, and a tile may have any memory.
+inline Tiles_command parse_tiles_command(int argc, char* argv[], bool by_mpi = false)
 {
   namespace po = boost::program_options;
   Tiles_command command;
   std::string memory = "4G";
   long long tiles = 0, threads = 1, task = 0;
   po::options_description all; // help.txt explains them
-  all.add_options()("output,o", po::value(&command.output))("tiles", po::value(&tiles))(
-      "memory", po::value(&memory))("threads", po::value(&threads))(
-      "vtu", po::bool_switch(&command.vtu))("neighbors", po::bool_switch(&command.neighbors))(
-      "join", po::value(&command.join))("next", po::bool_switch(&command.next))("task",
-                                                                                po::value(&task))(
-      "json", po::bool_switch(&command.json))("quiet", po::bool_switch(&command.quiet))(
-      "verbose", po::bool_switch(&command.verbose))("input", po::value(&command.inputs));
+  auto add = all.add_options();
+  add("output,o", po::value(&command.output))("tiles", po::value(&tiles));
+  add("threads", po::value(&threads))("vtu", po::bool_switch(&command.vtu));
+  add("join", po::value(&command.join))("json", po::bool_switch(&command.json));
+  add("quiet", po::bool_switch(&command.quiet))("verbose", po::bool_switch(&command.verbose));
+  add("input", po::value(&command.inputs));
+  if (by_mpi) {
+    add("help,h", po::bool_switch(&command.help));
+  } else {
+    add("memory", po::value(&memory))("neighbors", po::bool_switch(&command.neighbors));
+    add("next", po::bool_switch(&command.next))("task", po::value(&task));
+  }
   const po::positional_options_description positional =
       po::positional_options_description().add("input", -1);
   po::variables_map given;
@@ -78,14 +130,17 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[])
       po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
       given);
   po::notify(given);
+  if (command.help)
+    return command;
   if (command.inputs.empty())
     throw std::runtime_error("no points given");
   if (command.output.empty())
     throw std::runtime_error("option '--output' needs a folder for the tiles");
-  command.options.memory = parse_memory(memory);
+  if (!by_mpi)
+    command.options.memory = parse_memory(memory);
   if (given.count("tiles") != 0) {
     command.options.number_of_tiles = checked_number("tiles", tiles, 1, 1000000);
-    command.options.starts_again = false;
+    command.options.starts_again = by_mpi;
   }
   command.threads = checked_number("threads", threads, 1, most_threads);
   if (given.count("task") != 0)
@@ -101,12 +156,9 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[])
 
 inline int run_tiles_command(Tiles_command& command)
 {
-  Messages messages(command.quiet     ? Messages::Volume::QUIET
-                    : command.verbose ? Messages::Volume::VERBOSE
-                                      : Messages::Volume::NORMAL);
-  const CGAL::Point_files_3 points(
-      std::vector<std::filesystem::path>(command.inputs.begin(), command.inputs.end()));
-  std::optional<core::Joined_tiles> cells, neighbors; // opened before there is any work to lose
+  Messages messages(command.volume());
+  const CGAL::Point_files_3 points = command.points();
+  std::optional<Joined_file> cells, neighbors; // opened before there is any work to lose
   if (!command.join.empty()) {
     const std::filesystem::path file = command.join;
     cells.emplace(points, command.output, file);
@@ -120,12 +172,7 @@ inline int run_tiles_command(Tiles_command& command)
   const std::uint64_t at_once = command.next || command.task ? 1 : command.threads;
   command.options.points_at_once =
       std::size_t((std::min)(std::uint64_t(4000000), command.options.memory / at_once / 100));
-  command.options.progress = [&](const char* what, std::size_t done, std::size_t all) {
-    const std::string text =
-        std::string(what) + ": " + std::to_string(done) + " of " + std::to_string(all);
-    done == 0 ? messages.step(text) : messages.show(text);
-    return true;
-  };
+  command.show_progress(messages);
   if (command.next) {
     std::cout << tiles.next(points, command.options).number << '\n';
     return EXIT_SUCCESS;
@@ -136,9 +183,7 @@ inline int run_tiles_command(Tiles_command& command)
   }
   const CGAL::Tiles_report result = tiles.run(points, command.options);
   messages.clear();
-  Report report(std::cout, command.json    ? Report::Style::JSON
-                           : command.quiet ? Report::Style::NONE
-                                           : Report::Style::TEXT);
+  Report report(std::cout, command.style());
   report_tiles(command.output, result, report);
   if (cells)
     report("finite cells joined", cells->write());
@@ -148,14 +193,19 @@ inline int run_tiles_command(Tiles_command& command)
   return EXIT_SUCCESS;
 }
 
-inline int tiles_command(int argc, char* argv[])
+// Adds where help is found to what is wrong with the arguments.
+inline Tiles_command parse_with_help(int argc, char* argv[], bool by_mpi)
 {
-  Tiles_command command;
   try {
-    command = parse_tiles_command(argc, argv);
+    return parse_tiles_command(argc, argv, by_mpi);
   } catch (const std::exception& error) {
     throw std::runtime_error(std::string(error.what()) + " (--help explains all options)");
   }
+}
+
+inline int tiles_command(int argc, char* argv[])
+{
+  Tiles_command command = parse_with_help(argc, argv, false);
   try {
     return run_tiles_command(command);
   } catch (const CGAL::Surface_input_error& error) {

@@ -434,15 +434,8 @@ public:
   // Pairs of the id of an own point and a smaller id of a point that is equal to it.
   const std::vector<std::array<std::uint64_t, 2>>& equal_points() const { return m_equal; }
 
-  // Offers what is new to the tile, answers questions, and returns what there is to tell now.
-  std::vector<Tile_message> absorb(Tile_news news)
-  {
-    offer(std::move(news.offers));
-    return tell_and_answer(news.questions);
-  }
-
-  // The two steps of absorb(); the first may be repeated. If not all points might fit, they are
-  // inserted in portions of an eighth of the points that may be kept.
+  // Offers new points to the tile. If not all might fit, they are inserted in portions of an eighth
+  // of the points that may be kept.
   void offer(std::vector<Tile_point> points)
   {
     note_known(points);
@@ -459,6 +452,8 @@ public:
     }
     insert(std::move(points));
   }
+
+  // Returns what there is to tell now, and the answers to questions.
   std::vector<Tile_message> tell_and_answer(const std::vector<Tile_message>& questions)
   {
     std::vector<Tile_message> messages = tell(m_first_untold == 0);
@@ -476,9 +471,7 @@ public:
   {
     std::vector<Tile_message> messages;
     for (const std::uint32_t to : partners)
-      messages.push_back({m_number, to, points_around([&](const Cell& cell) {
-                            return has_vertex_of(cell, m_number) && has_vertex_of(cell, to);
-                          })});
+      messages.push_back({m_number, to, points_around(to)});
     return messages;
   }
 
@@ -623,13 +616,12 @@ private:
     return std::any_of(cell.v, cell.v + 4, [&](Id v) { return m_triangulation.owner(v) == tile; });
   }
 
-  // Returns the finite vertices of the selected cells.
-  template <class Selects>
-  std::vector<Tile_point> points_around(const Selects& selects) const
+  // Returns the finite vertices of the cells that have vertices of both tiles.
+  std::vector<Tile_point> points_around(std::uint32_t partner) const
   {
     std::vector<char> is_around(m_triangulation.vertices_end());
     m_triangulation.for_each_cell([&](const Cell& cell) {
-      if (selects(cell))
+      if (has_vertex_of(cell, m_number) && has_vertex_of(cell, partner))
         for (const Id v : cell.v)
           is_around[v] = 1;
     });

@@ -5,148 +5,35 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RANKS_OF_MPI_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_RANKS_OF_MPI_H
 
-// The MPI processes that share tiles, and the packing of what they send each other: numbers and
-// arrays of numbers, one after the other, as the machine represents them; so all machines are of
-// one kind.
+// The MPI processes that share tiles. This is the only header that includes MPI's. If mpi.h is not
+// found, the rest of it is empty.
+
+#if __has_include(<mpi.h>)
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tile_certificate.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
-#include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
+#include <CGAL/Delaunay_from_surface_3/tiles/pack.h>
 
+#include <mpi.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <cstdlib>
 #include <exception>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-using Packed_bytes = std::vector<char>;
-
-template <class T>
-void pack(Packed_bytes& to, const T& item)
-{
-  static_assert(std::is_trivially_copyable<T>::value, "items are sent as bytes");
-  const char* const bytes = reinterpret_cast<const char*>(&item);
-  to.insert(to.end(), bytes, bytes + sizeof(T));
-}
-
-// Packs the number of the items, and then the items.
-template <class T>
-void pack(Packed_bytes& to, const std::vector<T>& items)
-{
-  static_assert(std::is_trivially_copyable<T>::value, "items are sent as bytes");
-  pack(to, std::uint64_t(items.size()));
-  const char* const bytes = reinterpret_cast<const char*>(items.data());
-  to.insert(to.end(), bytes, bytes + items.size() * sizeof(T));
-}
-
-// Takes items out in the order in which they were packed. Keeps a reference.
-class Unpack
-{
-public:
-  explicit Unpack(const Packed_bytes& from)
-    : m_from(from)
-  {
-  }
-
-  bool is_at_end() const { return m_at == m_from.size(); }
-
-  template <class T>
-  void get(T& item)
-  {
-    copy(&item, sizeof(T));
-  }
-  template <class T>
-  void get(std::vector<T>& items)
-  {
-    items.resize(std::size_t(get<std::uint64_t>()));
-    copy(items.data(), items.size() * sizeof(T));
-  }
-  template <class T>
-  T get()
-  {
-    T item{};
-    get(item);
-    return item;
-  }
-
-private:
-  void copy(void* to, std::size_t n)
-  {
-    if (n > 0)
-      std::memcpy(to, m_from.data() + m_at, n);
-    m_at += n;
-  }
-
-  const Packed_bytes& m_from;
-  std::size_t m_at = 0;
-};
-
-inline void pack(Packed_bytes& to, const Tile_message& message)
-{
-  pack(to, message.from);
-  pack(to, message.to);
-  pack(to, message.points);
-}
-inline Tile_message unpack_message(Unpack& from)
-{
-  Tile_message message{from.get<std::uint32_t>(), from.get<std::uint32_t>(), {}};
-  from.get(message.points);
-  return message;
-}
-
-inline void pack(Packed_bytes& to, const Range_summary& summary)
-{
-  pack(to, summary.largest);
-  pack(to, summary.least);
-  pack(to, summary.basis);
-  pack(to, summary.sample);
-}
-inline Range_summary unpack_summary(Unpack& from)
-{
-  Range_summary summary;
-  from.get(summary.largest);
-  from.get(summary.least);
-  from.get(summary.basis);
-  from.get(summary.sample);
-  return summary;
-}
-
-inline void pack(Packed_bytes& to, const Tile_certificate& c)
-{
-  pack(to, c.tile);
-  for (const std::uint64_t n :
-       {c.hull_vertices, c.hull_facets, c.own_points, c.points_kept, c.owned_cells, c.hash})
-    pack(to, n);
-  pack(to, std::uint64_t(c.common.size()));
-  for (const auto& [partner, sum] : c.common) {
-    pack(to, partner);
-    pack(to, sum);
-  }
-}
-inline Tile_certificate unpack_certificate(Unpack& from)
-{
-  Tile_certificate c;
-  from.get(c.tile);
-  for (std::uint64_t* n :
-       {&c.hull_vertices, &c.hull_facets, &c.own_points, &c.points_kept, &c.owned_cells, &c.hash})
-    from.get(*n);
-  for (auto partners = from.get<std::uint64_t>(); partners > 0; --partners) {
-    const auto partner = from.get<std::uint32_t>();
-    from.get(c.common[partner]);
-  }
-  return c;
-}
 
 // The exception of one process, which all others throw as well: with the same type, if the driver
 // or its callers distinguish this type, and with the rank before the message, unless all have
@@ -158,6 +45,8 @@ struct Rank_failure
   Kind kind = NONE;
   std::uint32_t tiles = 0; // the number that would do, if one was too large
   std::vector<char> text;
+
+  auto parts() { return std::tie(kind, tiles, text); }
 
   // Calls f(), and returns what it throws.
   template <class F>
@@ -217,49 +106,6 @@ private:
   }
 };
 
-inline void pack(Packed_bytes& to, const Rank_failure& failure)
-{
-  pack(to, failure.kind);
-  pack(to, failure.tiles);
-  pack(to, failure.text);
-}
-inline Rank_failure unpack_failure(Unpack& from)
-{
-  Rank_failure failure;
-  from.get(failure.kind);
-  from.get(failure.tiles);
-  from.get(failure.text);
-  return failure;
-}
-
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
-} // namespace Delaunay_from_surface_3
-} // namespace CGAL
-
-// This is the only header that includes MPI's. If mpi.h is not found, the rest of it is empty.
-
-#if __has_include(<mpi.h>)
-
-#include <CGAL/Delaunay_from_surface_3/support/form.h>
-
-#include <mpi.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <new>
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
-namespace CGAL {
-namespace Delaunay_from_surface_3 {
-namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
 // The processes of a communicator, and what they do together: each calls the same functions in the
 // same order, from one thread. An exception of one process alone is thrown inside together(), and
 // thus by all, so that the others do not wait for it for ever.
@@ -291,12 +137,6 @@ public:
   std::uint64_t bytes_sent() const { return m_bytes_sent; } // data from this rank to others
   double seconds() const { return m_seconds; } // for sending and for waiting for others
 
-  // Returns an empty buffer for each rank.
-  std::vector<Packed_bytes> empty_by_rank() const
-  {
-    return std::vector<Packed_bytes>(static_cast<std::size_t>(m_size));
-  }
-
   // Calls f(), in which each rank works by itself. If it throws on some ranks, all ranks throw what
   // it threw on the first of these. Memory is allocated only inside such calls.
   template <class F>
@@ -327,17 +167,46 @@ public:
     return number;
   }
 
-  // Returns the bytes of each rank, by rank.
-  std::vector<Packed_bytes> all_gather(const Packed_bytes& bytes)
+  // Returns the items of all ranks, by rank.
+  template <class T>
+  std::vector<T> all_gather(const std::vector<T>& mine)
   {
-    const auto mine = std::uint64_t(bytes.size());
+    Packed_bytes packed;
+    together([&] {
+      for (const T& item : mine)
+        pack(packed, item);
+    });
+    return unpack_all<T>(all_gather(packed));
+  }
+
+  // Sends each rank its items, and returns those that this one was sent, by rank.
+  template <class T>
+  std::vector<T> exchange(std::vector<std::vector<T>> to)
+  {
+    std::vector<Packed_bytes> packed;
+    together([&] {
+      packed.resize(to.size());
+      for (std::size_t r = 0; r < to.size(); ++r) {
+        for (const T& item : to[r])
+          pack(packed[r], item);
+        to[r] = {};
+      }
+    });
+    return unpack_all<T>(exchange(std::move(packed)));
+  }
+
+private:
+  // Returns the bytes of each rank, by rank.
+  std::vector<Packed_bytes> all_gather(const Packed_bytes& packed)
+  {
+    const auto mine = std::uint64_t(packed.bytes.size());
     std::vector<std::uint64_t> sizes;
     together([&] { sizes.resize(std::size_t(m_size)); });
     wait_for([&] {
       MPI_Allgather(&mine, 1, MPI_UINT64_T, sizes.data(), 1, MPI_UINT64_T, m_communicator);
     });
     std::vector<int> counts, places; // in units, so that an int can count enough
-    Packed_bytes all, padded;
+    std::vector<char> all, padded;
     std::vector<Packed_bytes> result;
     together([&] {
       result.resize(sizes.size());
@@ -350,7 +219,7 @@ public:
       if (end > std::uint64_t((std::numeric_limits<int>::max)()))
         throw std::runtime_error("too much for MPI to gather");
       all.resize(std::size_t(end) * unit);
-      padded = bytes;
+      padded = packed.bytes;
       padded.resize(std::size_t(counts[std::size_t(m_rank)]) * unit);
     });
     MPI_Datatype type = MPI_DATATYPE_NULL;
@@ -365,7 +234,7 @@ public:
     together([&] {
       for (std::size_t r = 0; r < sizes.size(); ++r) {
         const char* const begin = all.data() + std::size_t(places[r]) * unit;
-        result[r].assign(begin, begin + sizes[r]);
+        result[r].bytes.assign(begin, begin + sizes[r]);
       }
     });
     return result;
@@ -378,8 +247,8 @@ public:
     std::vector<std::uint64_t> sizes, sizes_there;
     std::vector<Packed_bytes> from;
     together([&] {
-      for (const Packed_bytes& bytes : to)
-        sizes.push_back(bytes.size());
+      for (const Packed_bytes& packed : to)
+        sizes.push_back(packed.bytes.size());
       sizes_there.resize(to.size());
       from.resize(to.size());
     });
@@ -392,23 +261,24 @@ public:
       std::size_t messages = 0;
       for (std::size_t r = 0; r < to.size(); ++r) {
         if (int(r) != m_rank)
-          from[r].resize(std::size_t(sizes_there[r]));
-        messages += to[r].size() / m_bytes_at_once + from[r].size() / m_bytes_at_once + 2;
+          from[r].bytes.resize(std::size_t(sizes_there[r]));
+        messages +=
+            to[r].bytes.size() / m_bytes_at_once + from[r].bytes.size() / m_bytes_at_once + 2;
       }
       requests.reserve(messages);
     });
     from[std::size_t(m_rank)] = std::move(to[std::size_t(m_rank)]);
     for (int distance = 1; distance < m_size; ++distance) {
       const int sender = (m_rank + m_size - distance) % m_size;
-      in_chunks(from[std::size_t(sender)], [&](char* bytes, int n) {
+      in_chunks(from[std::size_t(sender)].bytes, [&](char* bytes, int n) {
         requests.emplace_back();
         MPI_Irecv(bytes, n, MPI_BYTE, sender, 0, m_communicator, &requests.back());
       });
     }
     for (int distance = 1; distance < m_size; ++distance) {
       const int receiver = (m_rank + distance) % m_size;
-      m_bytes_sent += to[std::size_t(receiver)].size();
-      in_chunks(to[std::size_t(receiver)], [&](char* bytes, int n) {
+      m_bytes_sent += to[std::size_t(receiver)].bytes.size();
+      in_chunks(to[std::size_t(receiver)].bytes, [&](char* bytes, int n) {
         requests.emplace_back();
         MPI_Isend(bytes, n, MPI_BYTE, receiver, 0, m_communicator, &requests.back());
       });
@@ -417,7 +287,20 @@ public:
     return from;
   }
 
-private:
+  template <class T>
+  std::vector<T> unpack_all(std::vector<Packed_bytes> packed) const
+  {
+    std::vector<T> items;
+    together([&] {
+      for (Packed_bytes& from : packed) {
+        while (!from.is_at_end())
+          unpack(from, items.emplace_back());
+        from = {};
+      }
+    });
+    return items;
+  }
+
   static constexpr std::size_t unit = 64; // bytes
 
   struct Stopwatch
@@ -443,15 +326,16 @@ private:
   Rank_failure of_rank(int rank, const Rank_failure& mine) const
   {
     try {
-      Packed_bytes bytes;
+      Packed_bytes packed;
       if (rank == m_rank)
-        pack(bytes, mine);
-      auto size = std::uint64_t(bytes.size());
+        pack(packed, mine);
+      auto size = std::uint64_t(packed.bytes.size());
       MPI_Bcast(&size, 1, MPI_UINT64_T, rank, m_communicator);
-      bytes.resize(std::size_t(size));
-      MPI_Bcast(bytes.data(), int(size), MPI_BYTE, rank, m_communicator);
-      Unpack from(bytes);
-      return unpack_failure(from);
+      packed.bytes.resize(std::size_t(size));
+      MPI_Bcast(packed.bytes.data(), int(size), MPI_BYTE, rank, m_communicator);
+      Rank_failure failure;
+      unpack(packed, failure);
+      return failure;
     } catch (const std::bad_alloc&) {
       MPI_Abort(m_communicator, EXIT_FAILURE);
       throw;
@@ -466,7 +350,7 @@ private:
   }
 
   template <class F>
-  void in_chunks(Packed_bytes& bytes, const F& f) const
+  void in_chunks(std::vector<char>& bytes, const F& f) const
   {
     for (std::size_t at = 0; at < bytes.size(); at += m_bytes_at_once)
       f(bytes.data() + at, int((std::min)(m_bytes_at_once, bytes.size() - at)));

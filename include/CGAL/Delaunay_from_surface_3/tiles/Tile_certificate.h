@@ -43,6 +43,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -128,12 +129,18 @@ private:
 
 struct Tile_certificate
 {
-  std::uint32_t tile;
+  std::uint32_t tile = 0;
   std::map<std::uint32_t, Cell_sum> common; // by partner
   std::uint64_t hull_vertices = 0;          // its own
   std::uint64_t hull_facets = 0;            // those whose smallest vertex is its own
   std::uint64_t own_points = 0, points_kept = 0;
   std::uint64_t owned_cells = 0, hash = 0; // the same for cells; the hash is of their ids
+
+  auto parts()
+  {
+    return std::tie(tile, common, hull_vertices, hull_facets, own_points, points_kept, owned_cells,
+                    hash);
+  }
 };
 
 // Returns whether, by their numbers, all own points are own vertices or equal to others.
@@ -149,14 +156,10 @@ inline bool has_own_points(const Delaunay_tile& tile)
 inline Tile_certificate certificate_of(const Delaunay_tile& tile, std::uint64_t seed)
 {
   const Tile_triangulation& tr = tile.triangulation();
-  Tile_certificate result{tile.number(),
-                          {},
-                          0,
-                          0,
-                          has_own_points(tile) ? tile.number_of_own_points() : 0,
-                          tile.number_of_points_kept(),
-                          0,
-                          0};
+  Tile_certificate result;
+  result.tile = tile.number();
+  result.own_points = has_own_points(tile) ? tile.number_of_own_points() : 0;
+  result.points_kept = tile.number_of_points_kept();
   Cell_hashes hash_of(tr, seed);
   std::vector<std::uint64_t> hashes_of_ids(tr.vertices_end());
   for (std::size_t v = 0; v < hashes_of_ids.size(); ++v)

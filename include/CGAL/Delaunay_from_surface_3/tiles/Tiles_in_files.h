@@ -128,12 +128,16 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 class Tiles_to_files
 {
 public:
+  struct Options
+  {
+    std::filesystem::path folder;
+    std::size_t number_of_threads;
+    bool with_vtu, with_neighbors;
+  };
+
   Tiles_to_files(std::filesystem::path folder, std::size_t number_of_threads, bool with_vtu,
                  bool with_neighbors = false)
-    : m_folder(std::move(folder))
-    , m_number_of_threads(number_of_threads)
-    , m_with_vtu(with_vtu)
-    , m_with_neighbors(with_neighbors)
+    : m_options{std::move(folder), number_of_threads, with_vtu, with_neighbors}
   {
   }
 
@@ -158,9 +162,7 @@ public:
   void forget() const;
 
 private:
-  std::filesystem::path m_folder;
-  std::size_t m_number_of_threads;
-  bool m_with_vtu, m_with_neighbors;
+  Options m_options;
 };
 
 // A folder of tiles without a state, made by a run of several processes. One process calls
@@ -188,6 +190,9 @@ public:
   Joined_tiles(const Tile_source_3& source, const std::filesystem::path& folder,
                const std::filesystem::path& file);
   ~Joined_tiles();
+
+  // Returns the name of the incomplete file, which a program may remove when it is interrupted.
+  std::string unfinished() const;
 
   // Writes "cells" or "neighbors" in the order of the tiles, as one .npy, once; returns their number.
   std::uint64_t write(const char* kind = "cells");

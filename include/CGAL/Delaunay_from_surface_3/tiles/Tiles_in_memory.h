@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_MEMORY_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_TILES_TILES_IN_MEMORY_H
 
-// Consecutive tiles in the memory of this process, which may be all or some, and their messages.
+// The driver of all engines, and the engine whose tiles are in memory: all in one process, or side
+// by side in several.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
@@ -19,14 +20,17 @@
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiling.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -51,46 +55,33 @@ inline std::size_t threads_of_task(std::size_t k, std::size_t n, std::size_t thr
 template <class Function>
 void run_tasks(const Executor& executor, std::size_t n, const Function& task)
 {
-  struct Worker final : Task
-  {
-    const Function& task;
-    const std::size_t n;
-    mutable std::atomic<std::size_t> next{0};
-    mutable std::mutex mutex;
-    mutable std::exception_ptr error;
-
-    Worker(const Function& f, std::size_t number)
-      : task(f)
-      , n(number)
-    {
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr error;
+  call_each(executor, (std::min)(n, executor.number_of_workers()), [&](std::size_t) {
+    try {
+      for (std::size_t k = next++; k < n; k = next++)
+        task(k);
+    } catch (...) {
+      next = n;
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!error)
+        error = std::current_exception();
     }
-    void operator()(std::size_t) const override
-    {
-      try {
-        for (std::size_t k = next++; k < n; k = next++)
-          task(k);
-      } catch (...) {
-        next = n;
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (!error)
-          error = std::current_exception();
-      }
-    }
-  };
-  const Worker worker(task, n);
-  executor.run((std::min)(n, executor.number_of_workers()), worker);
-  if (worker.error)
-    std::rethrow_exception(worker.error);
+  });
+  if (error)
+    std::rethrow_exception(error);
 }
 
 // The driver: tiles tell each other until no tile has anything to tell, and then compare their
 // certificates. If two tiles differ, they show each other why, and all go on.
 //
 // An engine has four verbs: exchange() lets every tile hear what it was told, and tell, and returns
-// how many points were told; gather(seed) returns the certificates of all tiles; show(pairs) lets
-// each tile of a pair tell the other what is around the cells that both see
-// (Delaunay_tile::witnesses()); give(sink) hands out the tiles, unless they go into files. If several processes run the
-// driver, all of them call each verb, and it returns the same on all, or throws.
+// how many points were told; gather(draw) returns the certificates of all tiles, for which draw()
+// draws a seed when no cell changes any more; show(pairs) lets each tile of a pair tell the other
+// what is around the cells that both see (Delaunay_tile::witnesses()); give(sink) hands out the
+// tiles, unless they go into files. If several processes run the driver, all of them call each
+// verb, and it returns the same on all, or throws.
 
 // Writes the certificates' part of the report, and whether they hold.
 inline void report_certificates(const std::vector<Tile_certificate>& certificates,
@@ -106,16 +97,15 @@ inline void report_certificates(const std::vector<Tile_certificate>& certificate
   report.is_certified = is_certified(certificates, report.tiles, report.points);
 }
 
-// Returns a seed. For many processes there is another overload, in which one draws it for all.
-template <class Engine, class Draw>
-std::uint64_t draw_seed(const Engine&, const Draw& draw)
+inline std::uint64_t draw_seed()
 {
-  return draw();
+  std::random_device random;
+  return std::uint64_t(random()) << 32 | random();
 }
 
 constexpr int most_repairs = 64; // tiles of a thousand points and more needed no repair
 
-// Runs an engine that has begun. `draw` draws a seed when no cell changes any more.
+// Runs an engine that has begun.
 template <class Engine, class Draw>
 Tiles_report run_tiles(Engine& engine, const Draw& draw)
 {
@@ -125,7 +115,7 @@ Tiles_report run_tiles(Engine& engine, const Draw& draw)
   for (int repairs = 0;; ++repairs) {
     while (engine.exchange() > 0)
       ;
-    const auto certificates = engine.gather(draw_seed(engine, draw));
+    const auto certificates = engine.gather(draw);
     report.rounds = engine.rounds();
     report.told = engine.told();
     Tile_pairs differing;
@@ -156,9 +146,9 @@ void begin_or_forget(Engine& engine, const Tile_source_3& source, const Tiles_op
 
 // Runs the engine, again with more tiles whenever one becomes too large, and returns finish(report)
 // if the certificate holds; otherwise it throws.
-template <class Engine, class Draw, class Finish>
+template <class Engine, class Finish, class Draw = std::uint64_t (*)()>
 Tiles_report run_until_certified(Engine& engine, const Tile_source_3& source, Tiles_options options,
-                                 const Draw& draw, const Finish& finish)
+                                 const Finish& finish, const Draw& draw = draw_seed)
 {
   for (;;) {
     try {
@@ -211,148 +201,162 @@ private:
   mutable std::mutex m_mutex;
 };
 
+// The processes that share the tiles, if there is only one; otherwise they are Ranks_of_mpi. All
+// processes call the same functions in the same order. together(f) calls f() on each process; if it
+// throws on some, all throw. all_gather(mine) returns the items of all processes; exchange(to)
+// sends each process its items, and returns those that this one was sent. Both return them by the
+// process that they come from.
+struct One_process
+{
+  int rank() const { return 0; }
+  int size() const { return 1; }
+
+  template <class F>
+  void together(const F& f) const
+  {
+    f();
+  }
+  std::uint64_t sum(std::uint64_t number) const { return number; }
+  std::uint64_t of_first(std::uint64_t number) const { return number; }
+
+  template <class T>
+  std::vector<T> all_gather(std::vector<T> mine) const
+  {
+    return mine;
+  }
+  template <class T>
+  std::vector<T> exchange(std::vector<std::vector<T>> to) const
+  {
+    return std::move(to.front());
+  }
+};
+
+// What a process is going to read, and the options on which the driver's decisions depend.
+struct Input_of_rank
+{
+  std::uint64_t points, first, last; // it reads the points first, …, last - 1
+  std::uint64_t tiles;
+  std::array<std::uint64_t, 4> options;
+};
+
+// Throws on all ranks unless all see the same number of points and have the same options, and each
+// point is read by one of them. Whether they see the same points is unknown, since no two ranks
+// read the same point.
+template <class Ranks>
+Input_of_rank agree_on_input(Ranks& ranks, const Tile_source_3& source,
+                             const Tiles_options& options)
+{
+  const auto rank = std::size_t(ranks.rank()), size = std::size_t(ranks.size());
+  std::vector<Input_of_rank> mine;
+  ranks.together([&] {
+    const std::uint64_t n = source.size();
+    mine.push_back({n,
+                    source.first_of_part(rank, size),
+                    source.first_of_part(rank + 1, size),
+                    number_of_tiles(options, n, 1),
+                    {options.sample_share, options.least_points, options.memory,
+                     std::uint64_t(options.starts_again)}});
+  });
+  const std::vector<Input_of_rank> all = ranks.all_gather(mine);
+  ranks.together([&] {
+    const Input_of_rank &input = mine.front(), &theirs = all.front();
+    if (input.points != theirs.points)
+      throw std::runtime_error("sees " + std::to_string(input.points) + " points, and rank 0 " +
+                               std::to_string(theirs.points));
+    if (input.tiles != theirs.tiles || input.options != theirs.options)
+      throw std::runtime_error("was given other options than rank 0");
+    const std::uint64_t before = rank == 0 ? 0 : all[rank - 1].last;
+    if (input.first != before || input.last < input.first ||
+        (rank + 1 == size && input.last != input.points))
+      throw Surface_input_error("reads the points from " + std::to_string(input.first) +
+                                " to before " + std::to_string(input.last) + " of " +
+                                std::to_string(input.points) + ", where it should begin with " +
+                                std::to_string(before) + ": the parts do not join");
+  });
+  return mine.front();
+}
+
+// Each process has consecutive tiles in memory, which lie side by side, and reads one range of the
+// input. All run the same driver, whose decisions depend only on what all know. A process that
+// throws does so between two exchanges, inside of together(), which ends the run on all.
+template <class Ranks>
 class Tiles_in_memory
 {
 public:
-  explicit Tiles_in_memory(std::size_t number_of_threads)
-    : m_executor(number_of_threads)
+  template <class... Arguments>
+  explicit Tiles_in_memory(std::size_t number_of_threads = 1, const Arguments&... of_ranks)
+    : m_ranks(of_ranks...)
+    , m_executor(number_of_threads)
   {
   }
+  Tiles_in_memory(const Tiles_in_memory&) = delete; // tiles refer to m_tiling
 
-  // Makes tiles first, first + 1, … of their own points. Keeps a reference. Any thread calls
-  // done(k) when tile first + k is made.
-  template <class Done>
-  void begin(const Tiling& tiling, std::uint32_t first, std::vector<std::vector<Tile_point>> own,
-             std::size_t limit, const Done& done)
+  // Calls f() on each rank; if it throws on one, all throw.
+  template <class F>
+  void together(const F& f) const
   {
-    m_tiling = &tiling;
-    m_first = first;
-    m_tiles.clear();
-    m_tiles.resize(own.size());
-    m_inboxes.assign(own.size(), {});
-    for (std::size_t k = 0; k < own.size(); ++k)
-      m_inboxes[k].push_back({number(k), number(k), tiling.sample});
-    for_each([&](std::size_t k) {
-      const Thread_executor executor(
-          threads_of_task(k, own.size(), m_executor.number_of_workers()));
-      m_tiles[k] = std::make_unique<Delaunay_tile>(tiling, number(k), std::move(own[k]),
-                                                   Tile_state(), limit, executor);
-      done(k);
-    });
+    m_ranks.together(f);
   }
-
-  void clear()
-  {
-    m_tiles.clear();
-    m_inboxes.clear();
-  }
-
-  const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles; }
-  bool has(std::uint32_t t) const { return t >= m_first && t - m_first < m_tiles.size(); }
-
-  // Lets every tile hear what it was told, and tell. Returns the messages by their senders.
-  template <class Done>
-  std::vector<std::vector<Tile_message>> exchange(const Done& done)
-  {
-    std::vector<std::vector<Tile_message>> messages(m_tiles.size());
-    for_each([&](std::size_t k) {
-      messages[k] = m_tiles[k]->absorb(
-          news_of(std::move(m_inboxes[k]), *m_tiling, number(k), m_tiles[k]->known()));
-      done(k);
-    });
-    m_inboxes.assign(m_tiles.size(), {});
-    return messages;
-  }
-
-  // Stores a message to one of the tiles, which hears it in the next exchange.
-  void deliver(Tile_message message)
-  {
-    m_inboxes[message.to - m_first].push_back(std::move(message));
-  }
-
-  template <class Done>
-  std::vector<Tile_certificate> certificates(std::uint64_t seed, const Done& done) const
-  {
-    std::vector<Tile_certificate> certificates(m_tiles.size());
-    for_each([&](std::size_t k) {
-      certificates[k] = certificate_of(*m_tiles[k], seed);
-      done(k);
-    });
-    return certificates;
-  }
-
-  // Returns the messages by which these tiles show why they differ from others.
-  std::vector<Tile_message> witnesses(const Tile_pairs& pairs) const
-  {
-    std::vector<Tile_message> messages;
-    for (const auto& [a, b] : pairs)
-      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
-        if (has(from))
-          for (Tile_message& message : m_tiles[from - m_first]->witnesses({to}))
-            messages.push_back(std::move(message));
-    return messages;
-  }
-
-  // Returns the result of tile t.
-  Delaunay_3_tile tile(std::uint32_t t) const { return piece_of(*m_tiles[t - m_first]); }
-
-private:
-  std::uint32_t number(std::size_t k) const { return m_first + std::uint32_t(k); }
-
-  template <class Function>
-  void for_each(const Function& f) const
-  {
-    run_tasks(m_executor, m_tiles.size(), [&](std::size_t k) {
-      const Rounding_to_nearest rounding;
-      f(k);
-    });
-  }
-
-  Thread_executor m_executor;
-  const Tiling* m_tiling = nullptr;
-  std::uint32_t m_first = 0;
-  std::vector<std::unique_ptr<Delaunay_tile>> m_tiles;
-  std::vector<std::vector<Tile_message>> m_inboxes; // by tile
-};
-
-// The engine Tiles_here_3, for tiles that are all in this process. Others are compared with it.
-
-class Tiles_here
-{
-public:
-  explicit Tiles_here(std::size_t number_of_threads = 1)
-    : m_tiles(number_of_threads)
-  {
-  }
-  Tiles_here(const Tiles_here&) = delete; // tiles refer to m_tiling
 
   // Makes the tiles, each of its own points.
   void begin(const Tile_source_3& source, const Tiles_options& options)
   {
-    begin(source, options, [](std::vector<std::vector<Tile_point>>&) {});
+    make_tiles(bring_home(source, options), most_points_kept(options, 1));
   }
 
-  // Does the same, but home(own) may lose points on their way home, as tests do it.
-  template <class Home>
-  void begin(const Tile_source_3& source, const Tiles_options& options, const Home& home)
+  // The two steps of begin(); the first returns the points of each tile of this rank.
+  std::vector<std::vector<Tile_point>> bring_home(const Tile_source_3& source,
+                                                  const Tiles_options& options)
   {
-    const Rounding_to_nearest rounding;
-    const std::uint64_t n = source.size();
-    const std::uint32_t tiles = internal::number_of_tiles(options, n, 1);
-    const Sampling sampling(n, tiles, options.sample_share);
-    m_tiles.clear();
+    forget();
     m_rounds = 0;
     m_told = 0;
-    m_progress = options.progress;
-    std::vector<std::vector<Tile_point>> own(tiles);
-    const std::vector<double> coordinates = read_range(source, 0, n);
-    m_tiling.emplace(tiling_of({summary_of(coordinates, 0, sampling)}, n, tiles, sampling));
-    for (std::size_t i = 0; i < n; ++i)
-      own[m_tiling->tree.owner(&coordinates[3 * i])].push_back(tile_point(i, &coordinates[3 * i]));
-    home(own);
-    const Stage_progress progress(m_progress, "own points", tiles);
-    m_tiles.begin(*m_tiling, 0, std::move(own), most_points_kept(options, 1),
-                  [&](std::size_t) { progress.tell_next(); });
+    together([&] { m_progress = options.progress; });
+    const Input_of_rank input = agree_on_input(m_ranks, source, options);
+    const Sampling sampling(input.points, std::uint32_t(input.tiles), options.sample_share);
+    std::vector<double> coordinates;
+    std::vector<Range_summary> summary;
+    together([&] {
+      const Rounding_to_nearest rounding;
+      const Stage_progress progress(m_progress, "reading", 1);
+      coordinates = read_range(source, input.first, input.last);
+      summary.push_back(summary_of(coordinates, input.first, sampling));
+      progress.tell_next();
+    });
+    summary = m_ranks.all_gather(std::move(summary));
+    std::vector<std::vector<Tile_point>> to, own;
+    together([&] {
+      const Rounding_to_nearest rounding;
+      m_tiling.emplace(
+          tiling_of(summary, input.points, std::uint32_t(input.tiles), sampling)); // same on all
+      to.resize(std::size_t(m_ranks.size()));
+      for (std::size_t i = 0; i < coordinates.size() / 3; ++i) {
+        const Tile_point point = tile_point(input.first + i, &coordinates[3 * i]);
+        to[rank_of(owner(point))].push_back(point);
+      }
+      coordinates = {};
+    });
+    std::vector<Tile_point> points = m_ranks.exchange(std::move(to)); // by id
+    together([&] {
+      own.resize(end_of_tiles(m_ranks.rank()) - first_tile());
+      for (const Tile_point& point : points)
+        own[owner(point) - first_tile()].push_back(point);
+    });
+    return own;
+  }
+  void make_tiles(std::vector<std::vector<Tile_point>> own, std::size_t limit)
+  {
+    together([&] {
+      const std::size_t n = own.size();
+      m_tiles.resize(n);
+      m_inboxes.resize(n);
+      for_each_tile("own points", [&](std::size_t k) {
+        m_inboxes[k].push_back({number(k), number(k), m_tiling->sample});
+        const Thread_executor executor(threads_of_task(k, n, m_executor.number_of_workers()));
+        m_tiles[k] = std::make_unique<Delaunay_tile>(*m_tiling, number(k), std::move(own[k]),
+                                                     Tile_state(), limit, executor);
+      });
+    });
   }
 
   std::uint64_t number_of_points() const { return m_tiling->number_of_points; }
@@ -360,68 +364,148 @@ public:
   std::size_t rounds() const { return m_rounds; }
   std::uint64_t told() const { return m_told; }
 
-  // Lets every tile hear what it was told, and tell. Returns how many points were told.
   std::uint64_t exchange()
   {
-    return exchange([](Tile_message&) {});
-  }
-
-  // Does the same, but post(message) may lose or change messages, as tests do it.
-  template <class Post>
-  std::uint64_t exchange(const Post& post)
-  {
+    std::vector<Tile_message> messages = tell();
     std::uint64_t told = 0;
-    const Stage_progress progress(m_progress, "round " + std::to_string(m_rounds),
-                                  number_of_tiles());
-    for (auto& from : m_tiles.exchange([&](std::size_t) { progress.tell_next(); }))
-      for (Tile_message& message : from) {
-        told += message.points.size();
-        post(message);
-        m_tiles.deliver(std::move(message));
-      }
-    ++m_rounds;
+    for (const Tile_message& message : messages)
+      told += message.points.size();
+    deliver(std::move(messages));
+    told = m_ranks.sum(told);
     m_told += told;
     return told;
   }
 
-  std::vector<Tile_certificate> gather(std::uint64_t seed) const
+  // The two steps of exchange(): lets the tiles of this rank hear what they were told, and returns
+  // what they tell; and brings messages to the tiles of all ranks.
+  std::vector<Tile_message> tell()
   {
-    const Stage_progress progress(m_progress, "certificate", number_of_tiles());
-    return m_tiles.certificates(seed, [&](std::size_t) { progress.tell_next(); });
+    std::vector<Tile_message> all;
+    together([&] {
+      std::vector<std::vector<Tile_message>> messages(m_tiles.size());
+      for_each_tile("round " + std::to_string(m_rounds), [&](std::size_t k) {
+        Tile_news news =
+            news_of(std::exchange(m_inboxes[k], {}), *m_tiling, number(k), m_tiles[k]->known());
+        m_tiles[k]->offer(std::move(news.offers));
+        messages[k] = m_tiles[k]->tell_and_answer(news.questions);
+      });
+      for (std::vector<Tile_message>& of_tile : messages)
+        std::move(of_tile.begin(), of_tile.end(), std::back_inserter(all));
+    });
+    ++m_rounds;
+    return all;
+  }
+  void deliver(std::vector<Tile_message> messages)
+  {
+    std::vector<std::vector<Tile_message>> to;
+    together([&] {
+      to.resize(std::size_t(m_ranks.size()));
+      for (Tile_message& message : messages)
+        to[rank_of(message.to)].push_back(std::move(message));
+    });
+    messages = m_ranks.exchange(std::move(to));
+    together([&] {
+      for (Tile_message& message : messages)
+        m_inboxes[message.to - first_tile()].push_back(std::move(message));
+    });
+  }
+
+  // The first rank draws the seed for all.
+  template <class Draw>
+  std::vector<Tile_certificate> gather(const Draw& draw)
+  {
+    std::uint64_t seed = 0;
+    together([&] { seed = m_ranks.rank() == 0 ? draw() : 0; });
+    seed = m_ranks.of_first(seed);
+    std::vector<Tile_certificate> certificates;
+    together([&] {
+      certificates.resize(m_tiles.size());
+      for_each_tile("certificate",
+                    [&](std::size_t k) { certificates[k] = certificate_of(*m_tiles[k], seed); });
+    });
+    return m_ranks.all_gather(std::move(certificates));
   }
 
   void show(const Tile_pairs& pairs)
   {
-    for (Tile_message& message : m_tiles.witnesses(pairs))
-      m_tiles.deliver(std::move(message));
+    std::vector<Tile_message> messages;
+    together([&] {
+      for (const auto& [a, b] : pairs)
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
+          if (from - first_tile() < m_tiles.size()) // wraps around if it is less
+            for (Tile_message& message : m_tiles[from - first_tile()]->witnesses({to}))
+              messages.push_back(std::move(message));
+    });
+    deliver(std::move(messages));
   }
 
-  // tile(t) returns the result of tile t; give(sink) calls sink(tile) for all tiles.
-  Delaunay_3_tile tile(std::uint32_t t) const { return m_tiles.tile(t); }
+  // Returns the result of tile t of this rank; give(sink) calls sink(tile) for each.
+  Delaunay_3_tile tile(std::uint32_t t) const { return piece_of(*m_tiles[t - first_tile()]); }
   template <class Sink>
   void give(Sink& sink) const
   {
-    for (std::uint32_t t = 0; t < number_of_tiles(); ++t)
-      sink(tile(t));
+    together([&] {
+      const Stage_progress progress(m_progress, "writing", m_tiles.size());
+      for (std::size_t k = 0; k < m_tiles.size(); ++k) {
+        sink(tile(number(k)));
+        progress.tell_next();
+      }
+    });
   }
 
-  void forget() { m_tiles.clear(); }
-
-  template <class F>
-  void together(const F& f) const
+  void forget()
   {
-    f();
+    m_tiles.clear();
+    m_inboxes.clear();
   }
 
-  const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles.tiles(); }
+  const std::vector<std::unique_ptr<Delaunay_tile>>& tiles() const { return m_tiles; }
+
+protected:
+  const Ranks& ranks() const { return m_ranks; }
 
 private:
+  // A rank has the tiles from the end of those of the rank before, which may be none.
+  std::uint32_t end_of_tiles(int rank) const
+  {
+    return std::uint32_t(std::uint64_t(number_of_tiles()) * std::uint64_t(rank + 1) /
+                         std::uint64_t(m_ranks.size()));
+  }
+  std::uint32_t first_tile() const { return end_of_tiles(m_ranks.rank() - 1); }
+  std::uint32_t number(std::size_t k) const { return first_tile() + std::uint32_t(k); }
+  std::size_t rank_of(std::uint32_t tile) const
+  {
+    return std::size_t(((tile + std::uint64_t(1)) * std::uint64_t(m_ranks.size()) - 1) /
+                       number_of_tiles());
+  }
+  std::uint32_t owner(const Tile_point& point) const
+  {
+    return m_tiling->tree.owner(point.coordinates);
+  }
+
+  // Calls f(k) for tile first_tile() + k, …, by all threads, and reports progress.
+  template <class Function>
+  void for_each_tile(const std::string& stage, const Function& f) const
+  {
+    const Stage_progress progress(m_progress, stage, m_tiles.size());
+    run_tasks(m_executor, m_tiles.size(), [&](std::size_t k) {
+      f(k);
+      progress.tell_next();
+    });
+  }
+
+  Ranks m_ranks;
+  Thread_executor m_executor;
   std::optional<Tiling> m_tiling;
   std::size_t m_rounds = 0;
   std::uint64_t m_told = 0;
-  Tiles_in_memory m_tiles;
+  std::vector<std::unique_ptr<Delaunay_tile>> m_tiles;
+  std::vector<std::vector<Tile_message>> m_inboxes; // by tile
   Stage_progress::Function m_progress;
 };
+
+// The engine Tiles_here_3, for tiles that are all in this process. Others are compared with it.
+using Tiles_here = Tiles_in_memory<One_process>;
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

@@ -27,6 +27,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,19 +48,12 @@ struct Tile_message
 {
   std::uint32_t from, to;
   std::vector<Tile_point> points;
+
+  auto parts() { return std::tie(from, to, points); } // for pack()
 };
 
-// Notes that tile `to` was told of a point.
-struct Told
-{
-  std::uint64_t id, to;
-
-  friend bool operator==(const Told& s, const Told& t) { return s.id == t.id && s.to == t.to; }
-  friend bool operator<(const Told& s, const Told& t)
-  {
-    return s.id != t.id ? s.id < t.id : s.to < t.to;
-  }
-};
+// The id of a point, and the number of a tile that was told of it.
+using Told = std::array<std::uint64_t, 2>;
 
 // The data from which, with its own points, a tile can be made again as it was.
 struct Tile_state
@@ -67,6 +61,8 @@ struct Tile_state
   std::vector<Tile_point> kept;     // others' points in its triangulation
   std::vector<std::uint64_t> known; // ids of all that was offered, ascending
   std::vector<Told> told;           // ascending
+
+  auto parts() { return std::tie(kept, known, told); }
 };
 
 class Tile_tree
@@ -86,15 +82,11 @@ public:
     split(sample.data(), sample.data() + sample.size(), number_of_tiles);
   }
 
-  // Makes a tree again as it was.
-  Tile_tree(std::vector<Node> nodes, std::uint32_t number_of_tiles)
-    : m_number_of_tiles(number_of_tiles)
-    , m_nodes(std::move(nodes))
-  {
-  }
+  Tile_tree() = default;
+
+  auto parts() { return std::tie(m_number_of_tiles, m_nodes); }
 
   std::uint32_t number_of_tiles() const { return m_number_of_tiles; }
-  const std::vector<Node>& nodes() const { return m_nodes; }
 
   std::uint32_t owner(const double* p) const
   {
@@ -185,7 +177,7 @@ private:
     return {at, axis, less, wanted - less};
   }
 
-  std::uint32_t m_number_of_tiles;
+  std::uint32_t m_number_of_tiles = 0;
   std::vector<Node> m_nodes;
 };
 
@@ -197,6 +189,8 @@ struct Tiling
   double largest, least;           // absolute values of coordinates; 0 is ignored for the least
   std::uint64_t number_of_points;
   std::vector<Tile_point> sample; // of all points; each tile is offered these first
+
+  auto parts() { return std::tie(tree, start, largest, least, number_of_points, sample); }
 };
 
 // The data on all points that is needed before there are tiles. It is gathered from ranges of
@@ -232,6 +226,8 @@ struct Range_summary
   double largest = 0, least = (std::numeric_limits<double>::max)();
   std::vector<Tile_point> basis;  // affinely independent, as many as possible, in their order
   std::vector<Tile_point> sample; // for the tree
+
+  auto parts() { return std::tie(largest, least, basis, sample); }
 };
 
 inline Tile_point tile_point(std::uint64_t id, const double* p)
