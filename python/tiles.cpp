@@ -70,11 +70,11 @@ auto without_lock(const F& f)
 }
 
 // After each task, signals are checked and `progress` is called; their exceptions are passed on.
-py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::string& output,
-                         std::uint32_t tiles, std::uint64_t memory, std::size_t workers, bool vtu,
-                         const py::object& progress)
+void delaunay3_tiles(const std::vector<std::string>& files, const std::string& output,
+                     std::uint32_t tiles, std::uint64_t memory, std::size_t workers, bool vtu,
+                     const py::object& progress)
 {
-  const CGAL::Tiles_report report = without_lock([&] {
+  without_lock([&] {
     Run run(files, tiles, memory);
     run.options.progress = [&](const char* what, std::size_t done, std::size_t all) {
       const python::Locked lock;
@@ -84,16 +84,6 @@ py::dict delaunay3_tiles(const std::vector<std::string>& files, const std::strin
     };
     return core::Tiles_to_files(output, workers, vtu).run(run.points, run.options);
   });
-  py::dict result;
-  result["points"] = report.points;
-  result["tiles"] = report.tiles;
-  result["rounds"] = report.rounds;
-  result["told"] = report.told;
-  result["kept"] = report.kept;
-  result["most_kept"] = report.most_kept;
-  result["cells"] = report.cells;
-  result["hash"] = report.hash;
-  return result;
 }
 
 // Closes what is done; returns the number of tasks now, their stage, and the number of tiles.

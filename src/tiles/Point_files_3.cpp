@@ -79,7 +79,8 @@ struct Point_file_layout
 
 inline Point_file_layout layout_of_npy(const std::filesystem::path& file)
 {
-  const auto [head, first] = read_head_of_npy(file);
+  Bytes_reader from(file);
+  const auto [head, first] = read_head_of_npy(from);
   Point_file_layout layout;
   const std::string type = value_of_key(head, "descr", ",}");
   const bool is_float = type == "<f4" || type == ">f4";

@@ -448,9 +448,9 @@ struct Npy_head
   std::uint64_t end;
 };
 
-inline Npy_head read_head_of_npy(const std::filesystem::path& file)
+inline Npy_head read_head_of_npy(Bytes_reader& from)
 {
-  Bytes_reader from(file);
+  const std::filesystem::path& file = from.place();
   unsigned char start[12] = {};
   from.read(start, 10);
   if (std::memcmp(start, "\x93NUMPY", 6) != 0 || start[6] < 1 || start[6] > 3)

@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <numeric>
 #include <random>
 #include <string>
 #include <system_error>
@@ -165,17 +166,32 @@ public:
     return input;
   }
 
-  // Writes the points of a range, sorted by owner; those of tile t begin at ends[t].
-  void write_home(std::size_t k, const std::vector<std::uint64_t>& ends,
-                  const std::vector<Tile_point>& points) const
+  // Writes such a file with items by part: of so many parts, part_of(item) is an item's. Each part
+  // can be read alone, and has its items in their order.
+  template <class T, class Part>
+  void write_parts(const std::vector<T>& items, std::size_t parts, const Part& part_of,
+                   const char* kind, std::size_t k) const
   {
-    Record_writer to(file("home", k), "home", m_run);
-    to.put_parts(ends, points);
+    std::vector<std::uint32_t> part;
+    part.reserve(items.size());
+    std::vector<std::uint64_t> ends(parts + 1);
+    for (const T& item : items) {
+      part.push_back(part_of(item));
+      ++ends[part.back() + 1];
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<std::uint64_t> next = ends;
+    std::vector<T> sorted(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i)
+      sorted[next[part[i]]++] = items[i];
+    Record_writer to(file(kind, k), kind, m_run);
+    to.put_parts(ends, sorted);
     to.finish();
   }
-  void append_home(std::size_t k, std::uint32_t tile, std::vector<Tile_point>& points) const
+  template <class T>
+  void append_part(const char* kind, std::size_t k, std::uint32_t part, std::vector<T>& items) const
   {
-    Record_reader(file("home", k), "home", m_run).append_part(tile, points);
+    Record_reader(file(kind, k), kind, m_run).append_part(part, items);
   }
 
   void write_post(std::uint32_t t, std::size_t round,

@@ -30,7 +30,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -79,20 +78,15 @@ struct Tile_tasks
   void bring_home(std::size_t k, const Tiling& tiling) const
   {
     const std::uint64_t first = first_of_range(k);
-    const std::vector<double> coordinates = read_range(source, first, first_of_range(k + 1));
-    const std::size_t n = coordinates.size() / 3;
-    std::vector<std::uint32_t> owners(n);
-    std::vector<std::uint64_t> ends(input.tiles + 1);
-    for (std::size_t i = 0; i < n; ++i) {
-      owners[i] = tiling.tree.owner(&coordinates[3 * i]);
-      ++ends[owners[i] + 1];
+    std::vector<Tile_point> points;
+    {
+      const std::vector<double> read = read_range(source, first, first_of_range(k + 1));
+      points.reserve(read.size() / 3);
+      for (std::size_t i = 0; i < read.size() / 3; ++i)
+        points.push_back(tile_point(first + i, &read[3 * i]));
     }
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<std::uint64_t> next = ends;
-    std::vector<Tile_point> points(n);
-    for (std::size_t i = 0; i < n; ++i)
-      points[next[owners[i]]++] = tile_point(first + i, &coordinates[3 * i]);
-    folder.write_home(k, ends, points);
+    const auto owner = [&](const Tile_point& p) { return tiling.tree.owner(p.coordinates); };
+    folder.write_parts(points, std::size_t(input.tiles), owner, "home", k);
   }
 
   // Lets a tile hear what it was told in the round before, and tell; it also shows the tiles that
@@ -159,7 +153,7 @@ private:
   {
     std::vector<Tile_point> own;
     for (std::size_t k = 0; k < number_of_ranges(); ++k)
-      folder.append_home(k, t, own);
+      folder.append_part("home", k, t, own);
     return own;
   }
 

@@ -32,7 +32,6 @@
 #include <fstream>
 #include <functional>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -193,20 +192,32 @@ void write_report(const std::filesystem::path& folder, const Tiles_report& repor
 
 // The arrays of all tiles are joined in one.
 
-// The number of rows in the array of a tile, and the place where they begin.
-struct Rows_of_npy
+// The array of a tile, to be read from its first row on.
+class Npy_reader : public Bytes_reader
 {
-  std::uint64_t number, first;
-
-  explicit Rows_of_npy(const std::filesystem::path& file,
-                       std::size_t bytes_of_row = sizeof(Global_cell))
+public:
+  explicit Npy_reader(const std::filesystem::path& file,
+                      std::size_t bytes_of_row = sizeof(Global_cell))
+    : Bytes_reader(file)
+    , m_bytes_of_row(bytes_of_row)
   {
-    const Npy_head head = read_head_of_npy(file);
-    first = head.end;
-    number = std::strtoull(value_of_key(head.text, "shape", ",").c_str(), nullptr, 10);
-    if (size_of_file(file) != first + number * bytes_of_row)
+    const Npy_head head = read_head_of_npy(*this);
+    m_first = head.end;
+    m_rows = std::strtoull(value_of_key(head.text, "shape", ",").c_str(), nullptr, 10);
+    if (size_of_file(file) != m_first + m_rows * bytes_of_row)
       refuse_file(file, "has another size than its head says");
   }
+
+  std::uint64_t rows() const { return m_rows; }
+  void read_row(std::uint64_t k, void* row)
+  {
+    seek(m_first + k * m_bytes_of_row);
+    read(row, m_bytes_of_row);
+  }
+
+private:
+  const std::size_t m_bytes_of_row;
+  std::uint64_t m_first, m_rows;
 };
 
 // Returns a number from the report of a run that has ended.
@@ -231,16 +242,13 @@ std::uint64_t join_tiles(const std::filesystem::path& folder, std::uint32_t tile
 {
   std::uint64_t rows = 0;
   for (std::uint32_t t = 0; t < tiles; ++t)
-    rows += Rows_of_npy(file_of_tile(folder, kind, t, "npy")).number;
+    rows += Npy_reader(file_of_tile(folder, kind, t, "npy")).rows();
   const std::string head = head_of_npy("i8", rows, 4);
   to.write(head.data(), head.size());
   std::vector<Global_cell> some(65536);
   for (std::uint32_t t = 0; t < tiles; ++t) {
-    const auto file = file_of_tile(folder, kind, t, "npy");
-    const Rows_of_npy of_tile(file);
-    Bytes_reader from(file);
-    from.seek(of_tile.first);
-    for (std::uint64_t left = of_tile.number; left > 0;) {
+    Npy_reader from(file_of_tile(folder, kind, t, "npy"));
+    for (std::uint64_t left = from.rows(); left > 0;) {
       const std::size_t n = std::size_t((std::min)(left, std::uint64_t(some.size())));
       from.read(some.data(), n * sizeof(Global_cell));
       to.write(some.data(), n * sizeof(Global_cell));
@@ -271,7 +279,7 @@ public:
     m_first.push_back(0);
     for (std::uint32_t t = 0; t < m_tiles; ++t)
       m_first.push_back(m_first.back() +
-                        Rows_of_npy(file_of_tile(m_folder, "cells", t, "npy")).number);
+                        Npy_reader(file_of_tile(m_folder, "cells", t, "npy")).rows());
   }
 
   // Writes neighbors-T.npy of all tiles: the numbers of the cells opposite to the vertices, or -1.
@@ -281,17 +289,17 @@ public:
     while (done < m_tiles && is_done(done))
       ++done;
     if (done == m_tiles) {
-      std::filesystem::remove_all(m_state);
+      std::filesystem::remove_all(m_state.place());
       return;
     }
-    std::filesystem::create_directories(m_state);
+    std::filesystem::create_directories(m_state.place());
     const auto run_stage = [&](void (Tile_neighbors::*task)(std::uint32_t) const) {
       run_tasks(executor, m_tiles, [&](std::size_t t) { (this->*task)(std::uint32_t(t)); });
     };
     run_stage(&Tile_neighbors::match_inside);
     run_stage(&Tile_neighbors::match_between);
     run_stage(&Tile_neighbors::write);
-    std::filesystem::remove_all(m_state);
+    std::filesystem::remove_all(m_state.place());
   }
 
 private:
@@ -315,18 +323,11 @@ private:
   {
     return std::filesystem::exists(file_of_tile(m_folder, "neighbors", t, "npy"));
   }
-  std::filesystem::path file(const char* kind, std::uint32_t t) const
-  {
-    return m_state / (kind + ("-" + std::to_string(t)));
-  }
 
   std::vector<Facet> sorted_facets(std::uint32_t t) const
   {
-    const auto file = file_of_tile(m_folder, "cells", t, "npy");
-    const Rows_of_npy rows(file);
-    std::vector<Global_cell> cells(std::size_t(rows.number));
-    Bytes_reader from(file);
-    from.seek(rows.first);
+    Npy_reader from(file_of_tile(m_folder, "cells", t, "npy"));
+    std::vector<Global_cell> cells(std::size_t(from.rows()));
     from.read(cells.data(), cells.size() * sizeof(Global_cell));
     std::vector<Facet> facets;
     facets.reserve(4 * cells.size());
@@ -352,35 +353,6 @@ private:
       }
   }
 
-  // Sorts items by the parts to which they belong; returns 0 and the places where the parts end.
-  template <class Item, class Part>
-  std::vector<std::uint64_t> sort_by_part(std::vector<Item>& items, const Part& part) const
-  {
-    std::sort(items.begin(), items.end(),
-              [&](const Item& a, const Item& b) { return part(a) < part(b); });
-    std::vector<std::uint64_t> ends(m_tiles + 1);
-    for (const Item& item : items)
-      ++ends[part(item) + 1];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    return ends;
-  }
-
-  template <class Item>
-  void append_part(const char* kind, std::uint32_t from_tile, std::uint32_t part,
-                   std::vector<Item>& items) const
-  {
-    Record_reader(file(kind, from_tile), kind, 0).append_part(part, items);
-  }
-
-  template <class Item>
-  void write_parts(const char* kind, std::uint32_t t, const std::vector<std::uint64_t>& ends,
-                   const std::vector<Item>& items) const
-  {
-    Record_writer to(file(kind, t), kind, 1);
-    to.put_parts(ends, items);
-    to.finish();
-  }
-
   std::uint32_t part_of(const Facet& facet) const
   {
     std::uint64_t h = 0;
@@ -396,7 +368,7 @@ private:
 
   void match_inside(std::uint32_t t) const
   {
-    if (std::filesystem::exists(file("inside", t)))
+    if (std::filesystem::exists(m_state.file("inside", t)))
       return;
     std::vector<Facet> open;
     std::vector<std::int64_t> neighbors(4 * (m_first[t + 1] - m_first[t]), none);
@@ -409,20 +381,18 @@ private:
         [&](const Facet& f) {
           open.push_back({f.vertices, f.slot + 4 * m_first[t]});
         });
-    const auto ends = sort_by_part(open, [&](const Facet& f) { return part_of(f); });
-    write_parts("open", t, ends, open);
-    Record_writer to(file("inside", t), "inside", 1);
-    to.put(neighbors);
-    to.finish();
+    m_state.write_parts(
+        open, m_tiles, [&](const Facet& f) { return part_of(f); }, "open", t);
+    m_state.write(neighbors, "inside", t);
   }
 
   void match_between(std::uint32_t part) const
   {
-    if (std::filesystem::exists(file("between", part)))
+    if (std::filesystem::exists(m_state.file("between", part)))
       return;
     std::vector<Facet> facets;
     for (std::uint32_t t = 0; t < m_tiles; ++t)
-      append_part("open", t, part, facets);
+      m_state.append_part("open", t, part, facets);
     std::sort(facets.begin(), facets.end());
     std::vector<Neighbor> pairs;
     match(
@@ -432,19 +402,18 @@ private:
           pairs.push_back({g.slot, std::int64_t(f.slot / 4)});
         },
         [](const Facet&) {}); // facets of the convex hull
-    const auto ends = sort_by_part(pairs, [&](const Neighbor& n) { return tile_of(n.slot); });
-    write_parts("between", part, ends, pairs);
+    m_state.write_parts(
+        pairs, m_tiles, [&](const Neighbor& n) { return tile_of(n.slot); }, "between", part);
   }
 
   void write(std::uint32_t t) const
   {
     if (is_done(t))
       return;
-    std::vector<std::int64_t> neighbors;
-    Record_reader(file("inside", t), "inside", 0).get(neighbors);
+    auto neighbors = m_state.read<std::vector<std::int64_t>>("inside", t);
     std::vector<Neighbor> pairs;
     for (std::uint32_t part = 0; part < m_tiles; ++part)
-      append_part("between", part, t, pairs);
+      m_state.append_part("between", part, t, pairs);
     for (const Neighbor& n : pairs)
       neighbors[n.slot - 4 * m_first[t]] = n.cell;
     std::vector<Global_cell> rows(neighbors.size() / 4);
@@ -453,7 +422,8 @@ private:
     write_npy(file_of_tile(m_folder, "neighbors", t, "npy"), "i8", 4, rows);
   }
 
-  const std::filesystem::path m_folder, m_state;
+  const std::filesystem::path m_folder;
+  const Tile_folder m_state;
   const std::uint32_t m_tiles;
   std::vector<std::uint64_t> m_first; // by tile: the number of its first cell
 };
@@ -710,18 +680,14 @@ bool tiles_have_ended(const std::filesystem::path& folder, const Tile_source_3& 
     return false;
   const std::uint32_t tiles = number_of_tiles_in(folder);
   for (std::uint32_t t = 0; t < tiles; ++t) {
-    const auto file_of_ids = file_of_tile(folder, "ids", t, "npy");
-    const auto file_of_points = file_of_tile(folder, "points", t, "npy");
-    const Rows_of_npy ids(file_of_ids, 8), points(file_of_points, 24);
-    Bytes_reader from_ids(file_of_ids), from_points(file_of_points);
-    for (std::uint64_t k = 0; k < 8 && ids.number > 0; ++k) {
-      const std::uint64_t row = (ids.number - 1) * k / 7;
+    Npy_reader ids(file_of_tile(folder, "ids", t, "npy"), 8);
+    Npy_reader points(file_of_tile(folder, "points", t, "npy"), 24);
+    for (std::uint64_t k = 0; k < 8 && ids.rows() > 0; ++k) {
+      const std::uint64_t row = (ids.rows() - 1) * k / 7;
       std::int64_t id = 0;
       std::array<double, 3> point, expected;
-      from_ids.seek(ids.first + 8 * row);
-      from_ids.read(&id, 8);
-      from_points.seek(points.first + 24 * row);
-      from_points.read(point.data(), 24);
+      ids.read_row(row, &id);
+      points.read_row(row, point.data());
       if (std::uint64_t(id) >= source.size())
         return false;
       source.read(std::uint64_t(id), 1, expected.data());

@@ -110,12 +110,10 @@ std::string bytes_of(const std::vector<T>& items)
 
 Cells cells_of_npy(const fs::path& file)
 {
-  const core::Npy_head head = core::read_head_of_npy(file);
-  const std::uint64_t first = head.end;
-  Cells cells(std::size_t(fs::file_size(file) - first) / sizeof(Cells::value_type));
-  BOOST_TEST(core::value_of_key(head.text, "shape", ",") == std::to_string(cells.size()));
   core::Bytes_reader from(file);
-  from.seek(first);
+  const core::Npy_head head = core::read_head_of_npy(from);
+  Cells cells(std::size_t(fs::file_size(file) - head.end) / sizeof(Cells::value_type));
+  BOOST_TEST(core::value_of_key(head.text, "shape", ",") == std::to_string(cells.size()));
   from.read(cells.data(), cells.size() * sizeof(cells[0]));
   return cells;
 }
@@ -539,7 +537,7 @@ void read_all_of(core::Tile_folder& folder, const std::string& name, std::uint32
     folder.read<core::Range_summary>(kind.c_str(), number(0));
   else if (kind == "home")
     for (std::uint32_t t = 0; t < tiles; ++t)
-      folder.append_home(number(0), t, points);
+      folder.append_part(kind.c_str(), number(0), t, points);
   else if (kind == "tile")
     folder.read<core::Tile_state>(kind.c_str(), number(0), number(1));
   else if (kind == "post")

@@ -167,8 +167,8 @@ inline int run_tiles_command(Tiles_command& command)
                         file.parent_path() / (file.stem().string() + "-neighbors.npy"));
   }
   const core::Tiles_to_files tiles(command.output, command.threads, command.vtu, command.neighbors);
-  // Points that are read at once take memory, too: 24 bytes of input and 36 of what they become. If
-  // tasks are done one by one, only one is in memory.
+  // Points that are read at once take memory, too: 70 bytes. If tasks are done one by one, only one
+  // is in memory.
   const std::uint64_t at_once = command.next || command.task ? 1 : command.threads;
   command.options.points_at_once =
       std::size_t((std::min)(std::uint64_t(4000000), command.options.memory / at_once / 100));

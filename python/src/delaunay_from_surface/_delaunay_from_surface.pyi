@@ -4,7 +4,7 @@
 
 """The extension: what the package's modules call, with arguments that they have looked at."""
 
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, List, Optional, Tuple
 
 from ._types import Coordinates, Faces, Indices, Lists, Places, Reals, Spheres
 
@@ -39,7 +39,7 @@ def subgraph(faces: Faces, number_of_vertices: Optional[int], is_tree: bool) -> 
 def surface_topology(faces: Faces, number_of_vertices: Optional[int]
                      ) -> List[Tuple[int, int, int, int, int, int, int, bool]]: ...
 def delaunay3_tiles(files: List[bytes], output: bytes, tiles: int, memory: int, workers: int, vtu: bool,
-                    progress: Optional[Callable[[str, int, int], object]]) -> Dict[str, Any]: ...
+                    progress: Optional[Callable[[str, int, int], object]]) -> None: ...
 def next_of_tiles(files: List[bytes], output: bytes, tiles: int, memory: int, vtu: bool) -> Tuple[int, str, int]: ...
 def do_task_of_tiles(files: List[bytes], output: bytes, tiles: int, memory: int, vtu: bool, task: int, starts_again: bool
                      ) -> int: ...

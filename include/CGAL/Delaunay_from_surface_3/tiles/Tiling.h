@@ -338,7 +338,7 @@ inline std::size_t most_points_kept(const Tiles_options& options, std::size_t at
                                                                       std::uint64_t(64))));
 }
 
-// Returns how many points are read at a time. Each takes 60 bytes while points are sorted by tiles.
+// Returns how many points are read at a time. Each takes 70 bytes while points are sorted by tiles.
 inline std::size_t most_points_read(const Tiles_options& options, std::size_t at_once)
 {
   constexpr std::uint64_t least = 1 << 14; // each range is a file, of which every tile reads a part
