@@ -19,6 +19,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -127,16 +128,16 @@ void join_alone(const Tiles_command& command, Joined_file& joined)
   finish(report);
 }
 
-// Begins on one rank. Returns whether all that was asked for is done by then.
+// Begins on one rank, and locks the folder. Returns whether all that was asked for is done by then.
 bool begin_output(const Tiles_command& command, const CGAL::Point_files_3& points,
-                  std::optional<Joined_file>& joined)
+                  std::optional<Joined_file>& joined, std::shared_ptr<void>& lock)
 {
   if (!command.join.empty())
     joined.emplace(points, command.output, command.join); // before anything is removed
   const bool has_ended =
       !command.join.empty() && !command.vtu && core::tiles_have_ended(command.output, points);
   if (!has_ended)
-    core::begin_tiles(command.output, points);
+    lock = core::begin_tiles(command.output, points);
   if (has_ended)
     join_alone(command, *joined);
   return has_ended;
@@ -155,8 +156,9 @@ void run(Tiles_command& command, core::Ranks_of_mpi& ranks, CGAL::Tiles_by_mpi_3
   std::optional<Joined_file> joined; // opened before there is any work to lose
   ranks.together([&] { points.emplace(command.points()); });
   agree_on_points(ranks, command, *points);
+  std::shared_ptr<void> lock;
   bool has_ended = false;
-  ranks.together([&] { has_ended = is_first && begin_output(command, *points, joined); });
+  ranks.together([&] { has_ended = is_first && begin_output(command, *points, joined, lock); });
   if (ranks.sum(has_ended ? 1 : 0) > 0)
     return;
   const auto write = [&](const CGAL::Delaunay_3_tile& tile) {

@@ -5,6 +5,7 @@
 """Runs `delaunay_from_surface_mpi` as a user would: it writes what `delaunay_from_surface tiles` writes, and whatever
 goes wrong on one rank ends all of them soon, with one line that says where."""
 
+import fcntl
 import json
 import os
 import struct
@@ -114,6 +115,14 @@ class ByMpi(unittest.TestCase):
         self.assertEqual([], [file for file in left if file.exists()])
         self.assertEqual(kept, [file for file in kept if file.exists()])
         self.assertEqual(len([*self.output.glob("cells-*")]), 2)
+        used = self.folder / "used"
+        used.mkdir()
+        folder = os.open(used, os.O_RDONLY)
+        self.addCleanup(os.close, folder)
+        fcntl.flock(folder, fcntl.LOCK_SH)  # as a run that is not over
+        command = (BY_MPI, self.points, "--output", used)
+        self.fails(command, command, says="rank 0: .*used: another run is at work there")
+        self.assertEqual([], [*used.glob("*")])
         # Where points are is nothing to be overwritten.
         points = self.folder / "points-00005.npy"
         points.write_bytes((self.output / "points-00000.npy").read_bytes())

@@ -296,22 +296,19 @@ inline std::vector<std::string> names_in(const std::filesystem::path& folder)
   return names;
 }
 
-// Returns the files of tiles in a folder.
-inline std::vector<std::filesystem::path> files_of_tiles(const std::filesystem::path& folder)
+// Returns whether a file of this name is an incomplete one of a run, which a killed process left.
+inline bool is_left_by_run(const std::string& name)
 {
-  std::vector<std::filesystem::path> files;
-  for (const std::string& name : names_in(folder))
-    if (is_file_of_tiles(name))
-      files.push_back(folder / name);
-  return files;
+  return is_file_of_run(name_when_finished(name));
 }
 
-// Returns the incomplete files of a run that killed processes have left in its folder.
-inline std::vector<std::filesystem::path> left_files(const std::filesystem::path& folder)
+// Returns the files in a folder whose names are such.
+template <class Names>
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, const Names& names)
 {
   std::vector<std::filesystem::path> files;
   for (const std::string& name : names_in(folder))
-    if (is_file_of_run(name_when_finished(name)))
+    if (names(name))
       files.push_back(folder / name);
   return files;
 }

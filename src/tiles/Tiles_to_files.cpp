@@ -530,7 +530,7 @@ private:
     refuse_to_overwrite(source, m_folder);
     if (std::filesystem::exists(m_folder / "state" / "input"))
       return;
-    std::vector<std::filesystem::path> others = files_of_tiles(m_folder);
+    std::vector<std::filesystem::path> others = files_in(m_folder, is_file_of_tiles);
     if (std::filesystem::exists(m_folder / "tiles.json"))
       others.insert(others.begin(), m_folder / "tiles.json");
     if (!others.empty())
@@ -585,13 +585,12 @@ private:
   // Removes the files that killed processes left; the state is this run's own.
   void remove_left() const
   {
-    std::vector<std::filesystem::path> left = left_files(m_folder);
-    for (const std::string& name : names_in(m_folder / "state"))
-      if (!name_when_finished(name).empty())
-        left.push_back(m_folder / "state" / name);
+    const auto is_left = [](const std::string& name) { return !name_when_finished(name).empty(); };
     std::error_code ignored; // such files do no harm
-    for (const auto& path : left)
-      std::filesystem::remove(path, ignored);
+    for (const auto& left :
+         {files_in(m_folder, is_left_by_run), files_in(m_folder / "state", is_left)})
+      for (const auto& path : left)
+        std::filesystem::remove(path, ignored);
   }
 
   const std::filesystem::path m_folder;
@@ -632,7 +631,7 @@ void Tiles_to_files::forget() const
   forget_folder(m_options.folder / "state");
 }
 
-void begin_tiles(const std::filesystem::path& folder, const Tile_source_3& source)
+std::shared_ptr<void> begin_tiles(const std::filesystem::path& folder, const Tile_source_3& source)
 {
   for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
     if (std::filesystem::exists(file))
@@ -642,10 +641,12 @@ void begin_tiles(const std::filesystem::path& folder, const Tile_source_3& sourc
   std::filesystem::create_directories(folder, error);
   if (error)
     fail_to_write(folder, error.value());
+  auto lock = std::make_shared<Folder_lock>(folder, Folder_lock::ALONE);
   refuse_to_overwrite(source, folder);
-  std::vector<std::filesystem::path> files = files_of_tiles(folder);
-  const std::vector<std::filesystem::path> left = left_files(folder);
-  files.insert(files.end(), left.begin(), left.end());
+  const std::vector<std::filesystem::path> files =
+      files_in(folder, [](const std::string& name) { // of an earlier run
+        return is_file_of_tiles(name) || is_left_by_run(name);
+      });
   if (!files.empty() && !std::filesystem::exists(mark_of_run(folder)))
     throw Tile_files_error(files.front().string() +
                            ": is not of a run that was stopped here: remove all files of "
@@ -656,6 +657,7 @@ void begin_tiles(const std::filesystem::path& folder, const Tile_source_3& sourc
   errno = 0;
   if (!std::ofstream(mark_of_run(folder)).flush())
     fail_to_write(mark_of_run(folder), errno);
+  return lock;
 }
 
 void write_tile(const std::filesystem::path& folder, const Delaunay_3_tile& tile, bool with_vtu)

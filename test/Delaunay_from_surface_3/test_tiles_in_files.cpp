@@ -184,6 +184,24 @@ BOOST_AUTO_TEST_CASE(the_same_as_in_memory)
   }
 }
 
+// Such tiles are offered nothing in the first round, and do not begin anew in the second.
+BOOST_AUTO_TEST_CASE(tiles_without_a_sample)
+{
+  for (const unsigned seed : {26u, 37u}) {
+    std::mt19937 random(seed);
+    Points points(8 + random() % 30);
+    for (auto& p : points)
+      for (double& x : p)
+        x = double(random() % 1000);
+    const std::uint32_t tiles = points.size() > 10 ? 3 : 2;
+    const Folder folder;
+    CGAL::Tiles_in_files_3 engine(folder.path);
+    const auto report = CGAL::delaunay_3_tiles(
+        engine, source_of(points), [](const CGAL::Delaunay_3_tile&) {}, options_of(tiles));
+    check_same(report, report_of_here(points, tiles));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(stopped_again_and_again)
 {
   const Points points = some_points(1500);

@@ -231,14 +231,13 @@ public:
     drop_vertices(m_vertices_end);
   }
 
-  // For wants(): visits the corners of the zone, each more than once, until visit(v) is true.
-  template <class Visit>
-  bool find_neighbor(const Visit& visit) const
+  // For wants(): returns whether the point would get a neighbor that this tile owns.
+  bool would_touch(std::uint32_t tile) const
   {
     const auto& zone = m_inserter.zone;
     for (std::size_t f = 0; f < zone.number_of_facets; ++f)
       for (const Id v : zone.facets[f].corners)
-        if (visit(v))
+        if (m_owners[v] == tile)
           return true;
     return false;
   }
@@ -410,7 +409,7 @@ public:
     own.insert(own.end(), state.kept.begin(), state.kept.end());
     if (!fit_when_merged(own, limit, tiling.start, m_equal))
       throw too_large(limit);
-    const bool is_new = state.kept.empty() && m_known.empty();
+    const bool is_new = state.kept.empty() && m_known.empty() && m_told.empty();
     state = {};
     const auto note_equal = [&](Id, std::uint64_t p, std::uint64_t q) {
       if (p != q)
@@ -498,7 +497,7 @@ private:
 
   bool wants() const
   {
-    const bool is_wanted = m_triangulation.find_neighbor([&](Id v) { return is_own(v); });
+    const bool is_wanted = m_triangulation.would_touch(m_number);
     if (is_wanted && number_of_points_kept() >= m_limit)
       throw too_large(m_limit);
     check_bytes();

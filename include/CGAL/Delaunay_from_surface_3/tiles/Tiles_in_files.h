@@ -171,8 +171,9 @@ private:
 
 // Makes the folder, or refuses one with tiles of another run. If the mark is there, the files of
 // the run that did not end are removed, as it may have had more tiles; without it, they are
-// somebody else's.
-void begin_tiles(const std::filesystem::path& folder, const Tile_source_3& source);
+// somebody else's. No other run can begin there as long as somebody keeps the result.
+[[nodiscard]] std::shared_ptr<void> begin_tiles(const std::filesystem::path& folder,
+                                                const Tile_source_3& source);
 void write_tile(const std::filesystem::path& folder, const Delaunay_3_tile& tile, bool with_vtu);
 void finish_tiles(const std::filesystem::path& folder, const Tiles_report& report, bool with_vtu);
 
