@@ -178,15 +178,14 @@ struct Perturbing_triangulation : CGAL::Delaunay_triangulation_3<Kernel>
 ordered_json measure(const Family& family, std::size_t repetitions)
 {
   const std::vector<Test> tests = make_tests(family, 1000);
-  const bool is_fused = has_fused_products();
   std::array<std::size_t, NUMBER_OF_EXACT_STAGES> stages = {};
   std::size_t first = 0, perturbed = 0;
   const auto first_sign = [](const Test& t) {
     return sphere_sign(row(t.points[0].data(), t.p()), row(t.points[1].data(), t.p()),
                        row(t.points[2].data(), t.p()), row(t.points[3].data(), t.p()));
   };
-  const auto exact = [&](const Test& t) {
-    return exact_sphere_sign(t.vertices().data(), t.p(), is_fused);
+  const auto exact = [](const Test& t) {
+    return exact_sign<Exact_sphere>(t.vertices().data(), t.p());
   };
   for (const Test& t : tests) {
     first += first_sign(t) != 0;
@@ -207,16 +206,13 @@ ordered_json measure(const Family& family, std::size_t repetitions)
       {"perturbed", double(perturbed) / 1000},
       {"ns_first_filter", nanoseconds(tests, repetitions, first_sign)},
       {"ns_double_double", nanoseconds(tests, repetitions,
-                                       [&](const Test& t) {
-                                         const auto v = t.vertices();
-                                         return is_fused
-                                                    ? fused_close_sphere_sign({v.data(), t.p()})
-                                                    : close_sphere_sign({v.data(), t.p()});
+                                       [](const Test& t) {
+                                         return close_sphere_sign({t.vertices().data(), t.p()});
                                        })},
       {"ns_double_double_without_fma",
        nanoseconds(tests, repetitions,
                    [](const Test& t) {
-                     return close_sphere_sign({t.vertices().data(), t.p()});
+                     return close_sphere_sign_with<Portable_products>({t.vertices().data(), t.p()});
                    })},
       {"ns_stages_behind",
        nanoseconds(tests, repetitions, [&](const Test& t) { return exact(t).sign; })},

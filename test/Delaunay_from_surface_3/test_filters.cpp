@@ -185,13 +185,11 @@ void check(Five f, const Record& apex, Tallies& tallies)
     std::swap(f[0], f[1]);
   const int sphere = exact_sphere(f);
   const double* const v[4] = {f[0].data(), f[1].data(), f[2].data(), f[3].data()};
+  tallies.second.count(close_sphere_sign_with<Portable_products>({v, f[4].data()}), sphere);
   tallies.second.count(close_sphere_sign({v, f[4].data()}), sphere);
-  if (has_fused_products())
-    tallies.second.count(fused_close_sphere_sign({v, f[4].data()}), sphere);
   if (std::none_of(v, v + 4, [&](const double* q) { return is_same_place(q, f[4].data()); })) {
     const auto perturbed = [&] { return perturbed_sphere(f); };
-    tallies.exact.count(exact_sphere_sign(v, f[4].data(), false), sphere, perturbed);
-    tallies.exact.count(exact_sphere_sign(v, f[4].data(), has_fused_products()), sphere, perturbed);
+    tallies.exact.count(exact_sign<Exact_sphere>(v, f[4].data()), sphere, perturbed);
     Exact_tally two_digits;
     two_digits.count(sign_from_two_digits<Exact_sphere>(v, f[4].data()), sphere, perturbed);
     tallies.exact.wrong += two_digits.wrong;
@@ -258,8 +256,7 @@ void check_beyond(const std::array<Record, 4>& f, Beyond_tallies& tallies)
   tallies.first.count(beyond_sign(row(v[0], p), row(v[1], p), row(v[2], p)), truth);
   tallies.flat.count(flat_beyond_sign(v, p), truth);
   const auto perturbed = [&] { return perturbed_beyond(f); };
-  tallies.exact.count(exact_beyond_sign(v, p, false), truth, perturbed);
-  tallies.exact.count(exact_beyond_sign(v, p, has_fused_products()), truth, perturbed);
+  tallies.exact.count(exact_sign<Exact_beyond>(v, p), truth, perturbed);
   Exact_tally two_digits;
   two_digits.count(sign_from_two_digits<Exact_beyond>(v, p), truth, perturbed);
   tallies.exact.wrong += two_digits.wrong;

@@ -205,9 +205,8 @@ def double_double_product(constant):
 
 
 def double_double_sum(constant):
-    found(r"(double sum = s\.high \+ t\.high; const double part = sum - s\.high; const double error = "
-          r"\(s\.high - \(sum - part\)\) \+ \(t\.high - part\); return normalized\(sum, error \+ \(s\.low \+ t\.low\)\);)",
-          "Double_double.h")
+    found(r"(double sum = s\.high \+ t\.high; const double error = error_of_difference\(s\.high, -t\.high, sum\); "
+          r"return normalized\(sum, error \+ \(s\.low \+ t\.low\)\);)", "Double_double.h")
     text = of_double_doubles(
         ["p = add(sh, th);", "e = (sh + th) - p; # exactly: Knuth (1969)", "l = add(e, add(sl, tl));", *NORMALIZED,
          "exact = (sh + th) + (sl + tl);"],

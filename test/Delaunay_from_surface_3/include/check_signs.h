@@ -169,9 +169,10 @@ void check_balanced(const std::string& name, const double* const* v, const doubl
                     Checked_signs& signs)
 {
   const Balanced_signs<N> balanced(v, p);
-  signs.may_say(name + ", balanced doubles", balanced.in_doubles(), truth);
-  for (const bool is_fused : {false, has_fused_products()})
-    signs.may_say(name + ", balanced double doubles", balanced.in_double_doubles(is_fused), truth);
+  using Portable = Bounded_double_doubles<Portable_products>;
+  signs.may_say(name + ", balanced doubles", balanced.template sign<Bounded_doubles>(), truth);
+  signs.may_say(name + ", balanced double doubles", balanced.template sign<Portable>(), truth);
+  signs.may_say(name + ", balanced double doubles", balanced.in_double_doubles(), truth);
 }
 
 inline void check_exact(const std::string& name, const Exact_sign& said, int truth,
@@ -217,12 +218,11 @@ inline void check_cell(Quintuple q, Checked_signs& signs)
     return;
   const int perturbed = perturbed_side_of_sphere(q.v[0], q.v[1], q.v[2], q.v[3], q.p);
   signs.may_say("by columns", sphere_sign_by_columns(v.data(), p), sphere);
+  signs.may_say("portable double doubles", close_sphere_sign_with<Portable_products>({v.data(), p}),
+                sphere);
   signs.may_say("double doubles", close_sphere_sign({v.data(), p}), sphere);
-  if (has_fused_products())
-    signs.may_say("fused double doubles", fused_close_sphere_sign({v.data(), p}), sphere);
   check_balanced<4>("sphere", v.data(), p, sphere, signs);
-  for (const bool is_fused : {false, has_fused_products()})
-    check_exact("exact sphere", exact_sphere_sign(v.data(), p, is_fused), sphere, perturbed, signs);
+  check_exact("exact sphere", exact_sign<Exact_sphere>(v.data(), p), sphere, perturbed, signs);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
   check_widths<Exact_sphere>("sphere", v.data(), p, sphere, perturbed, signs);
 #endif
@@ -244,8 +244,7 @@ inline void check_infinite_cell(const Quintuple& q, Checked_signs& signs)
   signs.may_say("beyond by columns", beyond_sign_by_columns(v.data(), p), height);
   signs.may_say("flat beyond", flat_beyond_sign(v.data(), p), circle);
   check_balanced<3>("height", v.data(), p, -height, signs);
-  for (const bool is_fused : {false, has_fused_products()})
-    check_exact("exact beyond", exact_beyond_sign(v.data(), p, is_fused), circle, perturbed, signs);
+  check_exact("exact beyond", exact_sign<Exact_beyond>(v.data(), p), circle, perturbed, signs);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
   check_widths<Exact_beyond>("beyond", v.data(), p, circle, perturbed, signs);
 #endif

@@ -26,6 +26,9 @@
   __attribute__((target("avx2,fma,popcnt"), flatten))
 #define CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS                                             \
   __attribute__((target("avx2,fma,popcnt"), always_inline)) inline
+#else
+#define CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS
+#endif
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -34,9 +37,15 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 inline bool machine_has_vectors()
 {
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
          __builtin_cpu_supports("popcnt");
+#else
+  return false;
+#endif
 }
+
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
 // Vectors with four or eight lanes, and the operators that GCC and clang give them.
 using Four_doubles = double __attribute__((vector_size(32)));
@@ -104,11 +113,11 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS unsigned bits_of(Four_longs compa
   return unsigned(__builtin_ia32_movmskpd256(reinterpret_cast<Four_doubles>(comparison)));
 }
 
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
-
-#endif
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_SUPPORT_VECTORS_H

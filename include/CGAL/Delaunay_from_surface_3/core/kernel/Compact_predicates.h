@@ -165,8 +165,8 @@ public:
     if (m_is_flat)
       if (const int sign = beyond_sign_by_columns(v, q))
         return sign > 0;
-    const Exact_sign exact = m_complex.is_rounded() ? wide_sign<Exact_beyond>(v, q)
-                                                    : exact_beyond_sign(v, q, m_is_fused);
+    const Exact_sign exact =
+        m_complex.is_rounded() ? wide_sign<Exact_beyond>(v, q) : exact_sign<Exact_beyond>(v, q);
     ++m_counts.facet_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
     return exact.sign > 0;
@@ -198,8 +198,8 @@ private:
     const double* const v[4] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2]),
                                 at(cell.v[3])};
     const double* const q = at(p);
-    const Exact_sign exact = m_complex.is_rounded() ? wide_sign<Exact_sphere>(v, q)
-                                                    : exact_sphere_sign(v, q, m_is_fused);
+    const Exact_sign exact =
+        m_complex.is_rounded() ? wide_sign<Exact_sphere>(v, q) : exact_sign<Exact_sphere>(v, q);
     ++m_counts.sphere_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
     m_is_flat = exact.is_flat || (exact.stage <= ONE_DIGIT && !exact.is_perturbed &&
@@ -248,7 +248,7 @@ private:
     const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
     const double* const v[3] = {at(cell.v[k ^ 1]), at(cell.v[k ^ 2]), at(cell.v[k ^ 3])};
     const double* const q = at(p);
-    const int sign = m_complex.is_rounded() ? 0 : close_orientation(v, q, m_is_fused);
+    const int sign = m_complex.is_rounded() ? 0 : balanced_sign<3>(v, q).sign;
     return (sign != 0 ? sign : orientation(q, v[0], v[1], v[2])) < 0;
   }
 
@@ -256,7 +256,6 @@ private:
 
   const Complex& m_complex;
   Insertion_counts& m_counts;
-  const bool m_is_fused = has_fused_products();
   bool m_is_flat = false;       // whether columns decided, or might have, the last test left open
   unsigned m_integer_signs = 0; // tests that integers of few bits decided
 };

@@ -18,6 +18,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,25 +28,19 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-#if defined(__GNUC__) && defined(__x86_64__)
 inline double opaque(double product)
 {
+#if defined(__GNUC__) && defined(__x86_64__)
   __asm__("" : "+x"(product));
   return product;
-}
 #elif defined(__GNUC__) && defined(__aarch64__)
-inline double opaque(double product)
-{
   __asm__("" : "+w"(product));
   return product;
-}
 #else
-inline double opaque(double product)
-{
   volatile double hidden = product;
   return hidden;
-}
 #endif
+}
 
 // What a product lost by rounding, a b - product, exactly: for any machine (Dekker 1971) …
 struct Split_products
@@ -64,7 +59,7 @@ private:
   }
 };
 
-// … and where it is one instruction.
+// … and where it is one instruction: on machines with vectors, and where the user compiles for it.
 struct Fused_products
 {
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double error(double a, double b, double product)
@@ -73,31 +68,21 @@ struct Fused_products
   }
 };
 
-// Fused_products where the user compiles for a machine with fma.
 #if defined(__FMA__) || defined(__aarch64__)
 using Portable_products = Fused_products;
 #else
 using Portable_products = Split_products;
 #endif
 
-// Before functions that are called if the machine has fma.
-#if defined(__GNUC__) && defined(__x86_64__)
-#define CGAL_DELAUNAY_FROM_SURFACE_3_WITH_FMA __attribute__((target("fma"))) inline
-using Machine_products = Fused_products;
-inline bool has_fused_products()
+// Returns what a difference lost, a - b - difference, exactly (Knuth 1969).
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE double error_of_difference(double a, double b,
+                                                                      double difference)
 {
-  return __builtin_cpu_supports("fma");
+  const double minus_b = difference - a;
+  return (a - (difference - minus_b)) - (b + minus_b);
 }
-#else
-#define CGAL_DELAUNAY_FROM_SURFACE_3_WITH_FMA inline
-using Machine_products = Portable_products;
-inline bool has_fused_products()
-{
-  return false;
-}
-#endif
 
-// The differences of N vertices and p, row by row; each is exactly high + low (Knuth 1969).
+// The differences of N vertices and p, row by row; each is exactly high + low.
 template <int N>
 struct Exact_differences
 {
@@ -114,8 +99,7 @@ struct Exact_differences
     }
     for (int k = 0; k < size; ++k) {
       high[k] = a[k] - b[k];
-      const double minus_b = high[k] - a[k];
-      low[k] = (a[k] - (high[k] - minus_b)) - (b[k] + minus_b);
+      low[k] = error_of_difference(a[k], b[k], high[k]);
     }
   }
 };
@@ -130,8 +114,7 @@ struct Double_double
                                                                             const Double_double& t)
   {
     const double sum = s.high + t.high;
-    const double part = sum - s.high;
-    const double error = (s.high - (sum - part)) + (t.high - part);
+    const double error = error_of_difference(s.high, -t.high, sum);
     return normalized(sum, error + (s.low + t.low));
   }
 
@@ -176,16 +159,17 @@ close_sphere_sign_with(const Exact_differences<4>& differences)
   return certified_sign(cofactors.lifted(r[0], r[1], r[2], r[3]).high, bound);
 }
 
+CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS inline int
+fused_close_sphere_sign(const Exact_differences<4>& differences)
+{
+  return close_sphere_sign_with<Fused_products>(differences);
+}
+
 // The sphere test of a positively oriented cell.
 inline int close_sphere_sign(const Exact_differences<4>& differences)
 {
-  return close_sphere_sign_with<Portable_products>(differences);
-}
-
-CGAL_DELAUNAY_FROM_SURFACE_3_WITH_FMA int
-fused_close_sphere_sign(const Exact_differences<4>& differences)
-{
-  return close_sphere_sign_with<Machine_products>(differences);
+  return machine_has_vectors() ? fused_close_sphere_sign(differences)
+                               : close_sphere_sign_with<Portable_products>(differences);
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

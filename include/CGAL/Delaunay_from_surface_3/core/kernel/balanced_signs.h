@@ -25,6 +25,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
+#include <CGAL/Delaunay_from_surface_3/support/vectors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -155,9 +156,8 @@ struct Bounded_double_doubles
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static Number difference(double a, double b,
                                                                       double scale)
   {
-    const double high = a - b, minus_b = high - a;
-    const double low = (a - (high - minus_b)) - (b + minus_b);
-    return {high * scale, low * scale};
+    const double high = a - b;
+    return {high * scale, error_of_difference(a, b, high) * scale};
   }
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double high(const Number& d) { return d.high; }
 };
@@ -247,23 +247,23 @@ public:
   {
   }
 
-  int in_doubles() const { return with<Bounded_doubles>(); }
-  int in_double_doubles(bool is_fused) const
+  template <class Numbers>
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign() const
   {
-    return is_fused ? in_fused_double_doubles() : with<Bounded_double_doubles<Portable_products>>();
+    const int value = Balanced_rows<Numbers, N>(m_tree, m_scales).sign();
+    return m_tree.is_odd() ? -value : value;
+  }
+
+  int in_double_doubles() const
+  {
+    return machine_has_vectors() ? in_fused_double_doubles()
+                                 : sign<Bounded_double_doubles<Portable_products>>();
   }
 
 private:
-  CGAL_DELAUNAY_FROM_SURFACE_3_WITH_FMA int in_fused_double_doubles() const
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS int in_fused_double_doubles() const
   {
-    return with<Bounded_double_doubles<Machine_products>>();
-  }
-
-  template <class Numbers>
-  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int with() const
-  {
-    const int sign = Balanced_rows<Numbers, N>(m_tree, m_scales).sign();
-    return m_tree.is_odd() ? -sign : sign;
+    return sign<Bounded_double_doubles<Fused_products>>();
   }
 
   Shortest_tree<N> m_tree;

@@ -112,48 +112,12 @@ struct Difference_sizes
 
 // The stages in numbers that are rounded.
 template <int N>
-Exact_sign balanced_sign(const double* const* vertices, const double* p, bool is_fused)
+Exact_sign balanced_sign(const double* const* vertices, const double* p)
 {
   const Balanced_signs<N> signs(vertices, p);
-  if (const int sign = signs.in_doubles())
+  if (const int sign = signs.template sign<Bounded_doubles>())
     return {sign, false, BALANCED};
-  return {signs.in_double_doubles(is_fused), false, DOUBLE_DOUBLE};
-}
-
-CGAL_DELAUNAY_FROM_SURFACE_3_APART Exact_sign
-rounded_sphere_sign(const Exact_differences<4>& differences, const double* const* vertices,
-                    const double* p, bool is_fused)
-{
-  const Difference_sizes<4> sizes(differences);
-  if (sizes.columns.are_flat())
-    if (const int sign = sphere_sign_by_columns(vertices, p))
-      return {sign, false, BALANCED, true};
-  if (sizes.are_unbalanced())
-    return balanced_sign<4>(vertices, p, is_fused);
-  const int sign = is_fused ? fused_close_sphere_sign(differences) : close_sphere_sign(differences);
-  if (sign == 0 && sizes.has_close_pair(differences))
-    return balanced_sign<4>(vertices, p, is_fused);
-  return {sign, false, DOUBLE_DOUBLE};
-}
-
-CGAL_DELAUNAY_FROM_SURFACE_3_APART Exact_sign
-rounded_beyond_sign(const Exact_differences<3>& differences, const double* const* vertices,
-                    const double* p, bool is_fused)
-{
-  const Difference_sizes<3> sizes(differences);
-  if (sizes.columns.are_flat())
-    if (const int sign = beyond_sign_by_columns(vertices, p))
-      return {sign, false, BALANCED, true};
-  if (!sizes.are_unbalanced() && !sizes.has_close_pair(differences)) // two digits are cheap here
-    return {0, false, DOUBLE_DOUBLE};
-  const Exact_sign height = balanced_sign<3>(vertices, p, is_fused);
-  return {-height.sign, false, height.stage};
-}
-
-// Positive if the cell (p, a, b, c) of p and the three vertices is; 0: not decided.
-inline int close_orientation(const double* const* vertices, const double* p, bool is_fused)
-{
-  return balanced_sign<3>(vertices, p, is_fused).sign;
+  return {signs.in_double_doubles(), false, DOUBLE_DOUBLE};
 }
 
 struct Exact_sphere
@@ -171,10 +135,19 @@ struct Exact_sphere
             stage};
   }
 
-  static Exact_sign rounded(const Exact_differences<4>& differences, const double* const* vertices,
-                            const double* p, bool is_fused)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART static Exact_sign
+  rounded(const Exact_differences<4>& differences, const double* const* vertices, const double* p)
   {
-    return rounded_sphere_sign(differences, vertices, p, is_fused);
+    const Difference_sizes<4> sizes(differences);
+    if (sizes.columns.are_flat())
+      if (const int sign = sphere_sign_by_columns(vertices, p))
+        return {sign, false, BALANCED, true};
+    if (sizes.are_unbalanced())
+      return balanced_sign<4>(vertices, p);
+    const int sign = close_sphere_sign(differences);
+    if (sign == 0 && sizes.has_close_pair(differences))
+      return balanced_sign<4>(vertices, p);
+    return {sign, false, DOUBLE_DOUBLE};
   }
 };
 
@@ -201,10 +174,17 @@ struct Exact_beyond
             true, stage};
   }
 
-  static Exact_sign rounded(const Exact_differences<3>& differences, const double* const* vertices,
-                            const double* p, bool is_fused)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART static Exact_sign
+  rounded(const Exact_differences<3>& differences, const double* const* vertices, const double* p)
   {
-    return rounded_beyond_sign(differences, vertices, p, is_fused);
+    const Difference_sizes<3> sizes(differences);
+    if (sizes.columns.are_flat())
+      if (const int sign = beyond_sign_by_columns(vertices, p))
+        return {sign, false, BALANCED, true};
+    if (!sizes.are_unbalanced() && !sizes.has_close_pair(differences)) // two digits are cheap here
+      return {0, false, DOUBLE_DOUBLE};
+    const Exact_sign height = balanced_sign<3>(vertices, p);
+    return {-height.sign, false, height.stage};
   }
 };
 
@@ -215,13 +195,14 @@ Exact_sign wide_sign(const double* const* vertices, const double* p)
   return Determinant::sign(differences.rows, ANY_WIDTH, vertices, p);
 }
 
-#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
-
+// The sphere test of a positively oriented cell, or the test of an infinite cell, given by its three
+// finite vertices.
 template <class Determinant>
-Exact_sign exact_sign(const double* const* vertices, const double* p, bool is_fused)
+Exact_sign exact_sign(const double* const* vertices, const double* p)
 {
   constexpr int n = Determinant::size;
   const Exact_differences<n> exact_differences(vertices, p);
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
   const Integer_differences<n> differences(exact_differences);
   if (!differences.can_be_scaled())
     return wide_sign<Determinant>(vertices, p);
@@ -235,37 +216,16 @@ Exact_sign exact_sign(const double* const* vertices, const double* p, bool is_fu
     differences.set_rows(rows);
     return Determinant::sign(rows, ONE_DIGIT, vertices, p);
   }
-  const Exact_sign rounded = Determinant::rounded(exact_differences, vertices, p, is_fused);
+#endif
+  const Exact_sign rounded = Determinant::rounded(exact_differences, vertices, p);
   if (rounded.sign != 0)
     return rounded;
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
   Row<Fixed_integer<4>> rows[n];
-  if (!differences.set_rows(rows))
-    return wide_sign<Determinant>(vertices, p);
-  return Determinant::sign(rows, TWO_DIGITS, vertices, p);
-}
-
-#else
-
-template <class Determinant>
-Exact_sign exact_sign(const double* const* vertices, const double* p, bool is_fused)
-{
-  const Exact_differences<Determinant::size> differences(vertices, p);
-  const Exact_sign rounded = Determinant::rounded(differences, vertices, p, is_fused);
-  return rounded.sign != 0 ? rounded : wide_sign<Determinant>(vertices, p);
-}
-
+  if (differences.set_rows(rows))
+    return Determinant::sign(rows, TWO_DIGITS, vertices, p);
 #endif
-
-// The sphere test of a positively oriented cell.
-inline Exact_sign exact_sphere_sign(const double* const* vertices, const double* p, bool is_fused)
-{
-  return exact_sign<Exact_sphere>(vertices, p, is_fused);
-}
-
-// The test of an infinite cell, given by its three finite vertices.
-inline Exact_sign exact_beyond_sign(const double* const* vertices, const double* p, bool is_fused)
-{
-  return exact_sign<Exact_beyond>(vertices, p, is_fused);
+  return wide_sign<Determinant>(vertices, p);
 }
 
 // What the kernel rarely asks besides its tests of conflict (Compact_predicates.h): orientations
@@ -285,7 +245,7 @@ inline bool is_safe(double square)
 template <class Determinant>
 int exact_sign_of_any(const double* const* vertices, const double* p)
 {
-  return (obstacle_of_compiler() == nullptr ? exact_sign<Determinant>(vertices, p, false)
+  return (obstacle_of_compiler() == nullptr ? exact_sign<Determinant>(vertices, p)
                                             : wide_sign<Determinant>(vertices, p))
       .sign;
 }
@@ -301,7 +261,7 @@ struct Exact_orientation
   {
     return {sign_of(determinant_of(r[0], r[1], r[2])), false, stage};
   }
-  static Exact_sign rounded(const Exact_differences<3>&, const double* const*, const double*, bool)
+  static Exact_sign rounded(const Exact_differences<3>&, const double* const*, const double*)
   {
     return {0, false, DOUBLE_DOUBLE};
   }
@@ -322,7 +282,7 @@ struct Exact_area
                           sign_of(carried(a.z * b.x - a.x * b.z)) != 0;
     return {int(has_area), false, stage};
   }
-  static Exact_sign rounded(const Exact_differences<2>&, const double* const*, const double*, bool)
+  static Exact_sign rounded(const Exact_differences<2>&, const double* const*, const double*)
   {
     return {0, false, DOUBLE_DOUBLE};
   }

@@ -37,10 +37,8 @@ constexpr bool is_fast_math = false;
 inline bool has_error_terms()
 {
   const volatile double one = 1, small = 0x1p-60;
-  const double vertex[3] = {one, one, one}, p[3] = {small, small, small};
-  const double* const row = vertex;
-  const Exact_differences<1> differences(&row, p);
-  return differences.high[0] == 1 && differences.low[0] == -small;
+  const double a = one, b = small, difference = a - b;
+  return difference == 1 && error_of_difference(a, b, difference) == -small;
 }
 
 // Whether denormal numbers survive in the mode of this thread, which no macro tells: any library that
