@@ -5,17 +5,16 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_BUILT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_BUILT_H
 
-// A cell and a vertex as numbers. A cell is 32 bytes, half a cache line.
+// These types cross the border of the compiled core: cells and vertices as numbers, the complex
+// that build() makes, its order of insertion, and its watcher. A cell is half a cache line.
 //
-// One vertex, one number: that of the i-th point in the order of insertion is i + 1; 0 is the
-// infinite vertex.
+// The point at place i of the order of insertion is vertex i + 1; vertex 0 is the infinite one.
 //
-// Invariants: vertices of a cell are in positive orientation (with the infinite vertex in the place
-// of a point beyond the hull); the infinite vertex is only ever the last of a cell. A link names a
-// neighbour and, in its two lowest bits, which of the neighbour's facets is shared: 4 · cell +
-// facet, as in TetGen's and HXT's meshes (Si 2015; Marot, Pellerin, Remacle 2019). A cell that is
-// destroyed is `dead`, and so is one that is not in use; that mark is the highest bit of its first
-// vertex.
+// Invariants: the vertices of a cell are positively oriented, with the infinite vertex in the place
+// of a point beyond the hull; the infinite vertex is always the last one of its cell. A neighbour
+// is encoded as 4 · cell + facet, where the facet is the shared one as the neighbour numbers it, as
+// in TetGen's and HXT's meshes (Si 2015; Marot, Pellerin, Remacle 2019). A cell that is destroyed
+// or not in use is `dead`: the highest bit of its first vertex is set.
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
@@ -31,7 +30,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// Numbers of cells and vertices.
+// Cells and vertices have numbers of this type.
 using Id = std::uint32_t;
 
 struct Compact_cell
@@ -40,9 +39,9 @@ struct Compact_cell
   Id links[4];
 };
 
-// `label` belongs to the insertion under way (Fill_star.h). It lies here, in bytes that alignment
-// would leave empty, beside the coordinates that were just read. In an array of its own, as many
-// threads need it (Explore_announced.h), it takes longer.
+// `label` belongs to the insertion under way (Fill_star.h). It uses bytes that alignment would
+// leave empty, beside coordinates that were just read. Labels in an array of their own, which
+// several threads need (Explore_announced.h), are slower.
 struct alignas(32) Compact_vertex
 {
   double coordinates[3];
@@ -54,15 +53,15 @@ struct alignas(32) Compact_vertex
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The corners of facet i, such that (p, corners) is positive for p on the inner side, and the
+// Lists the corners of facet i such that (p, corners) is positive if p is on the inner side. The
 // infinite vertex stays the last.
 inline constexpr unsigned char facet_corners[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 0}};
 
-// What the numbers say.
+// Encodes and decodes the numbers.
 struct Compact_numbers
 {
   static constexpr Id infinite = 0;
-  static constexpr Id dead = Id(1) << 31; // of v[0]
+  static constexpr Id dead = Id(1) << 31; // a bit of v[0]
   static constexpr std::size_t max_vertices = dead, max_cells = std::size_t(1) << 30;
 
   static Id vertex_of_point(std::size_t i) { return Id(i + 1); }
@@ -73,8 +72,8 @@ struct Compact_numbers
   static bool is_infinite(const Compact_cell& c) { return c.v[3] == infinite; }
   static Id link(Id cell, unsigned facet) { return Id(Id(cell << 2) | facet); }
 
-  // cells[link >> 2]; of a cell of 32 bytes the number times 4 is the address divided by 8, which
-  // saves an operation.
+  // Returns cells[link >> 2]. Without a shift: 8 times 4 · cell is the offset of a cell of 32
+  // bytes.
   template <class Cell>
   static Cell& cell_of_link(Cell* cells, Id link)
   {
@@ -88,14 +87,14 @@ struct Compact_numbers
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
-// An order of insertion owned elsewhere: see Insertion_order.
+// Refers to an order of insertion that is owned elsewhere (see Insertion_order).
 struct Order_view
 {
   const std::size_t* order;
   std::size_t size;
   const std::size_t* round_ends;
   std::size_t number_of_rounds;
-  const std::size_t* starting_places; // null if there are none
+  const std::size_t* starting_places; // null if the order names no such places
 };
 
 enum class Insertion_outcome {
@@ -106,21 +105,22 @@ enum class Insertion_outcome {
   TOO_MANY_CELLS // for numbers of 32 bits
 };
 
-// What build() makes: a complex, in memory of the core, which can give it up piece by piece while
-// it is read once.
+// Holds the complex that build() makes, in the core's memory, which the caller can release step by
+// step while it reads the cells once.
 //
-// One vertex, one number: the point at place k of the order is vertex k + 1.
+// The point at place k of the order is vertex k + 1.
 class Built
 {
 public:
   virtual ~Built() = default;
 
-  // The cells first, …, last - 1 are not read any more; none of the cells; none of the vertices.
+  // These release the memory of the cells first, …, last - 1, of all cells, and of all vertices,
+  // which the caller does not read any more.
   virtual void release_cells(std::size_t first, std::size_t last) = 0;
   virtual void give_up_cells() = 0;
   virtual void give_up_vertices() = 0;
 
-  // The memory of the cells is the caller's from now on, that of a Page_array with such a capacity.
+  // Gives the memory of the cells, a Page_array's with this capacity, to the caller.
   virtual Compact_cell* take_cells(std::size_t& capacity) = 0;
 
   // Returns any cell of vertex v.
@@ -130,21 +130,21 @@ public:
 
   Insertion_outcome outcome = Insertion_outcome::FLAT;
   int dimension = -1;    // of the points
-  bool has_apex = false; // as the last vertex, off the plane of all others
+  bool has_apex = false; // the last vertex is one, off the plane of all others
   Insertion_counts counts;
 
   Order_view order = {nullptr, 0, nullptr, 0, nullptr};
-  const Id* vertex_of = nullptr; // by place: 0 if there is none; that of an apex is the last
+  const Id* vertex_of = nullptr; // by place, 0 if not inserted; an apex comes last
   std::size_t number_of_places = 0;
   Compact_cell* cells = nullptr;
-  std::size_t cells_end = 0;    // dead ones too
-  std::size_t vertices_end = 0; // 0 and unused ones too
+  std::size_t cells_end = 0;    // counts dead ones, too
+  std::size_t vertices_end = 0; // counts 0 and unused ones, too
 };
 
-// A caller asks this of build().
+// Says what a caller asks of build().
 struct Build_options
 {
-  // Not "= default", which may be a function of its own.
+  // "= default" could be compiled as a function of its own.
   // NOLINTNEXTLINE(modernize-use-equals-default)
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Build_options() {}
 
@@ -159,8 +159,8 @@ struct Build_options
   double ratio = 0.125;
   std::size_t first_round = 64;
 
-  // How many cells spaced rounds, or a given order, may destroy for each point (Insertion_budget).
-  // If a given order destroys more, the outcome is OVER_BUDGET.
+  // Spaced rounds, or a given order, may destroy this many cells per point (Insertion_budget). If a
+  // given order destroys more, the outcome is OVER_BUDGET.
   static constexpr std::size_t any_number = std::size_t(-1), usual_number = 64;
   std::size_t cells_per_point = usual_number;
 
@@ -168,8 +168,8 @@ struct Build_options
   // result of build(). It is not checked. Points on a line are ordered along it all the same.
   const Order_view* given = nullptr;
 
-  // True if the first points of the given order are spread over all at any time, so that of the
-  // cells which are then many most must stay. A caller's own plan may begin with hubs.
+  // True if the points inserted so far, in the given order, are always spread over all, so that most
+  // of many cells must stay. A caller's own plan may begin with hubs.
   bool is_spread = false;
 
   // Makes each point start where the order says, or else from the one before, which makes
@@ -183,12 +183,11 @@ struct Build_options
   // Ends, if false, when there is an order: the result has nothing else.
   bool inserts = true;
 
-  // How many cells there may be, dead ones included, before the outcome is TOO_MANY_CELLS.
+  // If there would be more cells, dead ones included, the outcome is TOO_MANY_CELLS.
   std::size_t most_cells = std::size_t(1) << 30;
 };
 
-// Is told what the core does, and can stop it. All functions are called by the thread that called
-// the core.
+// Is told what the core does, and can stop it. The thread that called the core calls all functions.
 class Observer
 {
 public:
@@ -199,11 +198,12 @@ public:
   virtual void notice(Surface_insertion_notice, const char* /* reason */) {}
   virtual void insertion_ends(const Insertion_counts&) {}
 
-  // Is asked every 256 points, with the number inserted so far; `false` stops the work.
+  // Is asked about every 256 points, with the number of points inserted so far, which many threads
+  // only estimate; `false` stops the work.
   virtual bool go_further(std::size_t /* inserted */) { return true; }
 
-  // Returns whether it is told of the phases LOCATION and UPDATE, point by point. It never is with
-  // many threads.
+  // Returns true if it wants to be told of LOCATION and UPDATE, point by point; many threads do not
+  // tell it of these.
   virtual bool follows_points() const { return false; }
 };
 

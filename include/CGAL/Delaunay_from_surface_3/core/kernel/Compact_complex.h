@@ -5,15 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_COMPLEX_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_COMPLEX_H
 
-// Cells and vertices as numbers, and nothing else: what an insertion scribbles on is in
-// Dig_conflict_zone.h. A cell is 32 bytes, half a cache line.
+// A complex holds cells and vertices as numbers, with the invariants of Built.h. The working memory
+// of an insertion is in Dig_conflict_zone.h.
 //
-// The coordinates of vertices are there from the beginning. Numbers of duplicates stay unused.
+// Vertices have coordinates before they are in any cell. The numbers of duplicates stay unused.
 //
-// Coordinates are those of the points times a power of 2. If some are so small that this rounds
-// them, the complex keeps the points' own, too; those are what exact predicates see.
-//
-// Its invariants are those of Built.h.
+// Coordinates are scaled by a power of 2. If that rounds some, because they are so small, the
+// complex keeps the points' own coordinates, too, which the exact predicates use.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
@@ -48,17 +46,17 @@ public:
   using Numbers::point_of_vertex;
   using Numbers::vertex_of_point;
 
-  // Where the infinite vertex lies: so far away that the filter of spheres leaves undecided what it
-  // belongs to. All lies within 2^59, so a determinant is less than 2^600, and its bound 2^700.
+  // The infinite vertex is so far away that the filter leaves every sphere test with it undecided:
+  // all others lie within 2^59, so a determinant is less than 2^600, but its bound exceeds 2^700.
   static constexpr double far = 0x1p150;
 
   static constexpr std::size_t cells_of_gigabyte = (std::size_t(1) << 30) / sizeof(Cell);
 
-  // Without vertices.
+  // Makes a complex without vertices.
   Compact_complex() = default;
 
-  // The vertices of n points, in no cell yet; coordinates(i) returns those of the i-th, to any
-  // thread.
+  // Makes the vertices of n points, in no cell yet. Several threads may call coordinates(i), which
+  // returns the coordinates of the i-th point.
   template <class Coordinates>
   Compact_complex(std::size_t n, const Coordinates& coordinates, const Executor& executor = Alone())
     : m_number_of_vertices(n + 1)
@@ -76,10 +74,10 @@ public:
                    });
   }
 
-  // Throws Too_many_cells where there would be more than n cells, dead ones included.
+  // Limits the cells, dead ones included, to n: if there would be more, Too_many_cells is thrown.
   void limit_cells(std::size_t n) { m_most_cells = n; }
 
-  // One more vertex, in no cell yet. Vertices may move.
+  // Adds a vertex, in no cell yet, and returns its number. The vertices may move in memory.
   Id add_vertex(const std::array<double, 3>& p)
   {
     if (m_number_of_vertices == max_vertices)
@@ -92,7 +90,7 @@ public:
   }
   void add_own_coordinates(const std::array<double, 3>& p) { m_own_coordinates.push_back(p); }
 
-  // Vertex v gets another number, of a vertex before it that is not needed. Cells are left alone.
+  // Gives vertex v the number of an earlier vertex that is not needed. Cells are left alone.
   void renumber_vertex(Id v, Id number)
   {
     m_vertices[number] = m_vertices[v];
@@ -100,7 +98,7 @@ public:
       m_own_coordinates[point_of_vertex(number)] = own_coordinates(v);
   }
 
-  // There are no vertices from this one on, which are in no cell.
+  // Removes the vertices from this one on, which must be in no cell.
   void drop_vertices(std::size_t end)
   {
     m_number_of_vertices = end;
@@ -111,14 +109,14 @@ public:
     return m_own_coordinates[point_of_vertex(v)];
   }
 
-  // The coordinates of the points before they were scaled, if that rounded any.
+  // Keeps the coordinates of the points before they were scaled. To be called if that rounded any.
   void keep_own_coordinates(std::vector<std::array<double, 3>>&& coordinates)
   {
     m_own_coordinates = std::move(coordinates);
   }
   bool is_rounded() const { return !m_own_coordinates.empty(); }
 
-  // Of a finite vertex, but for a power of 2 that all have in common.
+  // Returns the exact coordinates of a finite vertex, up to a power of 2 that all have in common.
   const double* exact_coordinates(Id v) const
   {
     return is_rounded() ? own_coordinates(v).data() : vertex(v).coordinates;
@@ -132,10 +130,10 @@ public:
   const Cell& cell(std::size_t c) const { return m_cells[c]; }
   Vertex& vertex(std::size_t v) { return m_vertices[v]; }
   const Vertex& vertex(std::size_t v) const { return m_vertices[v]; }
-  std::size_t vertices_end() const { return m_number_of_vertices; } // 0 and unused ones too
-  std::size_t cells_end() const { return m_cells_end; }             // dead ones too
+  std::size_t vertices_end() const { return m_number_of_vertices; } // counts 0 and unused ones, too
+  std::size_t cells_end() const { return m_cells_end; }             // counts dead ones, too
 
-  // The number of a cell that never was. The cells may move.
+  // Returns the number of a fresh cell. The cells may move in memory.
   Id new_cell()
   {
     if (m_cells_end >= m_cells_ready)
@@ -143,8 +141,8 @@ public:
     return Id(m_cells_end++);
   }
 
-  // Room for n cells at least; and which of them there are, dead ones too, if others than
-  // new_cell() hand them out. The cells may move.
+  // Makes room for n cells, or for as many as are allowed if these are fewer; throws Too_many_cells
+  // if there is room for these already. The cells may move in memory.
   void make_room(std::size_t n)
   {
     if (n > m_most_cells && m_cells.capacity() >= m_most_cells)
@@ -157,20 +155,20 @@ public:
     m_vertices.reserve((std::min)(n, max_vertices), m_number_of_vertices);
   }
 
-  // How many there should be room for where that for n is not enough. Cells that move are touched
-  // anew, so they shall not move often.
+  // Returns the next capacity after n, much larger, since cells that move are touched anew.
   static std::size_t more_room(std::size_t n)
   {
     return n < cells_of_gigabyte / 4 ? 4 * n + 1 : n + n / 2 + 1;
   }
 
+  // Tells where the cells end, dead ones included, if not only new_cell() hands them out.
   void use_cells(std::size_t end) { m_cells_end = end; }
   void touch_cells(std::size_t first, std::size_t last) { m_cells.touch(first, last); }
 
-  // The first cells: that of four vertices, positively oriented, and the infinite ones around it.
-  // Makes room for the cells that points on a surface have, 6.5 to 7.5 for each. Lattices and
-  // smooth surfaces without noise have up to 15 for a time; pages that nobody writes take no
-  // memory, so there is room for these, too, while that is less than a gigabyte.
+  // Makes the first cells: the one of four vertices, which must be positively oriented, and the
+  // infinite ones around it. Makes room for the 6.5 to 7.5 cells per point that surfaces have.
+  // Lattices and smooth surfaces without noise have up to 15 for a time; since pages that nobody
+  // writes take no memory, there is room for these, too, unless that is more than a gigabyte.
   void start(const std::array<Id, 4>& v)
   {
     const std::size_t few = 8 * m_number_of_vertices + 64, many = 16 * m_number_of_vertices + 64;
@@ -190,8 +188,8 @@ public:
           link_if_adjacent(c, d);
   }
 
-  // Whether links and vertices agree: of cell c and its neighbour d across facet i, d's link leads
-  // back, and the facet has the same corners in both, the other way round. Linear.
+  // Returns true if the neighbour across each facet leads back, and has the same corners in the
+  // opposite direction, and if the cell of each vertex in use is alive and contains it. Linear.
   bool is_valid() const
   {
     for (std::size_t c = 0; c < m_cells_end; ++c)
@@ -211,12 +209,12 @@ public:
     return true;
   }
 
-  // For the export, which reads each cell once and gives up what is not read any more.
+  // The export reads each cell once, and releases memory when it is not read any more.
   Page_array<Cell>& memory_of_cells() { return m_cells; }
   Page_array<Vertex>& memory_of_vertices() { return m_vertices; }
 
 private:
-  // The cells from m_cells_end on, up to the next large page.
+  // Prepares the cells from m_cells_end up to the next large page.
   void make_ready()
   {
     if (m_cells_end >= m_most_cells)
@@ -234,7 +232,7 @@ private:
       cell(c).links[i] = link(d, j);
   }
 
-  // The only vertex of c that d has not; 4 if there are more.
+  // Returns the index of the only vertex of c that d does not have; 4 if there is not exactly one.
   static unsigned lonely_vertex(const Cell& c, const Cell& d)
   {
     unsigned lonely = 4, count = 0;
@@ -244,7 +242,7 @@ private:
     return count == 1 ? lonely : 4;
   }
 
-  // The corners of facet i of c, rotated, are those of facet j of d in the other direction.
+  // Returns true if facet i of c and facet j of d have the same corners in opposite directions.
   static bool is_same_facet(const Cell& c, unsigned i, const Cell& d, unsigned j)
   {
     for (unsigned r = 0; r < 3; ++r) {
@@ -262,7 +260,7 @@ private:
   std::vector<std::array<double, 3>> m_own_coordinates;
   std::size_t m_most_cells = max_cells;
   std::size_t m_cells_end = 0;
-  std::size_t m_cells_ready = 0; // from m_cells_end to here nothing is to be asked for
+  std::size_t m_cells_ready = 0; // up to here cells are prepared
   std::size_t m_number_of_vertices = 0;
 };
 

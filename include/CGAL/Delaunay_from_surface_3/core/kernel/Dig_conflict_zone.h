@@ -5,11 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_DIG_CONFLICT_ZONE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_DIG_CONFLICT_ZONE_H
 
-// Choi 2002, Fig. 1, line 2c, first half: the cells in conflict with the new point, and the
-// boundary of what they fill (Bowyer 1981; Watson 1981). They are connected, so they are dug out
-// breadth first from one of them; the queue is the list of the cells found.
+// Digs the conflict zone, the first half of Choi 2002, Fig. 1, line 2c: finds the cells in conflict
+// with the new point, and the boundary of the space that they fill (Bowyer 1981; Watson 1981). The
+// cells are connected, so they are dug out breadth first from one of them; the list of the cells
+// found is the queue.
 //
-// Invariant: the cells found are dead, no others have died.
+// Invariant: exactly the cells found are marked, as dead or, beside other threads, as the worker's.
 // Cost: O(cells in conflict).
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
@@ -29,21 +30,20 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The working memory of one insertion, kept for the next: all that a thread that inserts has for
-// itself. The complex is shared, this is not.
-
-// A facet of the zone's boundary: the link of the cell outside, and the corners, such that
-// (p, corners) is positive for p in the zone.
+// Describes a facet of the zone's boundary: `outside` is the cell beyond it, encoded as a
+// neighbour, and (p, corners) is positive for the new point p.
 struct Zone_facet
 {
   Id outside;
   Id corners[3];
 };
 
+// Holds the working memory of one insertion, which the next one reuses. Threads share the complex,
+// but each has a zone of its own.
 struct Conflict_zone
 {
-  // The first number_of_cells and number_of_facets are filled; the rest is room. The cells are
-  // those in conflict, in the order in which they were found; after the fill, those of the star.
+  // The first number_of_cells and number_of_facets are valid; the rest is room. The cells are in
+  // conflict, in the order in which they were found, or after the fill the cells of the star.
   std::vector<Id> cells;
   std::vector<Zone_facet> facets;
   std::size_t number_of_cells = 0;
@@ -54,8 +54,8 @@ struct Conflict_zone
 
   Conflict_zone() { make_room(64); }
 
-  // For a zone of n cells, which has at most 2 n + 2 facets; four of either can be written beyond.
-  // Both arrays grow together: has_room() is asked at every cell, and looks at one number.
+  // Makes room for a zone of n cells, which has at most 2 n + 2 facets, and for four more of
+  // either. Both arrays grow together: has_room(), asked at every cell, looks at one number.
   void make_room(std::size_t n)
   {
     cells.resize(n + 4);
@@ -65,8 +65,8 @@ struct Conflict_zone
   bool has_room(std::size_t n) const { return n <= m_room; }
   std::size_t room() const { return m_room; }
 
-  // Takes as many cells as there are facets, for the star: first the dead ones, then free ones,
-  // then new ones. The complex may move its cells.
+  // Takes one cell for each facet, for the star: the zone's own dead cells first, then free ones,
+  // then new ones. Cells left over become free. The complex may move its cells in memory.
   template <class Complex>
   void take_cells_of_star(Complex& complex)
   {
@@ -79,7 +79,7 @@ struct Conflict_zone
     number_of_cells = number_of_facets;
   }
 
-  // The cells were dug out by Explore_alone, and live again.
+  // Undoes the dig of a thread that is alone: the cells live again.
   template <class Complex>
   void revive(Complex& complex)
   {
@@ -89,8 +89,8 @@ struct Conflict_zone
     counts.cells_created -= number_of_facets;
   }
 
-  // After the dig: whether its cells are dead, and those around it not. These surround it as a
-  // sphere, whose edges belong to two facets each.
+  // Returns true after a dig if the zone's cells are dead and the cells around are not. Its facets
+  // make a sphere, in which every edge belongs to two, so their number is even.
   template <class Complex>
   bool is_dug(const Complex& complex) const
   {
@@ -103,7 +103,7 @@ struct Conflict_zone
     return number_of_cells > 0 && number_of_facets >= 4 && number_of_facets % 2 == 0;
   }
 
-  // After the fill: whether all its cells live, have vertex p, and lead to neighbours that lead
+  // Returns true after a fill if all cells live, have vertex p, and lead to neighbours that lead
   // back.
   template <class Complex>
   bool is_star(const Complex& complex, Id p) const
@@ -133,32 +133,32 @@ private:
   std::size_t m_room = 0;
 };
 
-// One step of the search for the conflict zone (Choi 2002, Fig. 1, line 2c): the neighbours of a
-// cell in conflict that are in conflict too join the zone, the facets towards the others join its
-// boundary.
+// A step of the search for the conflict zone (Choi 2002, Fig. 1, line 2c) looks at the neighbours
+// of a cell in conflict: those also in conflict join the zone, and the facets towards the others
+// join its boundary.
 //
-// Which it is cannot be predicted, so there are no branches: what is found is written behind the
-// end, and the end moves on or not.
+// Branches could not be predicted, so there are none: each neighbour and facet is written behind
+// the end, and the end moves on or not.
 
-// Where the next cell in conflict and the next facet of the boundary are written. There is room for
-// four more of either.
+// Points to where the next cell in conflict and the next facet of the boundary are written. There
+// is room for four more of either.
 struct Zone_ends
 {
   Id* cell;
   Zone_facet* facet;
 };
 
-// A bit for each neighbour of a cell in conflict.
+// Has a bit for each neighbour of a cell in conflict.
 struct Neighborhood
 {
   unsigned open;      // not known to be in conflict before
-  unsigned inside;    // of these: in conflict
-  unsigned undecided; // of these: the filter cannot tell
+  unsigned inside;    // open, and in conflict
+  unsigned undecided; // open, but the filter cannot tell
 
-  unsigned bounding() const { return open & ~inside; } // when all is decided
+  unsigned bounding() const { return open & ~inside; } // valid when all is decided
 };
 
-// By the signs of the filter, which was asked about those `filtered`.
+// Combines the signs of the filter, which was asked about the neighbours `filtered`.
 CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Neighborhood neighborhood(unsigned open,
                                                                      unsigned filtered,
                                                                      const Sphere_signs& signs)
@@ -167,8 +167,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Neighborhood neighborhood(unsigned op
   return {open, signs.inside & filtered, open & ~decided};
 }
 
-// Scalar code for any machine and any Id, where no other thread writes: cells are read where they
-// are, and marked as dead when they join the zone.
+// Reads cells where they are, since no other thread writes. Cells that join the zone become dead.
 struct Explore_alone
 {
   static void mark(Compact_cell* cells, Id c) { cells[c].v[0] |= Compact_numbers::dead; }
@@ -182,9 +181,10 @@ struct Explore_alone
   static constexpr bool is_torn() { return false; }
 };
 
+// Explores in scalar code, for any machine.
 struct Explore_neighbors : Explore_alone
 {
-  // What is known of the cell's neighbours. Infinite cells are left undecided.
+  // Tests the cell's neighbours. Infinite cells are left undecided.
   template <class Vertex>
   static Neighborhood around(const Compact_cell* cells, const Vertex* vertices,
                              const Compact_cell& cell, const double* p)
@@ -207,7 +207,7 @@ struct Explore_neighbors : Explore_alone
     return neighborhood(open, filtered, signs);
   }
 
-  // Writes down the neighbours inside, and the facets that bound.
+  // Writes down the neighbours in conflict, which become dead, and the facets of the boundary.
   static Zone_ends note(Compact_cell* cells, const Compact_cell& cell, const Neighborhood& around,
                         Zone_ends ends)
   {
@@ -230,7 +230,7 @@ struct Explore_neighbors : Explore_alone
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-// Explore_neighbors in vectors.
+// The following does the same as Explore_neighbors, in vectors.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
@@ -241,7 +241,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// With the cells themselves, and their first vertices.
+// Also has the neighbours themselves, and their first vertices.
 struct Wide_neighborhood : Neighborhood
 {
   Compact_cell* cells[4];
@@ -253,7 +253,7 @@ struct Wide_explore_neighbors : Explore_alone
   using Numbers = Compact_numbers;
   using Cell = Compact_cell;
 
-  // Infinite cells are left undecided: their vertex is far.
+  // Leaves infinite cells undecided, because their infinite vertex is far away.
   template <class Vertex>
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Wide_neighborhood
   around(Cell* cells, const Vertex* vertices, const Cell& cell, const double* p)
@@ -303,13 +303,13 @@ struct Wide_explore_neighbors : Explore_alone
     _mm_storeu_si128(static_cast<__m128i*>(four_ids), v);
   }
 
-  // Those of four ids that `wanted` names, to the front.
+  // Moves the ids that `wanted` names, out of four, to the front.
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static __m128i pack(__m128i ids, unsigned wanted)
   {
     return _mm_shuffle_epi8(ids, load(of_masks[wanted].packed));
   }
 
-  // Vertices and links of a cell.
+  // Loads eight words, such as the vertices and neighbours of a cell.
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Eight_words load_eight(const Id* words)
   {
     Eight_words v;
@@ -317,7 +317,7 @@ struct Wide_explore_neighbors : Explore_alone
     return v;
   }
 
-  // The facets `bounding` of a cell. Returns where the next one goes.
+  // Writes the facets `bounding` of a cell. Returns where the next one goes.
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Zone_facet*
   write_facets(Zone_facet* to, unsigned bounding, Eight_words cell)
   {
@@ -329,12 +329,12 @@ struct Wide_explore_neighbors : Explore_alone
   }
 
 private:
-  // What to do with the neighbours of the bits of a mask.
+  // Says how to treat the neighbours whose bits a mask has.
   struct Of_mask
   {
-    Id packed[4];    // moves their ids to the front, and 0 behind them
+    Id packed[4];    // moves their ids to the front, and puts 0 behind them
     Id dead[4];      // marks their first vertices
-    Id facets[2][8]; // which words of the cell the facets towards them are, one after the other
+    Id facets[2][8]; // selects the words of the cell that make the facets towards them
   };
 
   static constexpr Of_mask of_mask(unsigned mask)
@@ -361,7 +361,6 @@ inline constexpr Wide_explore_neighbors::Of_mask Wide_explore_neighbors::of_mask
     of_mask(6),  of_mask(7),  of_mask(8),  of_mask(9), of_mask(10), of_mask(11),
     of_mask(12), of_mask(13), of_mask(14), of_mask(15)};
 
-// The widest search for these ids, where the machine has vectors.
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace core
 } // namespace Delaunay_from_surface_3
@@ -374,13 +373,13 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Explore: how cells are read and their neighbours looked at, scalar or in vectors, and beside
-// others who write (Explore_announced.h) or alone.
+// Explore says how cells are read and their neighbours tested: in scalar code or in vectors, alone
+// or beside others that write (Explore_announced.h).
 template <class Explore>
 struct Dig_conflict_zone
 {
-  // Fills the zone of point p from the cell `first`, which is in conflict with it. Returns whether
-  // that succeeded: alone it does.
+  // Digs the zone of vertex p from the cell `first`, which is in conflict with it. Returns false if
+  // another thread was in the way.
   template <class Vertex, class Predicates, class Zone>
   bool operator()(Compact_complex<Vertex>& complex, Predicates& predicates, Zone& zone, Id p,
                   Id first, Explore explore = Explore()) const
@@ -416,8 +415,9 @@ private:
     zone.make_room(2 * zone.room());
   }
 
-  // Tests the neighbours of a cell in conflict. The ends are kept in the zone: in registers, around
-  // a loop that holds all of this, one thread gains a little, and two lose more.
+  // Tests the neighbours of a cell in conflict. The ends are kept in the zone: if they are in
+  // registers, in a loop that has all of this inlined, one thread gains a little, but two lose
+  // more.
   template <class Vertex, class Predicates, class Zone>
   static void look_around(Compact_complex<Vertex>& complex, Predicates& predicates, Zone& zone,
                           Id p, const Compact_cell& cell, Explore& explore)
@@ -433,7 +433,7 @@ private:
     zone.number_of_facets = std::size_t(ends.facet - zone.facets.data());
   }
 
-  // Of the neighbours that the filter left undecided, those in conflict.
+  // Returns which of the undecided neighbours are in conflict.
   template <class Vertex, class Predicates>
   CGAL_DELAUNAY_FROM_SURFACE_3_APART static unsigned
   undecided_conflicts(const Compact_complex<Vertex>& complex, Predicates& predicates,

@@ -5,14 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_FILL_STAR_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_FILL_STAR_H
 
-// Choi 2002, Fig. 1, line 2c, second half: fills the conflict zone with the star of the new vertex,
-// one cell for each facet of the zone's boundary (Bowyer 1981; Watson 1981).
+// Fills the conflict zone with the star of the new vertex, the second half of Choi 2002, Fig. 1,
+// line 2c: makes one cell for each facet of the zone's boundary (Bowyer 1981; Watson 1981).
 //
-// Two new cells are neighbours if their facets share an edge. Each facet writes its links to a
-// table under its three directed edges; the neighbour across an edge stands under its reverse. The
-// boundary is a sphere of B facets, so it has B/2 + 2 vertices; they are labelled 0, 1, … on the
-// way. The table is small, never cleared, and stays in the cache: the idea is HXT's (Marot,
-// Pellerin, Remacle 2019). Large zones sort their edges instead.
+// Two new cells are neighbours if their facets share an edge. Each new cell is written to a table
+// under the three directed edges of its facet; its neighbour across an edge stands under the
+// reverse edge. The boundary is a sphere of B facets, so it has B/2 + 2 vertices, which are
+// labelled 0, 1, … as they are met. The table is small, is never cleared, and stays in the cache,
+// an idea of HXT (Marot, Pellerin, Remacle 2019). Large zones sort their edges instead.
 //
 // Cost: O(B).
 
@@ -40,7 +40,7 @@ struct Write_alone
   using Cell = Compact_cell;
   using Label = decltype(Vertex::label);
 
-  // What is left from earlier zones; 0 at first.
+  // Returns the label that an earlier zone has left, 0 at first.
   static Label& label(Vertex* vertices, Id v) { return vertices[v].label; }
   static void forget_labels(Compact_complex<Vertex>& complex)
   {
@@ -48,7 +48,7 @@ struct Write_alone
       complex.vertex(v).label = 0;
   }
 
-  // The cell of p and the facet, all but its links at p.
+  // Writes the cell of p and the facet, except for its neighbours across the facets at p.
   static void open(Cell& cell, Id p, const Zone_facet& facet)
   {
     static_assert(sizeof(cell.v) == sizeof(facet), "a facet is a cell without its first vertex");
@@ -68,7 +68,7 @@ struct Write_alone
   static void close(Cell&, Id) {} // the cell is complete
 };
 
-// Write: how what is shared is written, alone or beside others who read (Explore_announced.h).
+// Write says how shared data are written, alone or beside others that read (Explore_announced.h).
 template <class Vertex, class Write = Write_alone<Vertex>>
 class Fill_star
 {
@@ -78,17 +78,17 @@ class Fill_star
 
 public:
   static constexpr std::size_t small_side = 32, side = 64;
-  // The largest number of facets with at most `side` vertices.
+  // A sphere with `side` vertices has this many facets.
   static constexpr std::size_t max_table_facets = 2 * side - 4;
 
   explicit Fill_star(Write write = Write())
-    : m_table(new Id[side * side]) // what is read of it was written for the same star
+    : m_table(new Id[side * side]) // entries that are read were written for the same star
     , m_write(std::move(write))
   {
   }
 
-  // Makes the star of p of the zone's facets, whose corners become labels. The zone's cells are
-  // then those of the star.
+  // Makes the star of p from the zone's facets, whose corners are replaced by labels. The zone then
+  // has the cells of the star.
   void operator()(Complex& complex, Zone& zone, Id p)
   {
     zone.take_cells_of_star(complex);
@@ -133,8 +133,8 @@ private:
     }
   }
 
-  // Vertices and outer links of the cells. Corners are replaced by their labels. `then` is given
-  // these and the cell.
+  // Writes the vertices of the cells and their neighbours outside, and replaces corners by their
+  // labels. Calls `then` with the labels and the cell.
   template <class Then>
   void make_cells(Complex& complex, Zone& zone, Id p, const Then& then)
   {
@@ -145,7 +145,7 @@ private:
     Zone_facet* const facets = zone.facets.data();
     const Id* const of_star = zone.cells.data();
     for (std::size_t i = 0, n = zone.number_of_facets; i < n; ++i) {
-      const Zone_facet f = facets[i]; // a copy: what is written might be it
+      const Zone_facet f = facets[i]; // a copy, which no store can change
       const Id c = of_star[i];
       m_write.open(cells[c], p, facets[i]);
       m_write.set_outer_link(Complex::cell_of_link(cells, f.outside).links[f.outside & 3],
@@ -160,9 +160,9 @@ private:
     m_base = Label(base + count);
   }
 
-  // Labels 0, 1, … are kept as m_base + 0, m_base + 1, …: what is left from earlier zones is less
-  // than m_base, and so beyond every label after the subtraction. No branch: it would not be
-  // predicted.
+  // Labels 0, 1, … are kept as base + 0, base + 1, …. What is left from earlier zones is less than
+  // base, so the subtraction makes it larger than every label. There is no branch, which could not
+  // be predicted.
   static Label label(Label& kept, Label base, Label& count)
   {
     const Label old = Label(kept - base), l = old < count ? old : count;
@@ -177,7 +177,7 @@ private:
     m_base = 1;
   }
 
-  // Edges in lexicographic order, by counting: the two cells at an edge then come one after the
+  // Sorts the edges lexicographically, by counting, so that the two cells at an edge follow each
   // other.
   void link_by_sorting(Complex& complex, const Zone& zone, std::size_t number_of_labels)
   {
@@ -197,13 +197,14 @@ private:
     }
   }
 
-  // Of the star's boundary: its ends, as labels, and the facet of a new cell that contains it.
+  // Describes an edge of the zone's boundary: its ends, as labels, and the facet of a new cell that
+  // contains it, encoded as a neighbour.
   struct Edge
   {
     Id lower, upper, link;
   };
 
-  // Stable.
+  // Sorts the edges by one of their ends, stably.
   void sort_edges(Id Edge::*end, std::size_t number_of_labels)
   {
     m_first.assign(number_of_labels + 1, 0);

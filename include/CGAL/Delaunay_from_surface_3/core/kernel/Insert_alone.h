@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERT_ALONE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERT_ALONE_H
 
-// One piece of a round of Choi 2002, Fig. 1, lines 2b and 2c, by the thread that calls it.
+// Inserts a chunk of a round of Choi 2002, Fig. 1, lines 2b and 2c, in the thread that calls it.
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
@@ -41,11 +41,11 @@ public:
   {
   }
 
-  // How many points the next piece should have.
+  // Returns how many points the next chunk should have.
   static constexpr std::size_t size_of_piece(std::size_t /* inserted */) { return 256; }
   static constexpr std::size_t number_of_threads() { return 1; }
 
-  // Inserts the points at the places first, …, last - 1; false if the observer stopped it.
+  // Inserts the points at the places first, …, last - 1; returns false if the observer stopped it.
   bool operator()(std::size_t first, std::size_t last)
   {
     if (!m_observer.go_further(first))
@@ -53,13 +53,13 @@ public:
     for (std::size_t k = first; k < last; ++k) {
       const Id p = Complex::vertex_of_point(k);
       Id& vertex = m_points.vertices[k];
-      if (vertex != p) { // it is none of the first four
+      if (vertex != p) { // it is not one of the first four
         begin(Phase::LOCATION);
         const Id start = m_starting_cells.start(k);
         CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(!Complex::is_dead(m_points.complex.cell(start)));
         const auto location = m_inserter.walk(p, start, Read_alone()); // 2b
         begin(Phase::UPDATE);
-        vertex = location.vertex; // that of an equal point, if there is one
+        vertex = location.vertex; // the vertex of an equal point, if there is one
         if (vertex == 0) {        // 2c
           m_inserter.dig(p, location.cell);
           CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(m_inserter.zone.is_dug(m_points.complex));
@@ -74,7 +74,7 @@ public:
     return true;
   }
 
-  // To be called when all is inserted.
+  // To be called when all points are inserted.
   void finish() {}
 
   const Insertion_counts& counts() const { return m_inserter.zone.counts; }

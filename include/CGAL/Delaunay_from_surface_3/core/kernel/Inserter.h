@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERTER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_INSERTER_H
 
-// Insertion (Bowyer 1981; Watson 1981) on numbered cells: walk to a conflict, dig the conflict
-// zone, fill the star (Choi 2002, Fig. 1, lines 2b and 2c). Each of the three has a header of its
-// own; this composes them, for a thread that is alone and for one that announces what it does
+// An insertion (Bowyer 1981; Watson 1981) on numbered cells walks to a conflict, digs the conflict
+// zone, and fills the star (Choi 2002, Fig. 1, lines 2b and 2c). Each of the three has a header of
+// its own; this one composes them, for a thread that is alone and for one that announces its zones
 // (threads/Insertion_worker.h).
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
@@ -26,7 +26,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// How a thread that is alone looks at cells, and writes them.
+// Says how a thread that is alone looks at cells, and how it writes them.
 template <class Vertex_>
 struct Alone_with_complex
 {
@@ -49,7 +49,7 @@ struct Alone_with_complex
   }
 };
 
-// Access: how cells are looked at and written.
+// Access says how cells are looked at and written.
 template <class Access>
 class Inserter
 {
@@ -57,7 +57,7 @@ class Inserter
   using Complex = Compact_complex<Vertex>;
 
 public:
-  // Into `complex`, which has started. Keeps a reference.
+  // Inserts into `complex`, which must have started. Keeps a reference.
   explicit Inserter(Complex& complex, const Access& access = Access())
     : m_complex(complex)
     , m_access(access)
@@ -66,7 +66,7 @@ public:
   }
   Inserter(const Inserter&) = delete;
 
-  // Where vertex p, in no cell yet, goes, from cell `start`.
+  // Walks from the cell `start` to the place of vertex p, which is in no cell yet.
   template <class Read>
   Compact_location walk(Id p, Id start, Read&& read)
   {
@@ -79,7 +79,7 @@ public:
                                                    std::forward<Read>(read));
   }
 
-  // Digs the zone of p, from a cell in conflict with it; false if another thread was in the way.
+  // Digs the zone of p from a cell in conflict; returns false if another thread was in the way.
   bool dig(Id p, Id cell)
   {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
@@ -89,7 +89,7 @@ public:
     return dig<typename Access::Explore>(p, cell);
   }
 
-  // Whether all that the dig read still holds.
+  // Returns true if all that the dig read still holds.
   bool is_zone_still_true()
   {
     return with_explorer([&](const auto& explorer) {
@@ -97,13 +97,13 @@ public:
     });
   }
 
-  // The star of p takes the zone's place.
+  // Replaces the zone by the star of p.
   void fill(Id p)
   {
     m_fill_star(m_complex, zone, p);
   }
 
-  typename Access::Zone zone; // of the vertex dug for last
+  typename Access::Zone zone; // the zone that was dug last
 
 private:
   template <class Explorer>

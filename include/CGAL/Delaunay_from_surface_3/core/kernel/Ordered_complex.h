@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_ORDERED_COMPLEX_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_ORDERED_COMPLEX_H
 
-// A complex whose vertices come in a given order, and its first four points.
+// Makes a complex whose vertices come in a given order, and starts it with four points.
 //
-// One vertex, one number: the point at place k of the order is vertex k + 1.
+// The point at place k of the order is vertex k + 1.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
@@ -34,15 +34,15 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Points none of which lies in the span of those before it: the first d + 1 of `points`, where d is
-// the dimension of all; four are positively oriented.
+// Holds affinely independent points: the first d + 1 of `points`, where d is the dimension of all
+// points. Four are positively oriented.
 struct Starting_simplex
 {
   std::array<std::size_t, 4> points;
-  int dimension; // -1: there are no points
+  int dimension; // -1 if there are no points
 };
 
-// Whether four points lie in a plane across an axis, as most do that lie in one plane.
+// Returns true if four points lie in a plane orthogonal to an axis, as coplanar points mostly do.
 inline bool share_a_coordinate(const double* a, const double* b, const double* c, const double* d)
 {
   for (int i = 0; i < 3; ++i)
@@ -51,8 +51,8 @@ inline bool share_a_coordinate(const double* a, const double* b, const double* c
   return false;
 }
 
-// The first such points among n; `point(i)` gives the coordinates of the i-th. Exact; O(n) at
-// worst, a few tests as a rule.
+// Returns the first such points among n, where point(i) returns the coordinates of the i-th. It is
+// exact. Cost: O(n) at worst, a few tests as a rule.
 template <class PointOf>
 Starting_simplex starting_simplex(std::size_t n, const PointOf& point)
 {
@@ -74,8 +74,8 @@ Starting_simplex starting_simplex(std::size_t n, const PointOf& point)
   return {{0, b, c, 0}, n == 0 ? -1 : int(b < n) + int(c < n)};
 }
 
-// Starts a complex with such points, and notes them in vertex_of, by point. Returns one of these
-// vertices; 0 if the points lie in one plane.
+// Starts a complex with such points, and notes their vertices in vertex_of. Returns one of the
+// vertices, or 0 if the points lie in one plane.
 template <class Vertex>
 Id start_complex(const Starting_simplex& simplex, Compact_complex<Vertex>& complex,
                  std::vector<Id>& vertex_of)
@@ -93,18 +93,18 @@ Id start_complex(const Starting_simplex& simplex, Compact_complex<Vertex>& compl
   return v[0];
 }
 
-// A point off the plane of a, b and c, which are not collinear: a, moved by about the size of the
-// triangle, along the axis to which the plane seems most nearly orthogonal.
+// Returns a point off the plane of a, b and c, which must not be collinear: a, moved by about the
+// size of the triangle along the axis to which the plane seems most nearly orthogonal.
 inline std::array<double, 3> apex_of_plane(const double* a, const double* b, const double* c)
 {
-  std::array<double, 3> areas; // across the axes, rounded: any that is not 0 exactly will do
+  std::array<double, 3> areas; // seen along each axis, rounded: any but exactly 0 will do
   double size = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t s = (k + 1) % 3, t = (k + 2) % 3;
     const double p[3] = {a[s], a[t], 0}, q[3] = {b[s], b[t], 0}, r[3] = {c[s], c[t], 0};
     const Row<double> u = row(q, p), v = row(r, p);
     const double area = std::abs(u.x * v.y - u.y * v.x);
-    areas[k] = are_collinear(p, q, r) ? -1 : area >= 0 ? area : 0; // NaN if it overflows
+    areas[k] = are_collinear(p, q, r) ? -1 : area >= 0 ? area : 0; // it is NaN on overflow
     size = (std::max)({size, std::abs(b[k] / 2 - a[k] / 2), std::abs(c[k] / 2 - a[k] / 2)});
   }
   std::array<double, 3> apex = {a[0], a[1], a[2]};
@@ -114,16 +114,14 @@ inline std::array<double, 3> apex_of_plane(const double* a, const double* b, con
   return apex;
 }
 
-// Choi 2002, Fig. 1, line 2b: where the walk to a point starts. The order names a point for it, which
-// is near; or it is the point inserted before.
-
-// Each of many threads has a copy, and follows the points that it inserted itself.
+// Says where the walk to a point starts (Choi 2002, Fig. 1, line 2b): at a near point that the
+// order names, or else at the point inserted before. Each worker has a copy, for its own points.
 template <class Vertex>
 class Starting_cells
 {
 public:
-  // `places`: as Order_view::starting_places. vertex_of: by place, 0 if there is none yet. Keeps
-  // references to all. `vertex` is any that is there.
+  // `places` is Order_view::starting_places. `vertex_of` has the vertex of each place, 0 until it
+  // is inserted. `vertex` is any vertex of the complex. Keeps references to the first three.
   Starting_cells(const Compact_complex<Vertex>& complex, const std::vector<Id>& vertex_of,
                  const std::size_t* places, Id vertex)
     : m_complex(complex)
@@ -133,14 +131,14 @@ public:
   {
   }
 
-  // A cell of the vertex of the point that the order names for that at place i.
+  // Returns a cell of the vertex at which the walk to the point at place i starts.
   Id start(std::size_t i) const
   {
     if (i == 0 || m_places == nullptr)
       return cell(m_previous);
     std::size_t place = m_places[i];
     Id v = load_relaxed(m_vertex_of[place]);
-    while (v == 0 && place != 0) // with many threads: not inserted yet
+    while (v == 0 && place != 0) // another worker has not inserted it yet
       v = load_relaxed(m_vertex_of[place = m_places[place]]);
     return cell(v == 0 ? m_previous : v);
   }
@@ -156,14 +154,14 @@ private:
   Id m_previous;
 };
 
-// The power of 2 that makes the largest coordinate in absolute value at least 2^57 and less than
-// 2^58, as near as the range of numbers allows: as large as it can be for differences to be less
-// than 2^59 (Fixed_integer.h, balanced_signs.h), so that few cells are so small that products
-// of their coordinates underflow. Linear.
+// Scales by the power of 2 that brings the largest absolute coordinate into [2^57, 2^58), or as
+// near as the range of doubles allows. Differences are then less than 2^59 (Fixed_integer.h,
+// balanced_signs.h), and as large as that allows, so that few cells are so small that products of
+// their coordinates underflow. Cost: linear.
 class Power_of_scale
 {
 public:
-  // Of the points, and one more if there is one.
+  // Chooses the power for the points and, unless it is null, one more point.
   Power_of_scale(const Point_array& points, const double* one_more)
   {
     if (obstacle_of_compiler() != nullptr)
@@ -175,7 +173,7 @@ public:
     choose();
   }
 
-  // Of points whose coordinates are at most `largest` in absolute value, and 0 or at least `least`.
+  // Chooses the power for coordinates whose absolute values are 0 or from `least` to `largest`.
   Power_of_scale(double largest, double least)
     : m_largest(largest)
     , m_least(least)
@@ -184,7 +182,7 @@ public:
       choose();
   }
 
-  // No coordinate becomes so small that it is rounded; one that is made larger never does.
+  // Returns true if no coordinate is rounded, as only coordinates that become smaller can be.
   bool is_exact() const { return m_is_exact; }
 
   std::array<double, 3> operator()(const double* p) const
@@ -192,7 +190,7 @@ public:
     return {p[0] * m_factor, p[1] * m_factor, p[2] * m_factor};
   }
 
-  // What was scaled, if that is exact: the inverse of the power is one, too.
+  // Returns the point that was scaled to p, if that is exact.
   std::array<double, 3> before(const double* p) const
   {
     return {p[0] / m_factor, p[1] / m_factor, p[2] / m_factor};
@@ -217,11 +215,11 @@ private:
   }
 
   double m_largest = 0, m_least = (std::numeric_limits<double>::max)();
-  double m_factor = 0; // if doubles cannot be trusted: then no filter decides anything
+  double m_factor = 0; // 0 if doubles cannot be trusted, so that no filter decides anything
   bool m_is_exact = false;
 };
 
-// What build() makes, as the core sees it.
+// Holds the complex that build() makes, as the core sees it.
 template <class Vertex>
 class Ordered_complex final : public Built
 {
@@ -233,8 +231,8 @@ public:
     order = view_of(m_order);
   }
 
-  // Makes the complex of the points in the order; if there is an apex, of that one too, at the place
-  // behind the last. Four of them that do not lie in one plane are inserted.
+  // Makes the complex of the points in the order and, unless it is null, of an apex in the place after
+  // the last. Inserts the first four that do not lie in one plane.
   void start(const Point_array& points, const double* apex, const Executor& executor = Alone(),
              std::size_t most_cells = Compact_numbers::max_cells)
   {
@@ -263,7 +261,7 @@ public:
     show();
   }
 
-  // To be called when cells have come.
+  // To be called after the complex has changed.
   void show()
   {
     vertex_of = vertices.data();
@@ -291,11 +289,11 @@ public:
   }
 
   Compact_complex<Vertex> complex;
-  std::vector<Id> vertices; // by place: 0 as long as there is none
+  std::vector<Id> vertices; // by place, 0 until the point is inserted
 
 private:
   Insertion_order m_order;
-  Id m_any_vertex = 0; // of the complex
+  Id m_any_vertex = 0; // any vertex of the complex
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

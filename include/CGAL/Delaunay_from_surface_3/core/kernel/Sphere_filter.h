@@ -5,20 +5,20 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_SPHERE_FILTER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_SPHERE_FILTER_H
 
-// The first stage of the predicates: the determinants in double, with one bound on their error.
+// The first stage of the predicates evaluates determinants in double, with a bound on their error.
 //
 // A determinant of four rows is a sum of 24 products x y z w; each goes through at most 17
 // roundings, 3 + 5 of them in its factors. By the inequality of Hadamard type for permanents
 // (Carlen, Lieb, Loss 2006) the products that share w sum up to at most 2/√3 m^(3/2) in absolute
-// value where m bounds all w; so the error is at most 4 · 2/√3 · 17 u m^(5/2) < 80 u m^(5/2) with u
-// = 2^-53. In the same way it is less than 16 u m^(3/2) for three rows (x, y, z). Contraction to
-// fma only removes roundings. These constants, and those of the other filters, are proved by machine
-// in test/Delaunay_from_surface_3/bounds.
+// value, where m bounds all w, so the error is at most 4 · 2/√3 · 17 u m^(5/2) < 80 u m^(5/2) with
+// u = 2^-53. In the same way, it is less than 16 u m^(3/2) for three rows (x, y, z). Contraction to
+// fma only removes roundings. These constants, and the ones of the other filters, are proved by
+// machine in test/Delaunay_from_surface_3/bounds.
 //
-// Coordinates are at most 2^58 in absolute value (the caller scales them by a power of 2). Hence
-// nothing overflows. What underflows, 2^-1075 each time and less than 2^7 times, meets at most
-// three coordinates as factors: it changes a result by less than `tiny` where m is at most 1, and
-// by less than 2^-900 u m^(5/2), or u m^(3/2), where it is not.
+// Coordinates are at most 2^58 in absolute value (the caller scales them by a power of 2), so
+// nothing overflows. There are less than 2^7 underflows, of at most 2^-1075 each, which meet at
+// most three coordinates as factors. They change a result by less than `tiny` if m is at most 1,
+// and otherwise by less than 2^-900 u m^(5/2), or u m^(3/2).
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/vectors.h>
@@ -33,7 +33,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// 2^(biased_exponent - 1023), between 1 and 2046.
+// Returns 2^(biased_exponent - 1023), for a biased exponent between 1 and 2046.
 inline double power_of_2(std::uint64_t biased_exponent)
 {
   const std::uint64_t bits = biased_exponent << 52;
@@ -42,8 +42,8 @@ inline double power_of_2(std::uint64_t biased_exponent)
   return power;
 }
 
-// The biased exponent e of a number that is not negative: the number is less than 2^(e - 1022) and,
-// if e is not 0, at least half of that.
+// Returns the biased exponent e of a number that is not negative. The number is less than 2^(e -
+// 1022) and, if e is not 0, at least half of that.
 inline std::uint64_t biased_exponent(double number)
 {
   std::uint64_t bits;
@@ -51,7 +51,7 @@ inline std::uint64_t biased_exponent(double number)
   return bits >> 52;
 }
 
-// The determinants of the predicates, over any type of numbers; all stages evaluate these.
+// All stages of the predicates evaluate these determinants, over any type of numbers.
 //
 // Rows are vertices relative to the new point p, lifted to the paraboloid: (x, y, z) = v - p and
 // w = x² + y² + z². Signs mean the same in all stages:
@@ -59,18 +59,18 @@ inline std::uint64_t biased_exponent(double number)
 //   facet    positive: p is on the inner side of a cell's facet;
 //   beyond   positive: p is beyond the finite facet of an infinite cell, or in its plane and inside
 //            its circle;
-//   0        not decided, or on it where the stage is exact.
+//   0        undecided, or, if the stage is exact, p is on it.
 // A cell (v0, v1, v2, v3) is positively oriented if (v1 - v0, v2 - v0, v3 - v0) is right-handed; in
 // an infinite cell the infinite vertex v3 stands for a point beyond the facet.
 
-// Before loops over the few numbers of a test, which the compiler is to unroll.
+// This stands before loops over the few numbers of a test, which the compiler shall unroll.
 #if defined(__clang__)
 #define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("unroll")
 #else
 #define CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL _Pragma("GCC unroll 16")
 #endif
 
-// Makes an ordinary number of a finished sum. Most are; those of Fixed_integer.h are not.
+// Turns a finished sum into a number. Only the sums of Fixed_integer.h are not numbers already.
 template <class Number>
 CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Number carried(const Number& sum)
 {
@@ -97,7 +97,7 @@ struct Row
   }
 };
 
-// |a b| in the columns x and y.
+// Returns |a b| in the columns x and y.
 template <class Number>
 CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Product_of<Number> minor_of(const Row<Number>& a,
                                                                        const Row<Number>& b)
@@ -105,7 +105,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Product_of<Number> minor_of(const Row
   return carried(a.x * b.y - a.y * b.x);
 }
 
-// |a b c| in the columns x, y, z: positive if the cell (p, a, b, c) is. Not carried.
+// Returns |a b c|, not carried, in the columns x, y, z: positive if the cell (p, a, b, c) is.
 template <class Number>
 CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE auto
 determinant_of(const Row<Number>& a, const Row<Number>& b, const Row<Number>& c)
@@ -113,9 +113,10 @@ determinant_of(const Row<Number>& a, const Row<Number>& b, const Row<Number>& c)
   return a.z * minor_of(b, c) + b.z * minor_of(c, a) + c.z * minor_of(a, b);
 }
 
-// The determinant of four rows, positive if p is inside the sphere of the cell, as the sum of each
-// w times these. That of a vertex is the orientation of the cell with p in the vertex's place:
-// positive if p is on the inner side of the facet opposite to it.
+// Holds the cofactors of w in the determinant of four rows, which is the sum of each w times its
+// cofactor, and is positive if p is inside the sphere of the cell. The cofactor of a vertex is the
+// orientation of the cell with p in the vertex's place: it is positive if p is on the inner side of
+// the opposite facet.
 template <class Number>
 struct Sphere_cofactors
 {
@@ -142,9 +143,10 @@ struct Sphere_cofactors
   }
 };
 
-// The same for three rows in one plane with p. There w is an affine function of any two coordinates
-// in which the triangle has an area; the sum of each w times these has the sign of that area if p
-// is inside the circle. They add up to the area.
+// Does the same for three rows in one plane with p, by two coordinates s and t in which the
+// triangle has an area. The sum of each w times its cofactor has the sign of that area if p is
+// inside the circle; if p is on it, w is a linear function of s and t, and the sum is 0. The
+// cofactors add up to the area.
 template <class Number> // clang-tidy sees the counters of copied arrays: NOLINTNEXTLINE
 struct Circle_cofactors
 {
@@ -169,20 +171,20 @@ struct Circle_cofactors
   }
 };
 
-// Another bound on the error of the determinants: by columns. It is the
-// smaller one where a coordinate differs much less than another: sheets that are nearly flat and
-// parallel to two axes, wires along one.
+// There is another bound on the error of the determinants, by columns. It is the smaller one if a
+// coordinate varies much less than another, as in sheets that are nearly flat and parallel to two
+// axes, and in wires along one.
 //
-// A determinant of 4 rows is a sum of 24 products x y z w of at most 17 roundings each (see
-// above). Let X, Y, Z, W be the largest of the columns in absolute value, as computed:
-// with 3 + 5 roundings. Then the error is at most 24 ((1 + u)^17 - 1) (1 - u)^-8 X Y Z W < 409 u X
-// Y Z W; the bound has 4 roundings of its own: 450 u X Y Z W is on the safe side. Of 3 rows it is 6
-// products of at most 8 roundings: less than 55 u X Y Z.
+// A determinant of 4 rows is a sum of 24 products x y z w of at most 17 roundings each (see above).
+// Let X, Y, Z, W be the largest numbers of the columns in absolute value, as computed, with 3 + 5
+// roundings. Then the error is at most 24 ((1 + u)^17 - 1) (1 - u)^-8 X Y Z W < 409 u X Y Z W. The
+// bound has 4 roundings of its own, so 450 u X Y Z W is on the safe side. A determinant of 3 rows
+// has 6 products of at most 8 roundings, and an error of less than 55 u X Y Z.
 //
 // Coordinates are at most 2^58 in absolute value, so differences are at most 2^59 and w at most 3
-// 2^118. What underflows, 2^-1075 each time and less than 2^7 times, meets factors of less than
-// 2^181: less than `tiny` altogether. Where coordinates themselves were rounded, by at most 2^-1075
-// (Compact_complex.h), that is nothing beside columns of at least `least`.
+// 2^118. There are less than 2^7 underflows, of at most 2^-1075 each, which meet factors of less
+// than 2^181: they amount to less than `tiny`. If coordinates themselves were rounded, by at most
+// 2^-1075 (Compact_complex.h), that is negligible beside columns of at least `least`.
 
 constexpr double unit_of_double = 1. / 9007199254740992.; // 2^-53
 
@@ -200,8 +202,7 @@ struct Column_sizes
     (add(rows), ...);
   }
 
-  // Whether the box with these edges is so flat that these bounds decide much that the others do
-  // not.
+  // Returns true if the box with these edges is so flat that these bounds decide much more.
   bool are_flat() const
   {
     const double m = (std::max)((std::max)(x, y), z);
@@ -209,14 +210,14 @@ struct Column_sizes
   }
 
   void add(const Row<double>& r) { add(std::abs(r.x), std::abs(r.y), std::abs(r.z)); }
-  void add(double dx, double dy, double dz) // none negative
+  void add(double dx, double dy, double dz) // each at least 0
   {
     x = (std::max)(x, dx);
     y = (std::max)(y, dy);
     z = (std::max)(z, dz);
   }
 
-  // w: at least the largest in that column.
+  // `w` must be at least the largest number in that column.
   double bound_of_four(double w) const
   {
     return four * unit_of_double * ((x * y) * (z * w)) + tiny;
@@ -237,7 +238,7 @@ inline Row<double> row(const double* v, const double* p)
   return {v[0] - p[0], v[1] - p[1], v[2] - p[2]};
 }
 
-// -1, 0 or 1; 0: not decided.
+// Returns the sign of a number whose error is at most `bound`, or 0 if that leaves it undecided.
 inline int certified_sign(double value, double bound)
 {
   return (value > bound) - (value < -bound);
@@ -248,14 +249,14 @@ inline double largest_square(const Row<double>& a, const Row<double>& b, const R
   return (std::max)((std::max)(a.w, b.w), c.w);
 }
 
-// The test against an infinite cell (a, b, c, infinite).
+// Tests p against an infinite cell (a, b, c, infinite).
 inline int beyond_sign(const Row<double>& a, const Row<double>& b, const Row<double>& c)
 {
   return -certified_sign(determinant_of(a, b, c),
                          Filter_bounds::three_rows(largest_square(a, b, c)));
 }
 
-// The test against a positively oriented cell (a, b, c, d).
+// Tests p against a positively oriented cell (a, b, c, d).
 inline int sphere_sign(const Row<double>& a, const Row<double>& b, const Row<double>& c,
                        const Row<double>& d)
 {
@@ -263,7 +264,7 @@ inline int sphere_sign(const Row<double>& a, const Row<double>& b, const Row<dou
                         Filter_bounds::four_rows((std::max)(largest_square(a, b, c), d.w)));
 }
 
-// The same by the bound by columns (Column_sizes).
+// These make the same tests with the bound by columns (Column_sizes).
 CGAL_DELAUNAY_FROM_SURFACE_3_APART int sphere_sign_by_columns(const double* const* vertices,
                                                               const double* p)
 {
@@ -288,7 +289,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_APART int sign_by_columns(double value, double w, c
   return certified_sign(value, Column_sizes(a, b, c, d).bound_of_four(w));
 }
 
-// By both bounds, one after the other.
+// Tries both bounds, one after the other.
 inline int sphere_sign_by_either(const Row<double>& a, const Row<double>& b, const Row<double>& c,
                                  const Row<double>& d)
 {
@@ -298,28 +299,29 @@ inline int sphere_sign_by_either(const Row<double>& a, const Row<double>& b, con
   return sign != 0 || value == 0 ? sign : sign_by_columns(value, m, a, b, c, d);
 }
 
-// Four sphere tests at once: those of the neighbours of a cell. Bit i of `inside` says that p is
-// inside the sphere of the neighbour beyond facet i, of `outside` that it is outside.
+// Holds the results of four sphere tests, with the neighbours of a cell. Bit i of `inside` says
+// that p is inside the sphere of the neighbour beyond facet i, and bit i of `outside` that p is
+// outside.
 struct Sphere_signs
 {
   unsigned inside, outside;
 };
 
-// Where p is from a cell: in the sphere (sign), and beyond which facet.
+// Says where p is, seen from a cell: inside the sphere or outside, and beyond which facets.
 struct Cell_view
 {
-  int sphere;       // 1: inside, -1: outside, 0: not decided
-  double facets[4]; // > facet_bound: p is on the inner side; < -facet_bound: beyond
+  int sphere;       // 1 inside, -1 outside, 0 undecided
+  double facets[4]; // > facet_bound if p is on the inner side, < -facet_bound if beyond
   double facet_bound;
-  double pushes[4]; // the facets, times the fourth powers of the distances from the vertices to p
+  double pushes[4]; // `facets` times the fourth powers of the distances from the vertices to p
 };
 
-// Scalar code for any machine. Wide_sphere_filter has the same for vectors, by the first bound
-// alone: there the other one costs too much for what it decides.
+// Makes the tests in scalar code, for any machine. Wide_sphere_filter makes them in vectors, with
+// the first bound only: there the other one costs too much for what it decides.
 struct Sphere_filter
 {
-  // `vertices` of the cell, positively oriented; `opposite`: of each neighbour the vertex that the
-  // cell has not. The tests of the facets in `wanted` are made.
+  // `vertices` are the cell's, positively oriented. `opposite` has of each neighbour the vertex
+  // that is not the cell's. Only neighbours in `wanted` are tested.
   static Sphere_signs neighbors(const double* const* vertices, const double* const* opposite,
                                 const double* p, unsigned wanted)
   {
@@ -360,11 +362,12 @@ struct Sphere_filter
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-// The same in vectors of four doubles: one lane per facet of the cell. The other three
-// vertices of lane i are i^1, i^2 and i^3: an even permutation, and three cheap shuffles.
+// The following does the same in vectors of four doubles, with one lane per facet of the cell. The
+// other three vertices of lane i are i^1, i^2 and i^3, an even permutation that takes three cheap
+// shuffles.
 //
-// Only code marked with its target uses the wide instructions, so that the user need not compile
-// for them; the caller asks the machine first.
+// Only code marked with its target uses vector instructions, so that users need not compile for
+// them. The caller asks first whether the machine has them.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
@@ -373,7 +376,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A coordinate of the four rows, and the three permutations of it.
+// Holds a coordinate of the four rows, and its three permutations.
 struct Wide_column
 {
   Four_doubles v, a, b, c;
@@ -386,14 +389,14 @@ struct Wide_column
   }
 };
 
-// The largest absolute value of a lane.
+// Returns the largest absolute value of the lanes.
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS double largest_of(Four_doubles v)
 {
   const Four_doubles size = max_of(v, -v), two = max_of(size, lanes_of<2, 3, 0, 1>(size));
   return (std::max)(two[0], two[1]);
 }
 
-// (x, y, z) - p of four points, by coordinate, and the squared lengths.
+// Holds (x, y, z) - p of four points, by coordinate, and the squared lengths.
 struct Wide_rows
 {
   Four_doubles x, y, z, w;
@@ -411,7 +414,7 @@ struct Wide_rows
   }
 };
 
-// The minors of two columns, and what a third makes of them.
+// Holds the minors of two columns, which times() expands by a third column.
 struct Wide_minors
 {
   Four_doubles bc, ca, ab;
@@ -465,7 +468,7 @@ struct Wide_sphere_filter
   }
 };
 
-// sphere_sign_by_columns() in vectors.
+// Does the same as sphere_sign_by_columns(), in vectors.
 CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS inline int
 wide_sphere_sign_by_columns(const double* const* vertices, const double* p)
 {

@@ -5,14 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WALK_TO_CONFLICT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WALK_TO_CONFLICT_H
 
-// Choi 2002, Fig. 1, line 2b: "Locate s_i in D(S_{i-1})". Instead of the cell that contains the
-// point, any cell in conflict with it will do (as in HXT: Marot, Pellerin, Remacle 2019), and near
-// a good starting cell there is one nearly at once.
+// Choi 2002, Fig. 1, line 2b, says: "Locate s_i in D(S_{i-1})". Instead of the cell that contains
+// the point, any cell in conflict with it will do (as in HXT: Marot, Pellerin, Remacle 2019), and
+// from a good start the walk reaches one almost at once.
 //
-// Walks towards the point, through facets that it lies beyond (Compact_predicates.h says which),
-// until a cell is in conflict with it. The cell that contains the point is, unless the point is one
-// of its vertices; in a Delaunay triangulation no such walk runs in a circle, whichever facets it
-// takes. Cost: O(1) per cell.
+// It goes towards the point, through facets that the point lies beyond (Compact_predicates.h says
+// which), until a cell is in conflict with the point. The cell that contains the point is in
+// conflict with it, unless the point is one of its vertices; in a Delaunay triangulation no such
+// walk runs in a circle, whichever facets it takes. Cost: O(1) per cell.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
@@ -26,26 +26,26 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Where a point goes: a cell in conflict with it, or else (cell unused) the vertex at its place.
+// Says where a point goes: to a cell in conflict with it, or else to the vertex at its place.
 struct Compact_location
 {
   Id cell;
-  Id vertex; // 0: none
+  Id vertex; // 0 if there is no vertex at this place
 };
 
-// Reads cells where they are, as no other thread writes.
+// Reads cells where they are, since no other thread writes.
 struct Read_alone
 {
   const Compact_cell& operator()(const Compact_cell& cell) const { return cell; }
   static constexpr bool is_lost() { return false; }
 };
 
-// Filter: the first stage of the predicates, scalar or in vectors.
+// Filter is the first stage of the predicates, scalar or in vectors.
 template <class Filter, class Read = Read_alone>
 struct Walk_to_conflict
 {
-  // Where point p, a vertex in no cell, goes, from cell c. Beside others who write, `read` can get
-  // lost: then that is nowhere.
+  // Walks from cell c to the place of vertex p, which is in no cell. Beside others that write,
+  // `read` may get lost; the result is then meaningless.
   template <class Vertex, class Predicates>
   Compact_location operator()(const Compact_complex<Vertex>& complex, Predicates& predicates, Id p,
                               Id c, Read&& read = Read()) const

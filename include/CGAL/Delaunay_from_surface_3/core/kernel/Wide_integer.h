@@ -5,13 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WIDE_INTEGER_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WIDE_INTEGER_H
 
-// Integers as wide as need be, for the determinants that no other stage can decide. All doubles are
-// integers times the least of them, 2^-1074, so that differences have at most 2099 bits, and the
-// determinant of the sphere, of degree 5 with a few terms, at most 10,504. Schoolbook arithmetic on
-// digits, least first, with a sign beside (Knuth 1969), in the object's own memory: nothing is
-// allocated, and only digits in use are touched.
+// These integers are as large as need be, for the determinants that no other stage can decide. All
+// doubles are integers times the least positive one, 2^-1074, so differences have at most 2099
+// bits, and the determinant of the sphere, of degree 5 with a few terms, at most 10,504. The
+// arithmetic is of the schoolbook kind (Knuth 1969), on digits, least first, and a sign. The digits
+// are in the object's own memory: nothing is allocated, and only digits in use are touched.
 //
-// Cost: O(s t) for a product of s digits that are not 0 and t in a row; zeros at the end are no digits.
+// Cost: O(s t) for a product, where s counts the digits of one factor that are not 0, and t the
+// digits of the other. Zeros at either end are not stored.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -27,7 +28,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A finite number is bits 2^exponent, but for its sign; bits is odd, or 0.
+// A finite number is, up to its sign, bits · 2^exponent, where bits is odd, or 0.
 struct Bits_of_double
 {
   explicit Bits_of_double(double d)
@@ -35,7 +36,7 @@ struct Bits_of_double
     std::memcpy(&bits, &d, sizeof(bits));
     const int biased_exponent = int(bits >> 52 & 0x7ff);
     bits &= (std::uint64_t(1) << 52) - 1;
-    bits |= std::uint64_t(biased_exponent != 0) << 52; // but of denormal numbers
+    bits |= std::uint64_t(biased_exponent != 0) << 52; // denormal numbers lack this bit
     exponent = (std::max)(biased_exponent, 1) - 1075;
     for (int zeros = 32; bits != 0 && zeros > 0; zeros /= 2)
       if ((bits & ((std::uint64_t(1) << zeros) - 1)) == 0) {
@@ -60,7 +61,7 @@ class Wide_integer
   static constexpr int most_digits = 10504 / digit_bits + 6; // sizes of factors are rounded up
 
 public:
-  // 0.
+  // Makes 0.
   Wide_integer()
     : m_begin(0)
     , m_size(0)
@@ -68,7 +69,7 @@ public:
   {
   }
 
-  // d 2^-unit, which must be an integer.
+  // Makes d · 2^-unit, which must be an integer.
   CGAL_DELAUNAY_FROM_SURFACE_3_APART Wide_integer(double d, int unit)
     : m_begin(0)
     , m_size(0)
@@ -105,7 +106,7 @@ public:
     return n.m_size == 0 ? 0 : n.m_is_negative ? -1 : 1;
   }
 
-  // The number over 2^exponent, rounded to a double of less than 2^65; 0 only for 0.
+  // Returns the number / 2^exponent, rounded to a double of less than 2^65; only 0 becomes 0.
   double scaled_double(int& exponent) const
   {
     const int lowest = (std::max)(m_begin, m_size - 3);
@@ -138,7 +139,7 @@ public:
       if (factor == 0)
         continue;
       Digit carry = 0;
-      for (int j = t.m_begin; j < t.m_size; ++j) { // digit, digit and digit² fit
+      for (int j = t.m_begin; j < t.m_size; ++j) { // digit² + 2 digit fit
         const Two_digits column =
             Two_digits(factor) * t.m_digits[j] + product.m_digits[i + j] + carry;
         product.m_digits[i + j] = Digit(column);
@@ -161,7 +162,7 @@ private:
       m_begin = m_size = 0;
   }
 
-  // s, and t with another sign.
+  // Returns the sum of s and of t with the given sign.
   CGAL_DELAUNAY_FROM_SURFACE_3_APART static Wide_integer
   sum(const Wide_integer& s, const Wide_integer& t, bool is_t_negative)
   {
@@ -220,15 +221,15 @@ private:
     return i >= m_begin && i < m_size ? m_digits[i] : 0;
   }
 
-  // Digits from m_begin on, of which the first and the last are not 0: those below are 0, and not there.
-  // Differences of coordinates of very different size have many.
+  // The digits from m_begin to m_size - 1 are stored; the first and the last of them are not 0. The
+  // digits below are 0, as many are in differences of coordinates of very different size.
   int m_begin, m_size;
   bool m_is_negative;
   Digit m_digits[most_digits];
 };
 
-// The differences of N vertices and p, row by row, divided by the greatest power of 2, 2^unit, that
-// leaves them integers. Any finite doubles will do.
+// Holds the differences of N vertices and p, row by row, divided by 2^unit, the greatest power of 2
+// of which all coordinates are multiples. Any finite doubles will do.
 template <int N>
 struct Wide_differences
 {

@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_IS_VALID_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_IS_VALID_H
 
-// Euler's formula, vertex by vertex.
+// Checks a complex by levels: neighbours, Euler's formula at each vertex, orientations, and the
+// Delaunay property.
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
@@ -27,14 +28,14 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Whether the link of each vertex is a sphere, for tetrahedra whose facets are shared by two each.
-// It is a closed surface of as many triangles as the vertex has cells, f, and as many vertices as
-// it has neighbours, v; it has 3 f / 2 edges, so v - f / 2 is its Euler characteristic if it is
-// connected, which is 2 for spheres alone. One of several components has a larger sum; where that
-// is made up for by handles, nothing is seen.
+// Checks whether the link of each vertex is a sphere, for tetrahedra whose facets are shared by two
+// each. The link is a closed surface with as many triangles as the vertex has cells, f, and as many
+// vertices as it has neighbours, v. It has 3 f / 2 edges, so v - f / 2 is its Euler characteristic.
+// A connected surface has 2 only if it is a sphere. Several components have more together, unless
+// they have handles, too; such a link goes unnoticed.
 //
-// Cells are given by vertex_of(c, k), vertices are 0, …, n - 1. Linear; 24 bytes for each cell, and 20
-// for each vertex, if a Number has 32 bits.
+// Cells are given by vertex_of(c, k), and vertices are 0, …, n - 1. Cost: linear time, and 24 bytes
+// per cell and 20 per vertex if a Number has 32 bits.
 template <class Number, class VertexOf>
 bool are_links_spheres(std::size_t number_of_cells, std::size_t n, const VertexOf& vertex_of,
                        const Executor& executor)
@@ -74,8 +75,8 @@ bool are_links_spheres(std::size_t number_of_cells, std::size_t n, const VertexO
   return true;
 }
 
-// Whether no cell is in conflict with the vertex across a facet; links and vertices are right.
-// Linear.
+// Returns true if no cell is in conflict with the vertex across any of its facets. Neighbours and
+// vertices must be valid. Cost: linear.
 template <class Vertex>
 bool is_delaunay(const Compact_complex<Vertex>& complex)
 {
@@ -120,7 +121,7 @@ bool are_finite_cells_positive(const Compact_complex<Vertex>& complex)
   return true;
 }
 
-// Checks as much as the level says, but not whether cells lie over each other. Linear.
+// Checks as much as the level says, but not whether cells overlap. Cost: linear.
 template <class Vertex>
 bool is_valid(const Compact_complex<Vertex>& complex, Delaunay_validity_level level)
 {

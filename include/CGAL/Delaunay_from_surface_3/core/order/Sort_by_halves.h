@@ -5,14 +5,14 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SORT_BY_HALVES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SORT_BY_HALVES_H
 
-// Puts points in an order in which those that follow each other are near each other. A set is halved
-// at the median across its longest extent; first comes the half that is nearer to the point before
-// and farther from the box that comes after; and so on. A Hilbert curve halves along x, y and z in
-// turn: in a box 1 : 1/100 : 1/100 it follows cells that are as long and thin as the box.
+// Puts points in an order in which successive points are near each other. A set is halved at the
+// median of its longest extent; the half that is nearer to the point before, and farther from the
+// box after, comes first; and so on. A Hilbert curve halves along x, y and z in turn; in a box of 1
+// : 1/100 : 1/100 it would follow cells that are as long and thin as the box.
 //
-// Many points are halved six times at once, where a sample of them is halved. Each point then moves
-// once for six halvings. The parts are sorted by themselves, each after the place where the box before
-// comes nearest: so the order does not depend on how many threads do it.
+// Many points are halved six times at once, at the medians of a sample of them, so that each point
+// moves once for six halvings. Each part is then sorted by itself, starting from where the box
+// before comes nearest, so that the order does not depend on the number of threads.
 //
 // Cost: O(n log n).
 
@@ -56,7 +56,7 @@ public:
       m_items.push_back({{p[0], p[1], p[2]}, *i});
     }
     const Box box(m_items.data(), m_items.data() + m_items.size());
-    begin_after(box.low); // in a corner
+    begin_after(box.low); // starts in a corner
     Item* const begin = m_items.data();
     Item* const end = begin + m_items.size();
     if (!sort_in_parts(begin, end, box, nullptr, executor))
@@ -65,13 +65,13 @@ public:
       *first++ = item.index;
   }
 
-  // The points sorted last.
+  // Returns the points that were sorted last, in order.
   const std::vector<Item>& items() const { return m_items; }
 
 private:
-  static constexpr std::ptrdiff_t few = 4; // are left as they are
+  static constexpr std::ptrdiff_t few = 4; // so few are left as they are
   static constexpr std::ptrdiff_t many = 2048, size_of_sample = 512;
-  static constexpr std::size_t parts = 64; // of 8 points of a sample
+  static constexpr std::size_t parts = 64; // each has 8 points of the sample
 
   struct Box
   {
@@ -87,9 +87,9 @@ private:
     }
     double middle(int k) const { return low[k] / 2 + high[k] / 2; }
     double nearest(int k, double x) const { return (std::max)(low[k], (std::min)(high[k], x)); }
-    // How far beyond the middle a coordinate is, at most where the box ends.
+    // Returns how far x is beyond the middle, or the end of the box if x is beyond that.
     double beyond(int k, double x) const { return nearest(k, x) - middle(k); }
-    // Where it comes nearest to the middle of another box.
+    // Returns the point of this box that is nearest to the middle of another box.
     std::array<double, 3> point_near(const Box& box) const
     {
       return {nearest(0, box.middle(0)), nearest(1, box.middle(1)), nearest(2, box.middle(2))};
@@ -97,7 +97,7 @@ private:
     double low[3], high[3];
   };
 
-  // Where a set is halved: what is beyond goes into the second half.
+  // Says where a set is halved: items beyond go into the second half.
   struct Cut
   {
     int axis;
@@ -105,8 +105,8 @@ private:
     bool is_before(const Item& item) const { return sign * item.coordinates[axis] < at; }
   };
 
-  // After the point m_before, and before a box that is `next`, if there is one. Apart, as several
-  // functions call it, and a copy in each would make nothing faster.
+  // Sorts items after the point m_before, and before the box `next`, if there is one. It is not
+  // inlined, because several functions call it and copies would make nothing faster.
   CGAL_DELAUNAY_FROM_SURFACE_3_APART void sort(Item* first, Item* last, Box box, const Box* next)
   {
     while (last - first > few) {
@@ -144,7 +144,7 @@ private:
     return middle;
   }
 
-  // The cuts of a sample: that of set k, from 1 on, makes sets 2 k and 2 k + 1.
+  // Finds the cuts of a sample. The cut of set k, counted from 1, makes the sets 2 k and 2 k + 1.
   void cut_sample(std::size_t k, Item* first, Item* last, const Box& box, const Box* next,
                   Cut* cuts)
   {
@@ -158,7 +158,7 @@ private:
     cut_sample(2 * k + 1, middle, last, second, next, cuts);
   }
 
-  // The same for some of the points, which are drawn from all over them.
+  // Finds the cuts by a sample of the points, which are drawn evenly from all of them.
   void cut_by_sample(const Item* first, const Item* last, const Box& box, const Box* next,
                      Cut* cuts)
   {
@@ -173,9 +173,9 @@ private:
     begin_after(before);
   }
 
-  // Puts the points into parts, of which the p-th then ends at ends[p + 1]. Returns false if the
-  // sample tells too little, and nothing has changed. Not part of the recursion, which has no room on
-  // the stack for samples.
+  // Puts the points into parts, of which the p-th then ends at ends[p + 1]. Returns false, and
+  // leaves the points alone, if the sample is not like them. Not inlined: samples would fill the
+  // recursion's stack.
   CGAL_DELAUNAY_FROM_SURFACE_3_APART bool put_in_parts(Item* first, Item* last, const Box& box,
                                                        const Box* next, std::ptrdiff_t* ends,
                                                        const Executor& executor)
@@ -207,7 +207,7 @@ private:
     return static_cast<unsigned char>(set - parts);
   }
 
-  // In place: what is not in its part changes places with what is there.
+  // Works in place: an item that is not in its part is swapped with one that is there.
   static void move_to_parts(Item* items, unsigned char* part, const std::ptrdiff_t* ends)
   {
     std::ptrdiff_t next[parts];

@@ -16,8 +16,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Random numbers that depend on the seed alone, with any library: splitmix64 (Steele, Lea, Flood
-// 2014).
+// Makes random numbers from the seed alone, with any library: splitmix64 (Steele, Lea, Flood 2014).
 class Split_mix
 {
 public:
@@ -34,7 +33,7 @@ public:
     return x ^ (x >> 31);
   }
 
-  // One of 0, …, n-1, for any n > 0: the numbers of 64 bits are dealt out as evenly as they can be.
+  // Returns one of 0, …, n - 1, for n > 0: the numbers of 64 bits are spread as evenly as possible.
   std::uint64_t below(std::uint64_t n)
   {
     const std::uint64_t x = (*this)();
@@ -43,7 +42,7 @@ public:
     return ((x >> 32) * n + ((x & 0xffffffff) * n >> 32)) >> 32; // x n / 2^64
   }
 
-  // Every order is as likely as any other, as far as the numbers are random.
+  // Makes every order equally likely, as far as the numbers are random.
   template <class Iterator>
   void shuffle(Iterator first, Iterator last)
   {

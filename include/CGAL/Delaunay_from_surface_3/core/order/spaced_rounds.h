@@ -5,15 +5,17 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPACED_ROUNDS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_ORDER_SPACED_ROUNDS_H
 
-// The orders of the core: random rounds that grow geometrically, and rounds of well-spaced points.
+// The core has these orders: random rounds that grow geometrically, rounds of well-spaced points,
+// and for points on a line the order along it.
 //
-// For the latter the points are sorted once, by halves. Along that order a point is a centre unless
-// one of the last few centres is near; the others are the last round. The centres among the centres
-// stay for the rounds before the one before, and so on. A point that is crowded has a small Voronoi
-// cell: it destroys few cells if it comes late. It starts at the centre that was near.
+// For spaced rounds, the points are sorted once, by halves. Along that order a point is a centre
+// unless one of the last few centres is near; the points that are not centres are the last round.
+// The centres are thinned out in the same way for the round before, and so on. A crowded point has
+// a small Voronoi cell, so it destroys few cells if it comes late. Its walk starts at the centre
+// that was near.
 //
-// What is near depends on the points: it is a share of the diagonals of the boxes of eight
-// successive points, so that neither the scale nor random numbers matter.
+// The points themselves tell which distances are near: a fraction of the diagonals of boxes of
+// eight successive points, so that neither the scale nor random numbers matter.
 //
 // Cost: one sort, and linear time after it.
 
@@ -37,7 +39,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Of points that are sorted, each named by its position.
+// Finds the centres of sorted points, each named by its position.
 class Spaced_centers
 {
 public:
@@ -60,15 +62,15 @@ public:
     }
   }
 
-  std::vector<unsigned char> level; // how often a point was a centre: seldom a hundred times
-  std::vector<Position> center;     // which was near when it was none; the point itself if none was
-  std::vector<std::size_t> sizes;   // by level: the number of points that have it or a higher one
+  std::vector<unsigned char> level; // how often a point was a centre: less than 256 times
+  std::vector<Position> center;     // the near one when a point was not one; else the point
+  std::vector<std::size_t> sizes;   // by level, the number of points of this level or a higher one
 
 private:
   static constexpr std::size_t coarsest = 64, group = 8, window = 6;
   static constexpr double spacing = 0.35;
 
-  // Of the box of the group of points that begins there.
+  // Returns the squared diagonal of the box of the group of points that begins at `first`.
   double squared_diagonal(std::size_t first) const
   {
     double low[3], high[3];
@@ -82,7 +84,7 @@ private:
     return squared_distance(low, high);
   }
 
-  // Leaves the centres of those left, seven eighths of them at most.
+  // Keeps the centres among the points left, about seven eighths of them at most.
   void thin_out()
   {
     const std::size_t n = m_left.size();
@@ -102,7 +104,7 @@ private:
     m_left.resize(m);
   }
 
-  // After m centres. Returns how many there are then.
+  // Adds point i to m centres, or gives it to a near one. Returns the number of centres.
   std::size_t keep_or_give_to_center(Position i, std::size_t m, double near)
   {
     const std::size_t oldest = m > window ? m - window : 0;
@@ -115,7 +117,7 @@ private:
     return m + 1;
   }
 
-  // Where distances do not help: of m points every second one is the centre of the next.
+  // Makes every second of m points the centre of the next, where distances do not help.
   std::size_t every_second(std::size_t m)
   {
     for (std::size_t k = 1; k < m; k += 2)
@@ -131,7 +133,7 @@ private:
   std::vector<Position> m_left; // ascending
 };
 
-// Of fewer than 2^32 points. By as many threads as the executor has the points are sorted.
+// Returns spaced rounds of fewer than 2^32 points. The threads of the executor sort the points.
 inline Insertion_order spaced_rounds(const Point_array& points, const Executor& executor = Alone())
 {
   const std::size_t n = points.size();
@@ -161,12 +163,13 @@ inline Insertion_order spaced_rounds(const Point_array& points, const Executor& 
   return result;
 }
 
-// A biased randomised insertion order (Amenta, Choi, Rote 2003): rounds that grow geometrically,
+// A biased randomised insertion order (Amenta, Choi, Rote 2003) has rounds that grow geometrically,
 // each in a spatially coherent order.
 //
 // Cost: O(n log n) expected.
 
-// …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n; rounds are cut off until at most `first_round` points are left.
+// Returns …, ⌊ratio ⌊ratio n⌋⌋, ⌊ratio n⌋, n: rounds are cut off at the end until at most
+// `first_round` points are left.
 inline std::vector<std::size_t> geometric_round_ends(std::size_t n, double ratio,
                                                      std::size_t first_round)
 {
@@ -179,7 +182,7 @@ inline std::vector<std::size_t> geometric_round_ends(std::size_t n, double ratio
   return ends;
 }
 
-// A random order, in these rounds, each sorted by halves.
+// Returns a random order, in these rounds, each sorted by halves.
 inline Insertion_order geometric_rounds(const Point_array& points, unsigned int seed, double ratio,
                                         std::size_t first_round)
 {
@@ -197,8 +200,8 @@ inline Insertion_order geometric_rounds(const Point_array& points, unsigned int 
   return result;
 }
 
-// The order of points that lie on one line, along it: on the axis along which the first two that
-// differ are farthest from each other. In one round; O(n log n), O(n) if they come in that order.
+// Returns the order of points on a line, in one round: along the axis on which the first two
+// different points are farthest apart. Cost: O(n log n), or O(n) if they come in that order.
 inline Insertion_order order_along_line(const Point_array& points)
 {
   const std::size_t n = points.size();

@@ -230,10 +230,10 @@ protected:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-// Explore_announced in vectors. Only here words that others write are read four
-// at a time. A processor with such vectors loads each word of them whole, in the order described
-// above, since x86 does not reorder loads. The compiler could; therefore lanes, first vertices, and
-// the links that are compared in the end are loaded as `volatile`.
+// The following does the same as Explore_announced, in vectors. Only here are words that others
+// write read four at a time. A processor with such vectors loads each word of them whole, in the
+// order described above, since x86 does not reorder loads. The compiler could; therefore lanes,
+// first vertices, and the links that are compared in the end are loaded as `volatile`.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
@@ -361,7 +361,8 @@ namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Writes stars while others read. The first store to a cell makes it busy, and the last one gives
-// its new version; the cell beyond a facet is linked to the new one only when that can be seen.
+// its new version; the cell beyond a facet gets the new one as its neighbour only when that can be
+// seen.
 
 template <class Vertex>
 class Write_announced

@@ -11,7 +11,7 @@
 // off until all chunks are, when the caller inserts it alone: until then no worker waits for
 // another.
 //
-// The result is right even if workers run one after the other: then the first one takes all points.
+// The result is right even if workers run one after the other: the first one then takes all points.
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
@@ -149,8 +149,9 @@ public:
   }
 
   // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker
-  // has a copy of `hints`. Whenever the caller's thread takes a chunk, it asks go_further(i), where
-  // i is a number of inserted points that never falls. Returns false if the answer was no.
+  // has a copy of `hints`. Whenever the caller's thread takes a chunk, it calls go_further(i),
+  // where i is the farthest point at which it has begun a chunk. Returns false if the answer was
+  // no.
   template <class Hints, class GoFurther>
   bool insert_round(std::size_t first, std::size_t last, std::vector<Id>& vertex_of,
                     const Hints& hints, const GoFurther& go_further)
@@ -173,7 +174,7 @@ public:
   // Updates Compact_complex::cells_end(). To be called between rounds.
   void note_cells() { m_shared.note_cells(); }
 
-  // To be called when all is inserted. Gives back the memory that only threads need.
+  // To be called when all points are inserted. Gives back the memory that only threads need.
   void finish()
   {
     m_shared.finish();
@@ -215,7 +216,7 @@ private:
     std::vector<Own> own;
     std::vector<Id>& vertex_of;
     const GoFurther& go_further;
-    std::size_t farthest = 0; // a point that began a chunk of the caller's thread
+    std::size_t farthest = 0; // the farthest point at which the caller's thread began a chunk
     std::atomic<bool> is_stopped{false}, is_full{false}, has_error{false};
     std::exception_ptr error;
   };
@@ -332,8 +333,7 @@ private:
     return true;
   }
 
-  // A longer walk may go round in circles, in a triangulation that changes under it. Or it comes
-  // from afar, as the first one of a worker may.
+  // A longer walk may be going in circles, in a changing triangulation, or be a worker's first.
   static constexpr std::size_t most_cells_of_walk = 10000;
 
   Shared_complex<Vertex> m_shared;
