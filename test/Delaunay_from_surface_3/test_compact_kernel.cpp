@@ -305,18 +305,18 @@ BOOST_AUTO_TEST_CASE(validity_of_the_compact_complex)
   const auto built = [&](const std::function<void(Complex&)>& spoil) {
     return level_of(spoil) == 4;
   };
-  BOOST_TEST(level_of([](Complex& complex) { complex.cell(0).links[1] ^= 1; }) == 0);
+  BOOST_TEST(level_of([](Complex& complex) { complex.cell(0).neighbors[1] ^= 1; }) == 0);
   BOOST_TEST(level_of([](Complex& complex) { complex.vertex(5).coordinates[2] = -.5; }) == 2);
   std::uint32_t c = 0; // a finite cell
   BOOST_TEST(built([&](Complex& complex) { c = complex.vertex(5).cell; }));
-  BOOST_TEST(!built([&](Complex& complex) { complex.cell(c).links[1] ^= 1; }));
-  BOOST_TEST(!built([&](Complex& complex) { complex.cell(c).links[2] = 4 * 1000; }));
+  BOOST_TEST(!built([&](Complex& complex) { complex.cell(c).neighbors[1] ^= 1; }));
+  BOOST_TEST(!built([&](Complex& complex) { complex.cell(c).neighbors[2] = 4 * 1000; }));
   BOOST_TEST(
       !built([&](Complex& complex) { std::swap(complex.cell(c).v[1], complex.cell(c).v[2]); }));
   BOOST_TEST(!built([&](Complex& complex) { complex.cell(c).v[0] |= Complex::dead; }));
   BOOST_TEST(!built([&](Complex& complex) {
-    complex.vertex(5).cell = complex.cell(c).links[0] >> 2; // which has not that vertex …
-    complex.vertex(5).cell += complex.vertex(5).cell == 0;  // … nor has cell 1
+    complex.vertex(5).cell = complex.cell(c).neighbors[0] >> 2; // which has not that vertex …
+    complex.vertex(5).cell += complex.vertex(5).cell == 0;      // … nor has cell 1
   }));
   BOOST_TEST(!built([&](Complex& complex) {
     complex.vertex(1).coordinates[0] = .4; // now in the sphere of a cell

@@ -181,9 +181,9 @@ BOOST_AUTO_TEST_CASE(without_the_mask_of_the_own_lane)
   check_wrong(&Protocol::masks_own_lane);
 }
 
-BOOST_AUTO_TEST_CASE(without_the_second_reading_of_links)
+BOOST_AUTO_TEST_CASE(without_the_second_reading_of_neighbors)
 {
-  check_wrong(&Protocol::compares_links);
+  check_wrong(&Protocol::compares_neighbors);
 }
 
 BOOST_AUTO_TEST_CASE(without_the_cells_outside)
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(without_the_busy_bit)
   check_wrong(&Protocol::heeds_busy);
 }
 
-// Each order of a load or store that is needed where processors reorder. That outer links are
+// Each order of a load or store that is needed where processors reorder. That outer neighbours are
 // released is not: the release fence when the cell behind was opened does as well.
 BOOST_AUTO_TEST_CASE(without_an_order)
 {

@@ -7,7 +7,7 @@
 // no end.
 //
 // Left to test_handshake, which tries all orders of steps: the fence and the second reading of
-// links. They guard against moments of some nanoseconds, and were not missed when 1,092 and 669
+// neighbours. They guard against moments of some nanoseconds, and were not missed when 1,092 and 669
 // triangulations were made without them on two busy cores: two to eight threads, chunks of one and
 // eight, up to 3,000 points, with and without threads that were interrupted every 100 or 300
 // microseconds.

@@ -204,7 +204,7 @@ def draw_cell():
                          (4, "box", "v3", "0: infinite"), (4, "warm", "n0", ""), (4, "warm", "n1", ""),
                          (4, "warm", "n2", ""), (4, "warm", "n3", "")])
     svg.text(238, 114, "four vertices: places in the order, plus 1", "middle")
-    svg.text(622, 114, "four links: 4 · neighbour + its facet", "middle")
+    svg.text(622, 114, "four neighbours: 4 · cell + its facet", "middle")
     svg.text(10, 154, "a vertex: 32 bytes", "bold")
     fields(svg, 46, 164, [(8, "green", "x", ""), (8, "green", "y", ""), (8, "green", "z", ""),
                           (4, "warm", "cell", "one of its"), (4, "box", "label", "for a star")])

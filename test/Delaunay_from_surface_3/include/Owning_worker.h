@@ -90,7 +90,7 @@ private:
     for (std::size_t k = 0; k < m_zone.number_of_cells; ++k) {
       const Cell& cell = complex.cell(m_zone.cells[k]);
       for (unsigned i = 0; i < 4; ++i) {
-        const Id neighbor = cell.links[i] >> 2;
+        const Id neighbor = cell.neighbors[i] >> 2;
         if (!own(neighbor))
           return false;
         if (is_in_zone(neighbor))
@@ -118,7 +118,7 @@ private:
     make_room();
     const auto& corners = DFS::internal::facet_corners[i];
     m_zone.facets[m_zone.number_of_facets++] = {
-        cell.links[i], {cell.v[corners[0]], cell.v[corners[1]], cell.v[corners[2]]}};
+        cell.neighbors[i], {cell.v[corners[0]], cell.v[corners[1]], cell.v[corners[2]]}};
   }
 
   void make_room()

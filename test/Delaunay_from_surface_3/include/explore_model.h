@@ -39,8 +39,8 @@ struct Alone
   void has_written() {}
 };
 
-// What is wrong with the cells, if anything: they must be those of the lower hull of the vertices
-// there are, and their links mutual.
+// Says what is wrong with the cells, if anything: they must make the lower hull of the vertices that
+// there are, and their neighbours lead back.
 inline std::string what_is_wrong(const Case& c, const std::vector<Byte>& memory,
                                  const std::set<Byte>& vertices)
 {
@@ -57,17 +57,17 @@ inline std::string what_is_wrong(const Case& c, const std::vector<Byte>& memory,
     if (!cells.insert(std::minmax({v[0], v[1]})).second)
       return "a cell is there twice";
     for (unsigned i = 0; i < 2; ++i) {
-      const Byte there = memory[at.link(k, i)];
-      if (there == link_to(k, i)) {
+      const Byte there = memory[at.neighbor(k, i)];
+      if (there == encode(k, i)) {
         ++lower_ends;
         continue;
       }
       if ((memory[at.v(there / 2, 0)] & busy) != 0)
-        return "a link to a dead cell";
-      if (memory[at.link(there / 2, there % 2)] != link_to(k, i))
-        return "a link that is not mutual";
+        return "a neighbour is dead";
+      if (memory[at.neighbor(there / 2, there % 2)] != encode(k, i))
+        return "a neighbour does not lead back";
       if (memory[at.v(there / 2, 1 - there % 2)] != v[1 - i])
-        return "a link across a facet that is not shared";
+        return "a neighbour does not share the facet";
     }
   }
   for (const Byte a : vertices)
@@ -221,7 +221,7 @@ private:
   }
 
   // Does an insertion that writes rely on this word of a cell? Of what is beside its zone the
-  // vertices count, not the links.
+  // vertices count, not the neighbours.
   static bool relies_on(unsigned zone, unsigned beside, unsigned cell, unsigned k)
   {
     return (k < 4 && (zone >> cell & 1) != 0) || (k < 2 && (beside >> cell & 1) != 0);

@@ -7,14 +7,14 @@
 
 // The parallel kernel in one dimension: the triangulation is the lower convex hull of points (x,
 // height), which is unique, as a Delaunay triangulation is. A cell is an interval with two vertices
-// and two links; a point is in conflict with a cell if it lies below its line; the zone is an
+// and two neighbours; a point is in conflict with a cell if it lies below its line; the zone is an
 // interval; its star has two cells, and what was between is in no cell any more. So zones of one,
 // two or three cells take a fresh cell, or none, or give one back.
 //
 // What is shared is read and written as in Insertion_worker.h, Explore_announced.h and
 // Explore_announced.h, access by access: each function here has the name of one there. Not modelled:
 // hints (wherever a walk starts, it is checked), the growth of arrays, and stores that make a fresh
-// cell dead, before anybody can have a link to it.
+// cell dead, before anybody can have it as a neighbour.
 
 #include "memory_models.h"
 #include "model_case.h"
@@ -32,7 +32,7 @@ struct Protocol
 {
   bool has_fence = true;
   bool masks_own_lane = true;
-  bool compares_links = true;
+  bool compares_neighbors = true;
   bool compares_outside = true;
   bool heeds_busy = true;
 
@@ -40,7 +40,7 @@ struct Protocol
   bool acquires_lanes = true;
   bool releases_lanes = true;
   bool releases_words = true;
-  bool releases_outer_links = true;
+  bool releases_outer_neighbors = true;
   bool has_release_fence = true; // after the store that makes a cell busy
   bool has_acquire_fence = true; // before the second reading of the word
 };
@@ -72,11 +72,11 @@ class Worker
 {
   struct Cell
   {
-    Byte v[2], links[2];
+    Byte v[2], neighbors[2];
   };
   struct Facet
   {
-    Byte outside, corner; // a link; the vertex
+    Byte outside, corner; // the cell, encoded; the vertex
   };
 
 public:
@@ -124,7 +124,7 @@ private:
     copy.v[0] = word;
     copy.v[1] = m_access.load(m_at.v(c, 1), Order::RELAXED);
     for (unsigned k = 0; k < 2; ++k)
-      copy.links[k] = m_access.load(m_at.link(c, k), Order::RELAXED);
+      copy.neighbors[k] = m_access.load(m_at.neighbor(c, k), Order::RELAXED);
     if (m_protocol.has_acquire_fence)
       m_access.fence(Order::ACQUIRE);
     if ((word & busy) != 0 || m_access.load(m_at.v(c, 0), Order::RELAXED) != word)
@@ -146,7 +146,7 @@ private:
       }
       const auto x = [this](Byte v) { return m_case.point(v).x; };
       const bool is_beyond_second = (x(p) > x(cell.v[1])) == (x(cell.v[1]) > x(cell.v[0]));
-      c = cell.links[is_beyond_second ? 0 : 1] / 2;
+      c = cell.neighbors[is_beyond_second ? 0 : 1] / 2;
     }
     return false;
   }
@@ -156,7 +156,7 @@ private:
   {
     m_facets.clear();
     m_outside_words.clear();
-    m_links.clear();
+    m_neighbors.clear();
     m_own_lanes.assign(m_case.number_of_cells(), 0); // as stored: nobody else writes them
     set_own_lane(m_cells[0], 1);                     // mark()
     for (std::size_t k = 0; k < m_cells.size(); ++k)
@@ -172,8 +172,8 @@ private:
     cell.v[0] = m_words[k];
     cell.v[1] = m_access.load(m_at.v(m_cells[k], 1), Order::RELAXED);
     for (unsigned i = 0; i < 2; ++i)
-      cell.links[i] = m_access.load(m_at.link(m_cells[k], i), Order::RELAXED);
-    m_links.push_back({cell.links[0], cell.links[1]});
+      cell.neighbors[i] = m_access.load(m_at.neighbor(m_cells[k], i), Order::RELAXED);
+    m_neighbors.push_back({cell.neighbors[0], cell.neighbors[1]});
     return cell;
   }
 
@@ -183,21 +183,21 @@ private:
     Byte words[2], opposite[2];
     bool is_torn = false, is_open[2];
     for (unsigned k = 0; k < 2; ++k) {
-      const Byte link = cell.links[k];
-      words[k] = m_access.load(m_at.v(link / 2, 0), acquire_if(m_protocol.acquires_words));
-      opposite[k] = m_access.load(m_at.v(link / 2, link % 2), Order::RELAXED) & Byte(~busy);
+      const Byte neighbor = cell.neighbors[k];
+      words[k] = m_access.load(m_at.v(neighbor / 2, 0), acquire_if(m_protocol.acquires_words));
+      opposite[k] = m_access.load(m_at.v(neighbor / 2, neighbor % 2), Order::RELAXED) & Byte(~busy);
       is_torn |= m_protocol.heeds_busy && (words[k] & busy) != 0;
-      is_open[k] = m_own_lanes[link / 2] == 0;
+      is_open[k] = m_own_lanes[neighbor / 2] == 0;
     }
     for (unsigned k = 0; k < 2; ++k) {
-      const Byte link = cell.links[k], corner = cell.v[1 - k] & Byte(~busy);
+      const Byte neighbor = cell.neighbors[k], corner = cell.v[1 - k] & Byte(~busy);
       const bool joins = !is_torn && is_open[k] && m_case.is_below(p, corner, opposite[k]);
-      set_own_lane(link / 2, m_own_lanes[link / 2] | Byte(joins));
+      set_own_lane(neighbor / 2, m_own_lanes[neighbor / 2] | Byte(joins));
       if (joins) {
-        m_cells.push_back(link / 2);
+        m_cells.push_back(neighbor / 2);
         m_words.push_back(words[k]);
       } else if (is_open[k]) {
-        m_facets.push_back({link, corner});
+        m_facets.push_back({neighbor, corner});
         m_outside_words.push_back(words[k]);
       }
     }
@@ -219,8 +219,8 @@ private:
     for (std::size_t k = 0; k < m_cells.size(); ++k) {
       if (is_in_other_lane(m_cells[k]) || load_word(m_cells[k]) != m_words[k])
         return false;
-      for (unsigned i = 0; m_protocol.compares_links && i < 2; ++i)
-        if (m_access.load(m_at.link(m_cells[k], i), Order::RELAXED) != m_links[k][i])
+      for (unsigned i = 0; m_protocol.compares_neighbors && i < 2; ++i)
+        if (m_access.load(m_at.neighbor(m_cells[k], i), Order::RELAXED) != m_neighbors[k][i])
           return false;
     }
     for (std::size_t f = 0; m_protocol.compares_outside && f < m_facets.size(); ++f) {
@@ -295,13 +295,13 @@ private:
       if (m_protocol.has_release_fence)
         m_access.fence(Order::RELEASE);
       m_access.store(m_at.v(c, 1), m_facets[i].corner, Order::RELAXED);
-      m_access.store(m_at.link(c, 0), outside, Order::RELAXED);
-      m_access.store(m_at.link(outside / 2, outside % 2), link_to(c, 0), // set_outer_link()
-                     release_if(m_protocol.releases_outer_links));
+      m_access.store(m_at.neighbor(c, 0), outside, Order::RELAXED);
+      m_access.store(m_at.neighbor(outside / 2, outside % 2), encode(c, 0), // set_outer_neighbor()
+                     release_if(m_protocol.releases_outer_neighbors));
     }
     for (std::size_t i = 0; i < m_cells.size();
          ++i) { // the star of a point on a line has two cells
-      m_access.store(m_at.link(m_cells[i], 1), link_to(m_cells[(i + 1) % m_cells.size()], 1),
+      m_access.store(m_at.neighbor(m_cells[i], 1), encode(m_cells[(i + 1) % m_cells.size()], 1),
                      Order::RELAXED);
       m_access.store(m_at.v(m_cells[i], 0), p, release_if(m_protocol.releases_words)); // close()
     }
@@ -326,7 +326,7 @@ private:
   std::vector<Byte>& m_free_cells;
   std::vector<Byte> m_cells, m_words, m_outside_words, m_own_lanes;
   std::vector<Facet> m_facets;
-  std::vector<std::array<Byte, 2>> m_links;
+  std::vector<std::array<Byte, 2>> m_neighbors;
 };
 
 } // namespace model

@@ -52,19 +52,19 @@ struct Case
 
 constexpr Byte busy = 128; // the highest bit of the first vertex
 
-inline Byte link_to(unsigned cell, unsigned facet)
+inline Byte encode(unsigned cell, unsigned facet)
 {
   return Byte(2 * cell + facet);
 }
 
-// Facet k is opposite to vertex k: it is the other vertex. link_to(c, k) leads to cell c through
+// Facet k is opposite to vertex k: it is the other vertex. encode(c, k) leads to cell c through
 // its facet k.
 struct Layout
 {
   unsigned workers;
 
   Location v(unsigned cell, unsigned k) const { return cell * (4 + workers) + k; }
-  Location link(unsigned cell, unsigned k) const { return v(cell, 2 + k); }
+  Location neighbor(unsigned cell, unsigned k) const { return v(cell, 2 + k); }
   Location lane(unsigned cell, unsigned worker) const { return v(cell, 4 + worker); }
 };
 
@@ -77,8 +77,8 @@ inline std::vector<Byte> initial_memory(const Case& c)
     memory[at.v(k, 0)] = k <= last ? Byte(k + 1) : busy;
     if (k <= last) {
       memory[at.v(k, 1)] = Byte(k + 2);
-      memory[at.link(k, 0)] = k < last ? link_to(k + 1, 1) : link_to(k, 0);
-      memory[at.link(k, 1)] = k > 0 ? link_to(k - 1, 0) : link_to(k, 1);
+      memory[at.neighbor(k, 0)] = k < last ? encode(k + 1, 1) : encode(k, 0);
+      memory[at.neighbor(k, 1)] = k > 0 ? encode(k - 1, 0) : encode(k, 1);
     }
   }
   return memory;

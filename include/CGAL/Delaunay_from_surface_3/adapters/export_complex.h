@@ -7,7 +7,7 @@
 
 // Writes the cells into an empty triangulation through the public interface of its data structure.
 //
-// Cells are made in ascending order, each linked with those made before it, so that a compact cell
+// Cells are made in ascending order, each joined to its neighbours before it, so that a compact cell
 // is read once and its memory can take a handle, or go back to the system while CGAL's grows. Linear.
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
@@ -124,7 +124,7 @@ void for_each_portion(std::size_t first, std::size_t last, const Body& body)
   }
 }
 
-// The cells of one block: made in ascending order, each linked with those made before it.
+// Makes the cells of one block in ascending order, and joins each to its neighbours before it.
 template <class Tds>
 class Export_block
 {
@@ -134,8 +134,8 @@ class Export_block
   using Block = typename Made::Block;
 
 public:
-  // A link to a cell that is not made yet goes to `scratch`, and is set when that cell is made; which
-  // ones they are cannot be predicted. One to a later block is kept, for both its ends.
+  // Where a neighbour is not made yet, `scratch` stands for it until it is: which ones these are cannot
+  // be predicted. Neighbours in later blocks are kept in pairs.
   template <class Vertex>
   void make(typename Tds::Cell_range& range, Built& built, const std::vector<Vertex>& vertices,
             Block cells, Cell_handle scratch, std::size_t first, std::size_t last)
@@ -153,12 +153,12 @@ public:
         const Cell_handle made = range.emplace(vertices[cell.v[0]], vertices[cell.v[1]],
                                                vertices[cell.v[2]], vertices[cell.v[3]]);
         for (int i = 0; i < 4; ++i) {
-          const Id link = cell.links[i];
-          const Cell_handle neighbor = cells[place_or(link, first, own)];
-          made->set_neighbor(i, neighbor);
-          neighbor->set_neighbor(int(link & 3), made);
-          if (std::size_t(link >> 2) >= last)
-            m_links_out.push_back({Numbers::link(Id(c), unsigned(i)), link});
+          const Id neighbor = cell.neighbors[i];
+          const Cell_handle there = cells[place_or(neighbor, first, own)];
+          made->set_neighbor(i, there);
+          there->set_neighbor(int(neighbor & 3), made);
+          if (std::size_t(neighbor >> 2) >= last)
+            m_neighbors_out.push_back({Numbers::encode(Id(c), unsigned(i)), neighbor});
         }
         cells.set(own, made);
       }
@@ -168,15 +168,15 @@ public:
   }
 
   // To be called when all blocks have made their cells: sets part `part` of `parts`.
-  void set_links_out(const Made& cells, std::size_t part, std::size_t parts) const
+  void set_neighbors_out(const Made& cells, std::size_t part, std::size_t parts) const
   {
-    const std::size_t n = m_links_out.size(), last = n * (part + 1) / parts;
+    const std::size_t n = m_neighbors_out.size(), last = n * (part + 1) / parts;
     for (std::size_t k = n * part / parts; k < last; ++k) {
-      const Link_out& ahead = m_links_out[(std::min)(k + prefetch_distance, last - 1)];
+      const Neighbors_out& ahead = m_neighbors_out[(std::min)(k + prefetch_distance, last - 1)];
       prefetch(cells.address(ahead.there >> 2));
-      const Link_out& near = m_links_out[(std::min)(k + near_prefetch_distance, last - 1)];
+      const Neighbors_out& near = m_neighbors_out[(std::min)(k + near_prefetch_distance, last - 1)];
       prefetch(&*cells[near.there >> 2]);
-      const Link_out& out = m_links_out[k];
+      const Neighbors_out& out = m_neighbors_out[k];
       const Cell_handle here = cells[out.here >> 2], there = cells[out.there >> 2];
       here->set_neighbor(int(out.here & 3), there);
       there->set_neighbor(int(out.there & 3), here);
@@ -184,16 +184,16 @@ public:
   }
 
 private:
-  struct Link_out
+  struct Neighbors_out
   {
     Id here, there;
   };
 
-  // The place in its block of the cell that a link leads to; the place given if that cell is of a
-  // block before or not made yet.
-  static std::size_t place_or(Id link, std::size_t first, std::size_t own)
+  // Returns the place of a neighbour in its block, or `own` if the neighbour is in a block before or
+  // not made yet.
+  static std::size_t place_or(Id neighbor, std::size_t first, std::size_t own)
   {
-    return (std::min)(std::size_t(link >> 2) - first, own);
+    return (std::min)(std::size_t(neighbor >> 2) - first, own);
   }
 
   // How many cells ahead handles, and then what they point to, are prefetched. The distances were
@@ -202,13 +202,13 @@ private:
                           std::size_t last)
   {
     constexpr std::size_t handles_ahead = 24, cells_ahead = 8;
-    for (const Id link : built.cells[(std::min)(c + handles_ahead, last - 1)].links)
-      prefetch(cells.address(place_or(link, first, c - first)));
-    for (const Id link : built.cells[(std::min)(c + cells_ahead, last - 1)].links)
-      prefetch(&*cells[place_or(link, first, c - first)]);
+    for (const Id neighbor : built.cells[(std::min)(c + handles_ahead, last - 1)].neighbors)
+      prefetch(cells.address(place_or(neighbor, first, c - first)));
+    for (const Id neighbor : built.cells[(std::min)(c + cells_ahead, last - 1)].neighbors)
+      prefetch(&*cells[place_or(neighbor, first, c - first)]);
   }
 
-  std::vector<Link_out> m_links_out;
+  std::vector<Neighbors_out> m_neighbors_out;
 };
 
 // The cells alone. Returns their handles by cell, which lie in the memory of the compact cells.
@@ -229,7 +229,7 @@ Cells_made<Tds> export_cells(Tds& tds, Built& built, const std::vector<Vertex>& 
   });
   for_each_block(executor, number, number, [&](std::size_t, std::size_t, std::size_t part) {
     for (const auto& block : blocks)
-      block.set_links_out(cells, part, number);
+      block.set_neighbors_out(cells, part, number);
   });
   for (Range& range : ranges)
     tds.cells().merge(range);

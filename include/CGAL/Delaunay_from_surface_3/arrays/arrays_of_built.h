@@ -67,7 +67,7 @@ triangles_at(const Built& built, const std::vector<Index>& names, Page_array<Ind
       for (std::size_t k = 0; k < 3; ++k) {
         const unsigned corner = facet_corners[place_of_apex(c)][k];
         row[k] = names[built.cells[c].v[corner]];
-        row[4 + k] = numbers[built.cells[c].links[corner] >> 2];
+        row[4 + k] = numbers[built.cells[c].neighbors[corner] >> 2];
       }
     }
   return {finite, all};
@@ -134,17 +134,17 @@ Delaunay_3_arrays<Index> arrays_on_line(const Point_array& points)
 
 // The following puts the cells in place: finite ones first, then infinite ones, and no dead ones.
 //
-// A link names the facet of the neighbour, too. So a cell can be moved at any time: the four links
-// that lead back to it are known, and no table from old to new numbers is needed. Several threads
+// Cells know the facets of their neighbours, too, so they can be moved at any time: the four places
+// that name a cell are known, and no table from old to new numbers is needed. Several threads
 // look for the cells that may have to move, the dead and the infinite ones, which are few if the
 // points lie on a surface or fill a volume; one thread moves them. Linear.
 
-// Sets the links of the neighbours to the cell at place c, which has been moved there.
-inline void link_back(Compact_cell* cells, Id c)
+// Tells its neighbours that a cell has been moved to place c.
+inline void tell_neighbors(Compact_cell* cells, Id c)
 {
   for (unsigned i = 0; i < 4; ++i) {
-    const Id there = cells[c].links[i];
-    cells[there >> 2].links[there & 3] = Compact_numbers::link(c, i);
+    const Id there = cells[c].neighbors[i];
+    cells[there >> 2].neighbors[there & 3] = Compact_numbers::encode(c, i);
   }
 }
 
@@ -153,14 +153,14 @@ inline void swap_cells(Compact_cell* cells, Id a, Id b)
   std::swap(cells[a], cells[b]);
   // A cell at `here` that names itself as a neighbour meant the other cell.
   const auto redirect = [&](Id here, Id former) {
-    for (Id& link : cells[here].links)
-      if ((link >> 2) == here)
-        link = Compact_numbers::link(former, link & 3);
+    for (Id& neighbor : cells[here].neighbors)
+      if ((neighbor >> 2) == here)
+        neighbor = Compact_numbers::encode(former, neighbor & 3);
   };
   redirect(a, b);
   redirect(b, a);
-  link_back(cells, a);
-  link_back(cells, b);
+  tell_neighbors(cells, a);
+  tell_neighbors(cells, b);
 }
 
 // Returns the cells among 0, …, n - 1 for which `is` holds, in ascending order.
@@ -192,7 +192,7 @@ inline std::size_t close_gaps(Compact_cell* cells, std::size_t end, const Execut
     if (!Numbers::is_dead(cells[c])) {
       const Id to = *gap++;
       cells[to] = cells[c];
-      link_back(cells, to);
+      tell_neighbors(cells, to);
     }
   return all;
 }
@@ -270,15 +270,15 @@ Delaunay_3_arrays<Index> arrays_at_apex(const Built& built, const Executor& exec
   return Arrays(2, finite, all, std::move(rows), vertices_of_points(built, names, executor));
 }
 
-// Replaces vertices by these names, and links by the numbers of neighbours, or -1 from `end` on.
+// Replaces vertices by these names, and neighbours by their numbers, or -1 from `end` on.
 template <class Index>
 void rename_vertices(Compact_cell* first, Compact_cell* last, const std::vector<Index>& names,
                      Index end)
 {
   for (Compact_cell* cell = first; cell != last; ++cell) {
     for (std::size_t k = 0; k < 4; ++k) { // in a vector
-      const auto neighbor = Index(cell->links[k] >> 2);
-      cell->links[k] = Id(neighbor < end ? neighbor : Index(-1));
+      const auto neighbor = Index(cell->neighbors[k] >> 2);
+      cell->neighbors[k] = Id(neighbor < end ? neighbor : Index(-1));
     }
     for (std::size_t k = 0; k < 4; ++k)
       cell->v[k] = Id(names[cell->v[k]]);
@@ -286,7 +286,7 @@ void rename_vertices(Compact_cell* first, Compact_cell* last, const std::vector<
 }
 
 // Makes the arrays of points in space, with all cells or with finite ones alone. Vertices become
-// indices of points, and links the numbers of neighbours; the arrays reuse the memory of the cells.
+// indices of points, and neighbours their numbers; the arrays reuse the memory of the cells.
 template <class Index>
 Delaunay_3_arrays<Index> arrays_in_space(Built& built, const Executor& executor,
                                          bool keeps_infinite)

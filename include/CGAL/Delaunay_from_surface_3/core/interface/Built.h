@@ -36,7 +36,7 @@ using Id = std::uint32_t;
 struct Compact_cell
 {
   Id v[4];
-  Id links[4];
+  Id neighbors[4];
 };
 
 // `label` belongs to the insertion under way (Fill_star.h). It uses bytes that alignment would
@@ -70,16 +70,16 @@ struct Compact_numbers
   static bool is_dead(const Compact_cell& c) { return (c.v[0] & dead) != 0; }
   static Id first_vertex(const Compact_cell& c) { return Id(c.v[0] & Id(~dead)); }
   static bool is_infinite(const Compact_cell& c) { return c.v[3] == infinite; }
-  static Id link(Id cell, unsigned facet) { return Id(Id(cell << 2) | facet); }
+  static Id encode(Id cell, unsigned facet) { return Id(Id(cell << 2) | facet); }
 
-  // Returns cells[link >> 2]. Without a shift: 8 times 4 · cell is the offset of a cell of 32
+  // Returns cells[neighbor >> 2]. Without a shift: 8 times 4 · cell is the offset of a cell of 32
   // bytes.
   template <class Cell>
-  static Cell& cell_of_link(Cell* cells, Id link)
+  static Cell& cell_of_neighbor(Cell* cells, Id neighbor)
   {
     using Byte = std::conditional_t<std::is_const<Cell>::value, const char, char>;
     return *reinterpret_cast<Cell*>(reinterpret_cast<Byte*>(cells) +
-                                    std::size_t(link & Id(~Id(3))) * (sizeof(Cell) / 4));
+                                    std::size_t(neighbor & Id(~Id(3))) * (sizeof(Cell) / 4));
   }
 };
 

@@ -38,9 +38,9 @@ public:
   using Vertex = Vertex_;
   using Numbers = Compact_numbers;
   using Numbers::dead;
+  using Numbers::encode;
   using Numbers::infinite;
   using Numbers::is_dead;
-  using Numbers::link;
   using Numbers::max_cells;
   using Numbers::max_vertices;
   using Numbers::point_of_vertex;
@@ -185,7 +185,7 @@ public:
     for (const Id c : cells)
       for (const Id d : cells)
         if (c != d)
-          link_if_adjacent(c, d);
+          join_if_adjacent(c, d);
   }
 
   // Returns true if the neighbour across each facet leads back, and has the same corners in the
@@ -194,9 +194,9 @@ public:
   {
     for (std::size_t c = 0; c < m_cells_end; ++c)
       for (unsigned i = 0; !is_dead(cell(c)) && i < 4; ++i) {
-        const Id there = cell(c).links[i];
+        const Id there = cell(c).neighbors[i];
         if (std::size_t(there >> 2) >= m_cells_end || is_dead(cell(there >> 2)) ||
-            cell(there >> 2).links[there & 3] != link(Id(c), i) ||
+            cell(there >> 2).neighbors[there & 3] != encode(Id(c), i) ||
             !is_same_facet(cell(c), i, cell(there >> 2), there & 3))
           return false;
       }
@@ -225,11 +225,11 @@ private:
     m_cells.touch(m_cells_end, m_cells_ready);
   }
 
-  void link_if_adjacent(Id c, Id d)
+  void join_if_adjacent(Id c, Id d)
   {
     const unsigned i = lonely_vertex(cell(c), cell(d)), j = lonely_vertex(cell(d), cell(c));
     if (i < 4 && j < 4)
-      cell(c).links[i] = link(d, j);
+      cell(c).neighbors[i] = encode(d, j);
   }
 
   // Returns the index of the only vertex of c that d does not have; 4 if there is not exactly one.

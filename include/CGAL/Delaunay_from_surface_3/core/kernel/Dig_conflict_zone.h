@@ -113,7 +113,8 @@ struct Conflict_zone
       if (Complex::is_dead(cell) || std::find(cell.v, cell.v + 4, p) == cell.v + 4)
         return false;
       for (unsigned i = 0; i < 4; ++i)
-        if (complex.cell(cell.links[i] >> 2).links[cell.links[i] & 3] != Complex::link(cells[k], i))
+        if (complex.cell(cell.neighbors[i] >> 2).neighbors[cell.neighbors[i] & 3] !=
+            Complex::encode(cells[k], i))
           return false;
     }
     return true;
@@ -175,7 +176,7 @@ struct Explore_alone
   static const Compact_cell& neighbor(const Compact_cell* cells, const Compact_cell& cell,
                                       unsigned k)
   {
-    return cells[cell.links[k] >> 2];
+    return cells[cell.neighbors[k] >> 2];
   }
   static constexpr bool is_still_true(const Compact_cell*, std::size_t) { return true; }
   static constexpr bool is_torn() { return false; }
@@ -193,8 +194,8 @@ struct Explore_neighbors : Explore_alone
     unsigned open = 0, infinite = Complex::is_infinite(cell) ? 15 : 0;
     const double *v[4], *opposite[4];
     for (unsigned k = 0; k < 4; ++k) {
-      const Compact_cell& neighbor = cells[cell.links[k] >> 2];
-      const Id e = neighbor.v[cell.links[k] & 3] & Id(~Complex::dead);
+      const Compact_cell& neighbor = cells[cell.neighbors[k] >> 2];
+      const Id e = neighbor.v[cell.neighbors[k] & 3] & Id(~Complex::dead);
       open |= unsigned(!Complex::is_dead(neighbor)) << k;
       infinite |= unsigned(e == Complex::infinite) << k;
       opposite[k] = vertices[e].coordinates;
@@ -213,11 +214,11 @@ struct Explore_neighbors : Explore_alone
   {
     const Id v[4] = {Compact_numbers::first_vertex(cell), cell.v[1], cell.v[2], cell.v[3]};
     for (unsigned k = 0; k < 4; ++k) {
-      const Id link = cell.links[k], joins = Id(around.inside >> k & 1);
-      cells[link >> 2].v[0] |= Id(joins << (std::numeric_limits<Id>::digits - 1));
-      *ends.cell = link >> 2;
+      const Id neighbor = cell.neighbors[k], joins = Id(around.inside >> k & 1);
+      cells[neighbor >> 2].v[0] |= Id(joins << (std::numeric_limits<Id>::digits - 1));
+      *ends.cell = neighbor >> 2;
       ends.cell += joins;
-      *ends.facet = {link,
+      *ends.facet = {neighbor,
                      {v[facet_corners[k][0]], v[facet_corners[k][1]], v[facet_corners[k][2]]}};
       ends.facet += around.bounding() >> k & 1;
     }
@@ -258,13 +259,14 @@ struct Wide_explore_neighbors : Explore_alone
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Wide_neighborhood
   around(Cell* cells, const Vertex* vertices, const Cell& cell, const double* p)
   {
-    const Id l0 = cell.links[0], l1 = cell.links[1], l2 = cell.links[2], l3 = cell.links[3];
-    Cell &n0 = Numbers::cell_of_link(cells, l0), &n1 = Numbers::cell_of_link(cells, l1),
-         &n2 = Numbers::cell_of_link(cells, l2), &n3 = Numbers::cell_of_link(cells, l3);
+    const Id n0 = cell.neighbors[0], n1 = cell.neighbors[1], n2 = cell.neighbors[2],
+             n3 = cell.neighbors[3];
+    Cell &c0 = Numbers::cell_of_neighbor(cells, n0), &c1 = Numbers::cell_of_neighbor(cells, n1),
+         &c2 = Numbers::cell_of_neighbor(cells, n2), &c3 = Numbers::cell_of_neighbor(cells, n3);
     const Id unmarked = Id(~Numbers::dead);
-    const Id e0 = n0.v[l0 & 3] & unmarked, e1 = n1.v[l1 & 3] & unmarked,
-             e2 = n2.v[l2 & 3] & unmarked, e3 = n3.v[l3 & 3] & unmarked;
-    const __m128i first = _mm_setr_epi32(int(n0.v[0]), int(n1.v[0]), int(n2.v[0]), int(n3.v[0]));
+    const Id e0 = c0.v[n0 & 3] & unmarked, e1 = c1.v[n1 & 3] & unmarked,
+             e2 = c2.v[n2 & 3] & unmarked, e3 = c3.v[n3 & 3] & unmarked;
+    const __m128i first = _mm_setr_epi32(int(c0.v[0]), int(c1.v[0]), int(c2.v[0]), int(c3.v[0]));
     const unsigned open = 15 & ~signs_of(first);
     const double* const v[4] = {vertices[cell.v[0] & unmarked].coordinates,
                                 vertices[cell.v[1]].coordinates, vertices[cell.v[2]].coordinates,
@@ -272,7 +274,7 @@ struct Wide_explore_neighbors : Explore_alone
     const double* const opposite[4] = {vertices[e0].coordinates, vertices[e1].coordinates,
                                        vertices[e2].coordinates, vertices[e3].coordinates};
     const Sphere_signs signs = Wide_sphere_filter::signs(v, opposite, p);
-    return {neighborhood(open, open, signs), {&n0, &n1, &n2, &n3}, first};
+    return {neighborhood(open, open, signs), {&c0, &c1, &c2, &c3}, first};
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Zone_ends
@@ -282,7 +284,7 @@ struct Wide_explore_neighbors : Explore_alone
         _mm_or_si128(around.first, load(of_masks[around.inside].dead)));
     for (unsigned k = 0; k < 4; ++k)
       around.cells[k]->v[0] = first[k];
-    store(ends.cell, pack(_mm_srli_epi32(load(cell.links), 2), around.inside));
+    store(ends.cell, pack(_mm_srli_epi32(load(cell.neighbors), 2), around.inside));
     ends.cell += __builtin_popcount(around.inside);
     ends.facet = write_facets(ends.facet, around.bounding(),
                               load_eight(cell.v) &
@@ -395,8 +397,8 @@ struct Dig_conflict_zone
         grow(zone);
       }
       if (k + 1 < zone.number_of_cells)
-        for (const Id& link : complex.cell(zone.cells[k + 1]).links)
-          prefetch(&complex.cell(load_relaxed(link) >> 2)); // others may write it
+        for (const Id& neighbor : complex.cell(zone.cells[k + 1]).neighbors)
+          prefetch(&complex.cell(load_relaxed(neighbor) >> 2)); // others may write it
       look_around(complex, predicates, zone, p, explore.read(complex.cells(), zone.cells[k], k),
                   explore);
       if (explore.is_torn())

@@ -55,10 +55,10 @@ struct Write_alone
     const Id outside = facet.outside;
     std::memcpy(cell.v, &facet, sizeof(facet));
     cell.v[0] = p;
-    cell.links[0] = outside;
+    cell.neighbors[0] = outside;
   }
-  static void set_outer_link(Id& link, Id to) { link = to; }
-  static void set_link(Id& link, Id to) { link = to; }
+  static void set_outer_neighbor(Id& neighbor, Id to) { neighbor = to; }
+  static void set_neighbor(Id& neighbor, Id to) { neighbor = to; }
   static void set_cell(Vertex* vertices, Id v, Id c) { vertices[v].cell = c; }
   static void set_cell_of_corners(Vertex* vertices, const Id* corners, Id c)
   {
@@ -103,7 +103,7 @@ public:
     } else {
       const Label first_label = m_base;
       make_cells(complex, zone, p, [](Id, Id, Id, Id) {});
-      link_by_sorting(complex, zone, Label(m_base - first_label));
+      join_by_sorting(complex, zone, Label(m_base - first_label));
       for (std::size_t i = 0; i < n; ++i)
         m_write.close(complex.cell(zone.cells[i]), p);
     }
@@ -115,9 +115,9 @@ private:
   {
     Id* const table = m_table.get();
     make_cells(complex, zone, p, [table](Id a, Id b, Id d, Id c) {
-      table[b * Side + d] = Complex::link(c, 1);
-      table[d * Side + a] = Complex::link(c, 2);
-      table[a * Side + b] = Complex::link(c, 3);
+      table[b * Side + d] = Complex::encode(c, 1);
+      table[d * Side + a] = Complex::encode(c, 2);
+      table[a * Side + b] = Complex::encode(c, 3);
     });
     typename Complex::Cell* const cells = complex.cells();
     const Zone_facet* const facets = zone.facets.data();
@@ -126,9 +126,9 @@ private:
       const Id* const corners = facets[i].corners;
       const std::size_t a = corners[0], b = corners[1], d = corners[2];
       typename Complex::Cell& cell = cells[of_star[i]];
-      m_write.set_link(cell.links[1], table[d * Side + b]);
-      m_write.set_link(cell.links[2], table[a * Side + d]);
-      m_write.set_link(cell.links[3], table[b * Side + a]);
+      m_write.set_neighbor(cell.neighbors[1], table[d * Side + b]);
+      m_write.set_neighbor(cell.neighbors[2], table[a * Side + d]);
+      m_write.set_neighbor(cell.neighbors[3], table[b * Side + a]);
       m_write.close(cell, p);
     }
   }
@@ -148,8 +148,9 @@ private:
       const Zone_facet f = facets[i]; // a copy, which no store can change
       const Id c = of_star[i];
       m_write.open(cells[c], p, facets[i]);
-      m_write.set_outer_link(Complex::cell_of_link(cells, f.outside).links[f.outside & 3],
-                             Complex::link(c, 0));
+      m_write.set_outer_neighbor(
+          Complex::cell_of_neighbor(cells, f.outside).neighbors[f.outside & 3],
+          Complex::encode(c, 0));
       m_write.set_cell_of_corners(vertices, f.corners, c);
       const Id a = label(m_write.label(vertices, f.corners[0]), base, count);
       const Id b = label(m_write.label(vertices, f.corners[1]), base, count);
@@ -179,21 +180,21 @@ private:
 
   // Sorts the edges lexicographically, by counting, so that the two cells at an edge follow each
   // other.
-  void link_by_sorting(Complex& complex, const Zone& zone, std::size_t number_of_labels)
+  void join_by_sorting(Complex& complex, const Zone& zone, std::size_t number_of_labels)
   {
     m_edges.clear();
     for (std::size_t i = 0; i < zone.number_of_facets; ++i)
       for (unsigned k = 0; k < 3; ++k) {
         const Id* const corners = zone.facets[i].corners;
         const auto [lower, upper] = std::minmax(corners[(k + 1) % 3], corners[(k + 2) % 3]);
-        m_edges.push_back({lower, upper, Complex::link(zone.cells[i], k + 1)});
+        m_edges.push_back({lower, upper, Complex::encode(zone.cells[i], k + 1)});
       }
     sort_edges(&Edge::upper, number_of_labels);
     sort_edges(&Edge::lower, number_of_labels);
     for (std::size_t e = 0; e + 1 < m_edges.size(); e += 2) {
-      const Id s = m_edges[e].link, t = m_edges[e + 1].link;
-      m_write.set_link(complex.cell(s >> 2).links[s & 3], t);
-      m_write.set_link(complex.cell(t >> 2).links[t & 3], s);
+      const Id s = m_edges[e].facet, t = m_edges[e + 1].facet;
+      m_write.set_neighbor(complex.cell(s >> 2).neighbors[s & 3], t);
+      m_write.set_neighbor(complex.cell(t >> 2).neighbors[t & 3], s);
     }
   }
 
@@ -201,7 +202,7 @@ private:
   // contains it, encoded as a neighbour.
   struct Edge
   {
-    Id lower, upper, link;
+    Id lower, upper, facet;
   };
 
   // Sorts the edges by one of their ends, stably.

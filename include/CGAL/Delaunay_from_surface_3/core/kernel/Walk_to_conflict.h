@@ -62,7 +62,7 @@ struct Walk_to_conflict
         const Id w = sign == 0 ? predicates.vertex_at(cell, p) : Id(0);
         if (w != 0 || sign > 0 || (sign == 0 && predicates.is_beyond_exactly(cell, p)))
           return {c, w};
-        c = cell.links[3] >> 2;
+        c = cell.neighbors[3] >> 2;
         continue;
       }
       const double* const v[4] = {
@@ -77,7 +77,7 @@ struct Walk_to_conflict
         if (predicates.is_in_close_sphere(cell, p))
           return {c, 0};
       }
-      c = cell.links[predicates.facet_towards(cell, view, p)] >> 2;
+      c = cell.neighbors[predicates.facet_towards(cell, view, p)] >> 2;
     }
   }
 };

@@ -86,7 +86,7 @@ bool is_delaunay(const Compact_complex<Vertex>& complex)
   for (std::size_t c = 0; c < complex.cells_end(); ++c) {
     const Compact_cell& cell = complex.cell(c);
     for (unsigned k = 0; !Complex::is_dead(cell) && k < 4; ++k) {
-      const Id across = complex.cell(cell.links[k] >> 2).v[cell.links[k] & 3];
+      const Id across = complex.cell(cell.neighbors[k] >> 2).v[cell.neighbors[k] & 3];
       if (across != Complex::infinite && predicates.is_in_conflict(cell, across))
         return false;
     }

@@ -14,8 +14,8 @@
 // cells are written one by one.
 //
 // The order of loads is: for a neighbour, the first vertex and then the opposite one; for a cell
-// that is validated, the lanes, the first vertex and then `links`. On x86 loads are not reordered;
-// elsewhere the acquire loads forbid it.
+// that is validated, the lanes, the first vertex and then the neighbours. On x86 loads are not
+// reordered; elsewhere the acquire loads forbid it.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fill_star.h>
@@ -35,7 +35,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-struct Links
+struct Neighbors
 {
   Id of[4];
 };
@@ -43,8 +43,8 @@ struct Links
 // A conflict zone, and the data that was read when it was dug: others may have written since.
 struct Announced_zone : Conflict_zone
 {
-  std::vector<Links> links; // of the zone's cells
-  std::vector<Id> words;    // the first vertices of the zone's cells, which tell their versions
+  std::vector<Neighbors> neighbors; // of the zone's cells
+  std::vector<Id> words; // the first vertices of the zone's cells, which tell their versions
   std::vector<Id> outside_words; // the same of the cells beyond the facets
 
   Announced_zone() { make_room(64); }
@@ -53,7 +53,7 @@ struct Announced_zone : Conflict_zone
   void make_room(std::size_t n)
   {
     Conflict_zone::make_room(n);
-    links.resize(this->cells.size());
+    neighbors.resize(this->cells.size());
     words.resize(this->cells.size());
     outside_words.resize(this->facets.size());
   }
@@ -64,7 +64,7 @@ struct Handshake
 {
   static constexpr bool has_fence = true;
   static constexpr bool masks_own_lane = true;
-  static constexpr bool compares_links = true;
+  static constexpr bool compares_neighbors = true;
   static constexpr bool compares_outside = true;
   static constexpr bool heeds_busy = true;
 };
@@ -77,7 +77,7 @@ inline bool read_cell(const Compact_cell& cell, Compact_cell& copy)
   for (unsigned k = 1; k < 4; ++k)
     copy.v[k] = load_relaxed(cell.v[k]);
   for (unsigned k = 0; k < 4; ++k)
-    copy.links[k] = load_relaxed(cell.links[k]);
+    copy.neighbors[k] = load_relaxed(cell.neighbors[k]);
   acquire_fence();
   return !Compact_numbers::is_dead(copy) && load_relaxed(cell.v[0]) == word;
 }
@@ -109,7 +109,7 @@ public:
     for (unsigned i = 1; i < 4; ++i)
       m_cell.v[i] = load_relaxed(cells[c].v[i]);
     for (unsigned i = 0; i < 4; ++i)
-      m_zone.links[k].of[i] = m_cell.links[i] = load_relaxed(cells[c].links[i]);
+      m_zone.neighbors[k].of[i] = m_cell.neighbors[i] = load_relaxed(cells[c].neighbors[i]);
     return m_cell;
   }
 
@@ -118,12 +118,12 @@ public:
     unsigned open = 0, infinite = Complex::is_infinite(cell) ? 15 : 0;
     const double *v[4], *opposite[4];
     for (unsigned k = 0; k < 4; ++k) {
-      const Cell& neighbor = cells[cell.links[k] >> 2];
+      const Cell& neighbor = cells[cell.neighbors[k] >> 2];
       const Id word = load_acquire(neighbor.v[0]);
-      const Id e = load_relaxed(neighbor.v[cell.links[k] & 3]) & Id(~Complex::dead);
+      const Id e = load_relaxed(neighbor.v[cell.neighbors[k] & 3]) & Id(~Complex::dead);
       m_words[k] = word;
       m_is_torn |= Protocol::heeds_busy && (word & Complex::dead) != 0;
-      open |= unsigned(load_relaxed(lane(cell.links[k] >> 2)) == 0) << k;
+      open |= unsigned(load_relaxed(lane(cell.neighbors[k] >> 2)) == 0) << k;
       infinite |= unsigned(e == Complex::infinite) << k;
       opposite[k] = vertices[e].coordinates;
       v[k] = vertices[cell.v[k]].coordinates;
@@ -139,22 +139,23 @@ public:
   // since; if this fails, is_torn() holds.
   const Cell& neighbor(const Cell* cells, const Cell& cell, unsigned k)
   {
-    m_is_torn |= !read_cell(cells[cell.links[k] >> 2], m_neighbor) || m_neighbor.v[0] != m_words[k];
+    m_is_torn |=
+        !read_cell(cells[cell.neighbors[k] >> 2], m_neighbor) || m_neighbor.v[0] != m_words[k];
     return m_neighbor;
   }
 
   Zone_ends note(Cell*, const Cell& cell, const Neighborhood& around, Zone_ends ends)
   {
     for (unsigned k = 0; k < 4; ++k) {
-      const Id link = cell.links[k], joins = Id(around.inside >> k & 1);
-      std::uint8_t& own = lane(link >> 2);
+      const Id neighbor = cell.neighbors[k], joins = Id(around.inside >> k & 1);
+      std::uint8_t& own = lane(neighbor >> 2);
       store_relaxed(own, std::uint8_t(load_relaxed(own) | joins));
       m_zone.words[ends.cell - m_zone.cells.data()] = m_words[k];
-      *ends.cell = link >> 2;
+      *ends.cell = neighbor >> 2;
       ends.cell += joins;
       m_zone.outside_words[ends.facet - m_zone.facets.data()] = m_words[k];
       *ends.facet = {
-          link,
+          neighbor,
           {cell.v[facet_corners[k][0]], cell.v[facet_corners[k][1]], cell.v[facet_corners[k][2]]}};
       ends.facet += around.bounding() >> k & 1;
     }
@@ -178,7 +179,7 @@ protected:
   {
     std::uint64_t bits = 0;
     void add(std::uint64_t d) { bits |= d; }
-    void add_links(const Id* now, const Id* then)
+    void add_neighbors(const Id* now, const Id* then)
     {
       for (unsigned i = 0; i < 4; ++i)
         bits |= load_relaxed(now[i]) ^ then[i];
@@ -194,13 +195,13 @@ protected:
     return with_other_lanes(m_all_lanes, own, [&](auto others) {
       const Id* const zone = m_zone.cells.data();
       const Id* const words = m_zone.words.data();
-      const Links* const links = m_zone.links.data();
+      const Neighbors* const neighbors = m_zone.neighbors.data();
       for (std::size_t k = 0; k < n; ++k) {
         const Cell& cell = cells[zone[k]];
         difference.add(others(zone[k]));
         difference.add(load_acquire(cell.v[0]) ^ words[k]);
-        if (Protocol::compares_links)
-          difference.add_links(cell.links, links[k].of);
+        if (Protocol::compares_neighbors)
+          difference.add_neighbors(cell.neighbors, neighbors[k].of);
       }
       const Zone_facet* const facets = m_zone.facets.data();
       const Id* const outside_words = m_zone.outside_words.data();
@@ -233,7 +234,7 @@ protected:
 // The following does the same as Explore_announced, in vectors. Only here are words that others
 // write read four at a time. A processor with such vectors loads each word of them whole, in the
 // order described above, since x86 does not reorder loads. The compiler could; therefore lanes,
-// first vertices, and the links that are compared in the end are loaded as `volatile`.
+// first vertices, and the neighbours compared in the end are loaded as `volatile`.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
 
@@ -261,10 +262,10 @@ public:
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS const Cell& read(const Cell* cells, Id c, std::size_t k)
   {
-    const __m128i links = Wide::load(cells[c].links);
+    const __m128i neighbors = Wide::load(cells[c].neighbors);
     Wide::store(m_cell.v, Wide::load(cells[c].v));
-    Wide::store(m_cell.links, links);
-    Wide::store(m_zone.links[k].of, links);
+    Wide::store(m_cell.neighbors, neighbors);
+    Wide::store(m_zone.neighbors[k].of, neighbors);
     m_cell.v[0] = m_zone.words[k];
     return m_cell;
   }
@@ -273,19 +274,20 @@ public:
                                                               const Vertex* vertices,
                                                               const Cell& cell, const double* p)
   {
-    const Id l0 = cell.links[0], l1 = cell.links[1], l2 = cell.links[2], l3 = cell.links[3];
-    const Cell &n0 = cells[l0 >> 2], &n1 = cells[l1 >> 2], &n2 = cells[l2 >> 2],
-               &n3 = cells[l3 >> 2];
-    const Id w0 = load_acquire(n0.v[0]), w1 = load_acquire(n1.v[0]), w2 = load_acquire(n2.v[0]),
-             w3 = load_acquire(n3.v[0]);
+    const Id n0 = cell.neighbors[0], n1 = cell.neighbors[1], n2 = cell.neighbors[2],
+             n3 = cell.neighbors[3];
+    const Cell &c0 = cells[n0 >> 2], &c1 = cells[n1 >> 2], &c2 = cells[n2 >> 2],
+               &c3 = cells[n3 >> 2];
+    const Id w0 = load_acquire(c0.v[0]), w1 = load_acquire(c1.v[0]), w2 = load_acquire(c2.v[0]),
+             w3 = load_acquire(c3.v[0]);
     const Id unmarked = Id(~Complex::dead);
-    const Id e0 = load_relaxed(n0.v[l0 & 3]) & unmarked, e1 = load_relaxed(n1.v[l1 & 3]) & unmarked,
-             e2 = load_relaxed(n2.v[l2 & 3]) & unmarked, e3 = load_relaxed(n3.v[l3 & 3]) & unmarked;
+    const Id e0 = load_relaxed(c0.v[n0 & 3]) & unmarked, e1 = load_relaxed(c1.v[n1 & 3]) & unmarked,
+             e2 = load_relaxed(c2.v[n2 & 3]) & unmarked, e3 = load_relaxed(c3.v[n3 & 3]) & unmarked;
     const __m128i words = _mm_setr_epi32(int(w0), int(w1), int(w2), int(w3));
     Wide::store(m_words, words);
-    m_own_lanes = std::uint32_t(this->lane(l0 >> 2)) | std::uint32_t(this->lane(l1 >> 2)) << 8 |
-                  std::uint32_t(this->lane(l2 >> 2)) << 16 |
-                  std::uint32_t(this->lane(l3 >> 2)) << 24;
+    m_own_lanes = std::uint32_t(this->lane(n0 >> 2)) | std::uint32_t(this->lane(n1 >> 2)) << 8 |
+                  std::uint32_t(this->lane(n2 >> 2)) << 16 |
+                  std::uint32_t(this->lane(n3 >> 2)) << 24;
     const unsigned open = 15 & ~bits_of_bytes(m_own_lanes);
     m_is_torn |= Protocol::heeds_busy && Wide::signs_of(words) != 0;
     if (m_is_torn)
@@ -304,10 +306,10 @@ public:
     const unsigned inside = around.inside, bounding = around.bounding();
     const std::uint32_t own_lanes = m_own_lanes | bytes_of_bits(inside);
     for (unsigned k = 0; k < 4; ++k)
-      this->lane(cell.links[k] >> 2) = std::uint8_t(own_lanes >> 8 * k);
+      this->lane(cell.neighbors[k] >> 2) = std::uint8_t(own_lanes >> 8 * k);
     const __m128i words = Wide::load(m_words);
     Wide::store(m_zone.words.data() + (ends.cell - m_zone.cells.data()), Wide::pack(words, inside));
-    Wide::store(ends.cell, Wide::pack(_mm_srli_epi32(Wide::load(cell.links), 2), inside));
+    Wide::store(ends.cell, Wide::pack(_mm_srli_epi32(Wide::load(cell.neighbors), 2), inside));
     ends.cell += __builtin_popcount(inside);
     Wide::store(m_zone.outside_words.data() + (ends.facet - m_zone.facets.data()),
                 Wide::pack(words, bounding));
@@ -331,18 +333,18 @@ private:
   struct Wide_difference
   {
     std::uint64_t bits = 0;
-    __m128i of_links = _mm_setzero_si128();
+    __m128i of_neighbors = _mm_setzero_si128();
     void add(std::uint64_t d) { bits |= d; }
-    void add_links(const Id* now, const Id* then)
+    void add_neighbors(const Id* now, const Id* then)
     {
       // `volatile`: the compiler must not load it before the lanes and the first vertex.
       const __m128i current = *reinterpret_cast<const volatile __m128i*>(now);
       const __m128i before = _mm_loadu_si128(reinterpret_cast<const __m128i*>(then));
-      of_links = _mm_or_si128(of_links, _mm_xor_si128(current, before));
+      of_neighbors = _mm_or_si128(of_neighbors, _mm_xor_si128(current, before));
     }
     bool is_zero() const
     {
-      const __m128i zero = _mm_cmpeq_epi8(of_links, _mm_setzero_si128());
+      const __m128i zero = _mm_cmpeq_epi8(of_neighbors, _mm_setzero_si128());
       return bits == 0 && _mm_movemask_epi8(zero) == 0xffff;
     }
   };
@@ -393,10 +395,10 @@ public:
     release_fence();
     for (unsigned k = 0; k < 3; ++k)
       store_relaxed(cell.v[k + 1], facet.corners[k]);
-    store_relaxed(cell.links[0], facet.outside);
+    store_relaxed(cell.neighbors[0], facet.outside);
   }
-  static void set_outer_link(Id& link, Id to) { store_release(link, to); }
-  static void set_link(Id& link, Id to) { store_relaxed(link, to); }
+  static void set_outer_neighbor(Id& neighbor, Id to) { store_release(neighbor, to); }
+  static void set_neighbor(Id& neighbor, Id to) { store_relaxed(neighbor, to); }
   static void close(Cell& cell, Id p) { store_release(cell.v[0], p); }
 
   // A worker that destroys a cell stores later than its maker: so the cell that is stored last is

@@ -179,7 +179,7 @@ public:
     for (std::size_t c = last; c-- > first;) {
       for (unsigned k = 0; k < 4; ++k) {
         store_relaxed(m_complex.cell(c).v[k], Id(k == 0 ? Complex::dead : 0));
-        store_relaxed(m_complex.cell(c).links[k], Id(0));
+        store_relaxed(m_complex.cell(c).neighbors[k], Id(0));
       }
       free_cells.push_back(Id(c));
     }
