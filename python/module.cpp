@@ -14,7 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 
@@ -125,7 +125,7 @@ py::tuple triangulated(const py::array& array, const py::object& faces, bool nei
 {
   const Use_of use(kept);
   const core::Rounding_to_nearest rounding;
-  const core::Thread_executor executor((std::min)(threads, std::size_t(core::Lanes::most_workers)));
+  const core::Thread_executor executor((std::min)(threads, std::size_t(core::Marks::most_workers)));
   python::Copied_points points(array);
   check_faces(faces, points.size());
   python::Interruptible_observer observer(points.size(), progress, rounding);

@@ -13,7 +13,7 @@
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
@@ -79,7 +79,7 @@ std::size_t checked_threads(int threads)
 {
   if (threads <= 0)
     throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
-  return (std::min)(std::size_t(threads), std::size_t(core::Lanes::most_workers));
+  return (std::min)(std::size_t(threads), std::size_t(core::Marks::most_workers));
 }
 
 void refuse_null(const void* array, std::size_t n = 1)

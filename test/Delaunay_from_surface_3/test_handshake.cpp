@@ -75,7 +75,7 @@ std::vector<Case> large_cases()
 {
   return {
       make_case(
-          "a second point by the same lanes", 5, 2,
+          "a second point by the same marks", 5, 2,
           {{0, above(1, 5, one_cell), 1}, {0, above(1, 8, 4), 1}, {1, above(2, 5, one_cell), 2}}),
       make_case("a dead cell that comes to life elsewhere", 8, 2,
                 {{0, above(2, 5, three_cells), 2},
@@ -176,9 +176,9 @@ void check_wrong(bool Protocol::*part)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(without_the_mask_of_the_own_lane)
+BOOST_AUTO_TEST_CASE(without_the_mask_of_the_own_mark)
 {
-  check_wrong(&Protocol::masks_own_lane);
+  check_wrong(&Protocol::masks_own_mark);
 }
 
 BOOST_AUTO_TEST_CASE(without_the_second_reading_of_neighbors)
@@ -201,8 +201,8 @@ BOOST_AUTO_TEST_CASE(without_the_busy_bit)
 BOOST_AUTO_TEST_CASE(without_an_order)
 {
   BOOST_TEST(error<Views>(without(&Protocol::acquires_words)) != "");
-  BOOST_TEST(error<Views>(without(&Protocol::acquires_lanes)) != "");
-  BOOST_TEST(error<Views>(without(&Protocol::releases_lanes)) != "");
+  BOOST_TEST(error<Views>(without(&Protocol::acquires_marks)) != "");
+  BOOST_TEST(error<Views>(without(&Protocol::releases_marks)) != "");
   BOOST_TEST(error<Views>(without(&Protocol::releases_words)) != "");
   BOOST_TEST(error<Views>(without(&Protocol::has_release_fence)) != "");
   BOOST_TEST(error<Views>(without(&Protocol::has_acquire_fence)) != "");

@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(workers_that_own_cells_make_the_same)
   }
 }
 
-// 2, 4, 8, 16, 32 and 64 lanes have different words.
+// 2, 4, 8, 16, 32 and 64 marks have different words.
 BOOST_AUTO_TEST_CASE(any_number_of_workers)
 {
   const auto points = tests::points_of("cube", 2000, 11);

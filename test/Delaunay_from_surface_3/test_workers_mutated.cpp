@@ -35,7 +35,7 @@ using CGAL::Delaunay_from_surface_3::internal::Handshake;
 
 struct Without_mask : Handshake
 {
-  static constexpr bool masks_own_lane = false;
+  static constexpr bool masks_own_mark = false;
 };
 struct Without_outside : Handshake
 {
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(with_all_parts_there_is_no_failure)
   BOOST_TEST(failure<Handshake>("all parts", 2) == "");
 }
 
-BOOST_AUTO_TEST_CASE(without_the_mask_of_the_own_lane)
+BOOST_AUTO_TEST_CASE(without_the_mask_of_the_own_mark)
 {
   BOOST_TEST(failure<Without_mask>("without the mask") != "");
 }

@@ -177,13 +177,13 @@ def draw_handshake():
     for x, kind, name in ((400, "red", "thread A"), (640, "other", "thread B")):
         svg.text(x + 105, 22, name, "middle bold")
         svg.box(kind, x, 34, 210, 44, "walk and dig, without a lock", "note what was read")
-        svg.box(kind, x, 90, 210, 44, "announce the zone", "one byte for each cell: my lane")
+        svg.box(kind, x, 90, 210, 44, "announce the zone", "one byte for each cell: my mark")
         svg.box("warm", x, 146, 210, 26, "fence")
-        svg.box(kind, x, 184, 210, 44, "look again at what was read", "and at the others' lanes")
+        svg.box(kind, x, 184, 210, 44, "look again at what was read", "and at the others' marks")
         for y in (78, 134, 172, 228):
             svg.way("arrow", [(x + 105, y), (x + 105, y + 12)])
-    svg.box("green", 400, 240, 210, 44, "nothing has changed:", "write the star, withdraw lanes")
-    svg.box("box", 640, 240, 210, 44, "A's lane is set: withdraw", "nothing was written; try later")
+    svg.box("green", 400, 240, 210, 44, "nothing has changed:", "write the star, withdraw marks")
+    svg.box("box", 640, 240, 210, 44, "A's mark is set: withdraw", "nothing was written; try later")
     svg.text(625, 312, "Both announced before both looked, so at least one sees the other.", "middle small")
     svg.write("handshake.svg")
     print("handshake.svg: zones of", len(zones[0]), "and", len(zones[1]), "cells,", len(clash), "in the way")

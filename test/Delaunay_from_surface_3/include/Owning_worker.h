@@ -140,7 +140,7 @@ private:
     return true;
   }
 
-  std::uint8_t& owner(Id c) { return m_shared.lanes().lane(c, 0); }
+  std::uint8_t& owner(Id c) { return m_shared.marks().mark(c, 0); }
   bool is_in_zone(Id c) { return (DFS::internal::load_relaxed(owner(c)) & in_zone) != 0; }
 
   bool own(Id c)

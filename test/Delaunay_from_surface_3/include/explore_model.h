@@ -49,8 +49,8 @@ inline std::string what_is_wrong(const Case& c, const std::vector<Byte>& memory,
   unsigned lower_ends = 0;
   for (unsigned k = 0; k < c.number_of_cells(); ++k) {
     for (unsigned w = 0; w < c.number_of_workers(); ++w)
-      if (memory[at.lane(k, w)] != 0)
-        return "a lane is left set";
+      if (memory[at.mark(k, w)] != 0)
+        return "a mark is left set";
     const Byte v[2] = {memory[at.v(k, 0)], memory[at.v(k, 1)]};
     if ((v[0] & busy) != 0)
       continue;

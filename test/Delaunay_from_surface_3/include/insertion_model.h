@@ -31,14 +31,14 @@ namespace model {
 struct Protocol
 {
   bool has_fence = true;
-  bool masks_own_lane = true;
+  bool masks_own_mark = true;
   bool compares_neighbors = true;
   bool compares_outside = true;
   bool heeds_busy = true;
 
   bool acquires_words = true;
-  bool acquires_lanes = true;
-  bool releases_lanes = true;
+  bool acquires_marks = true;
+  bool releases_marks = true;
   bool releases_words = true;
   bool releases_outer_neighbors = true;
   bool has_release_fence = true; // after the store that makes a cell busy
@@ -157,8 +157,8 @@ private:
     m_facets.clear();
     m_outside_words.clear();
     m_neighbors.clear();
-    m_own_lanes.assign(m_case.number_of_cells(), 0); // as stored: nobody else writes them
-    set_own_lane(m_cells[0], 1);                     // mark()
+    m_own_marks.assign(m_case.number_of_cells(), 0); // as stored: nobody else writes them
+    set_own_mark(m_cells[0], 1);                     // mark()
     for (std::size_t k = 0; k < m_cells.size(); ++k)
       if (!look_around(p, read(k)))
         return false;
@@ -187,12 +187,12 @@ private:
       words[k] = m_access.load(m_at.v(neighbor / 2, 0), acquire_if(m_protocol.acquires_words));
       opposite[k] = m_access.load(m_at.v(neighbor / 2, neighbor % 2), Order::RELAXED) & Byte(~busy);
       is_torn |= m_protocol.heeds_busy && (words[k] & busy) != 0;
-      is_open[k] = m_own_lanes[neighbor / 2] == 0;
+      is_open[k] = m_own_marks[neighbor / 2] == 0;
     }
     for (unsigned k = 0; k < 2; ++k) {
       const Byte neighbor = cell.neighbors[k], corner = cell.v[1 - k] & Byte(~busy);
       const bool joins = !is_torn && is_open[k] && m_case.is_below(p, corner, opposite[k]);
-      set_own_lane(neighbor / 2, m_own_lanes[neighbor / 2] | Byte(joins));
+      set_own_mark(neighbor / 2, m_own_marks[neighbor / 2] | Byte(joins));
       if (joins) {
         m_cells.push_back(neighbor / 2);
         m_words.push_back(words[k]);
@@ -204,10 +204,10 @@ private:
     return !is_torn;
   }
 
-  void set_own_lane(unsigned c, Byte value)
+  void set_own_mark(unsigned c, Byte value)
   {
-    m_own_lanes[c] = value;
-    m_access.store(m_at.lane(c, m_number), value, Order::RELAXED);
+    m_own_marks[c] = value;
+    m_access.store(m_at.mark(c, m_number), value, Order::RELAXED);
   }
 
   // --- validating ------------------------------------------------------------------------------
@@ -217,7 +217,7 @@ private:
   bool is_still_true()
   {
     for (std::size_t k = 0; k < m_cells.size(); ++k) {
-      if (is_in_other_lane(m_cells[k]) || load_word(m_cells[k]) != m_words[k])
+      if (has_other_mark(m_cells[k]) || load_word(m_cells[k]) != m_words[k])
         return false;
       for (unsigned i = 0; m_protocol.compares_neighbors && i < 2; ++i)
         if (m_access.load(m_at.neighbor(m_cells[k], i), Order::RELAXED) != m_neighbors[k][i])
@@ -225,17 +225,17 @@ private:
     }
     for (std::size_t f = 0; m_protocol.compares_outside && f < m_facets.size(); ++f) {
       const unsigned outside = m_facets[f].outside / 2;
-      if (is_in_other_lane(outside) || load_word(outside) != m_outside_words[f])
+      if (has_other_mark(outside) || load_word(outside) != m_outside_words[f])
         return false;
     }
     return true;
   }
 
-  bool is_in_other_lane(unsigned c)
+  bool has_other_mark(unsigned c)
   {
     for (unsigned w = 0; w < m_case.number_of_workers(); ++w)
-      if ((w != m_number || !m_protocol.masks_own_lane) &&
-          m_access.load(m_at.lane(c, w), acquire_if(m_protocol.acquires_lanes)) != 0)
+      if ((w != m_number || !m_protocol.masks_own_mark) &&
+          m_access.load(m_at.mark(c, w), acquire_if(m_protocol.acquires_marks)) != 0)
         return true;
     return false;
   }
@@ -256,7 +256,7 @@ private:
 
   void release(unsigned c)
   {
-    m_access.store(m_at.lane(c, m_number), 0, release_if(m_protocol.releases_lanes));
+    m_access.store(m_at.mark(c, m_number), 0, release_if(m_protocol.releases_marks));
   }
 
   void write_star(Byte p)
@@ -324,7 +324,7 @@ private:
   const Layout m_at;
   const unsigned m_number;
   std::vector<Byte>& m_free_cells;
-  std::vector<Byte> m_cells, m_words, m_outside_words, m_own_lanes;
+  std::vector<Byte> m_cells, m_words, m_outside_words, m_own_marks;
   std::vector<Facet> m_facets;
   std::vector<std::array<Byte, 2>> m_neighbors;
 };

@@ -65,7 +65,7 @@ struct Layout
 
   Location v(unsigned cell, unsigned k) const { return cell * (4 + workers) + k; }
   Location neighbor(unsigned cell, unsigned k) const { return v(cell, 2 + k); }
-  Location lane(unsigned cell, unsigned worker) const { return v(cell, 4 + worker); }
+  Location mark(unsigned cell, unsigned worker) const { return v(cell, 4 + worker); }
 };
 
 inline std::vector<Byte> initial_memory(const Case& c)

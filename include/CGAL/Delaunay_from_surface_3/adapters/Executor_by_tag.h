@@ -14,7 +14,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 
-#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -41,7 +41,7 @@ public:
     : m_number((std::min)(
           {std::size_t(tbb::this_task_arena::max_concurrency()),
            tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism),
-           std::size_t(Lanes::most_workers)}))
+           std::size_t(Marks::most_workers)}))
   {
   }
 

@@ -9,7 +9,7 @@
 // by side in several.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
@@ -47,7 +47,7 @@ inline std::size_t threads_of_task(std::size_t k, std::size_t n, std::size_t thr
 {
   const std::size_t last = n % threads, first = n - last; // the last tasks are shared
   const std::size_t share = k < first ? 1 : (threads + last - 1 - (k - first)) / last;
-  return (std::min)(share, std::size_t(Lanes::most_workers));
+  return (std::min)(share, std::size_t(Marks::most_workers));
 }
 
 // Calls task(0), …, task(n - 1), which the executor's workers take one after the other. If a task

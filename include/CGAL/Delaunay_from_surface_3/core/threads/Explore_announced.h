@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_EXPLORE_ANNOUNCED_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_EXPLORE_ANNOUNCED_H
 
-// Digs while others write: cells that join the zone are announced in the worker's lane, and all
+// Digs while others write: cells that join the zone are announced by the worker's mark, and all
 // that was read is kept, to be compared before anything is written (is_still_true()).
 //
 // A cell is written only as part of the star of some point p, whose number is then its first
@@ -14,12 +14,12 @@
 // cells are written one by one.
 //
 // The order of loads is: for a neighbour, the first vertex and then the opposite one; for a cell
-// that is validated, the lanes, the first vertex and then the neighbours. On x86 loads are not
+// that is validated, the marks, the first vertex and then the neighbours. On x86 loads are not
 // reordered; elsewhere the acquire loads forbid it.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fill_star.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/support/shared_words.h>
 
@@ -63,7 +63,7 @@ struct Announced_zone : Conflict_zone
 struct Handshake
 {
   static constexpr bool has_fence = true;
-  static constexpr bool masks_own_lane = true;
+  static constexpr bool masks_own_mark = true;
   static constexpr bool compares_neighbors = true;
   static constexpr bool compares_outside = true;
   static constexpr bool heeds_busy = true;
@@ -90,17 +90,17 @@ protected:
   using Cell = Compact_cell;
 
 public:
-  Explore_announced(Announced_zone& zone, Lanes& lanes, unsigned worker)
+  Explore_announced(Announced_zone& zone, Marks& marks, unsigned worker)
     : m_zone(zone)
-    , m_lanes(lanes.bytes() + worker)
-    , m_shift(lanes.shift())
-    , m_all_lanes(lanes)
+    , m_bytes(marks.bytes() + worker)
+    , m_shift(marks.shift())
+    , m_marks(marks)
     , m_worker(worker)
   {
   }
 
   // Announces the first cell. The zone has the word under which it was found in conflict.
-  void mark(const Cell*, Id c) { store_relaxed(lane(c), std::uint8_t(1)); }
+  void mark(const Cell*, Id c) { store_relaxed(own_mark(c), std::uint8_t(1)); }
 
   // Returns a copy of cell c, the k-th of the zone.
   const Cell& read(const Cell* cells, Id c, std::size_t k)
@@ -123,7 +123,7 @@ public:
       const Id e = load_relaxed(neighbor.v[cell.neighbors[k] & 3]) & Id(~Complex::dead);
       m_words[k] = word;
       m_is_torn |= Protocol::heeds_busy && (word & Complex::dead) != 0;
-      open |= unsigned(load_relaxed(lane(cell.neighbors[k] >> 2)) == 0) << k;
+      open |= unsigned(load_relaxed(own_mark(cell.neighbors[k] >> 2)) == 0) << k;
       infinite |= unsigned(e == Complex::infinite) << k;
       opposite[k] = vertices[e].coordinates;
       v[k] = vertices[cell.v[k]].coordinates;
@@ -148,7 +148,7 @@ public:
   {
     for (unsigned k = 0; k < 4; ++k) {
       const Id neighbor = cell.neighbors[k], joins = Id(around.inside >> k & 1);
-      std::uint8_t& own = lane(neighbor >> 2);
+      std::uint8_t& own = own_mark(neighbor >> 2);
       store_relaxed(own, std::uint8_t(load_relaxed(own) | joins));
       m_zone.words[ends.cell - m_zone.cells.data()] = m_words[k];
       *ends.cell = neighbor >> 2;
@@ -172,7 +172,7 @@ public:
   }
 
 protected:
-  std::uint8_t& lane(std::size_t cell) const { return m_lanes[cell << m_shift]; }
+  std::uint8_t& own_mark(std::size_t cell) const { return m_bytes[cell << m_shift]; }
 
   // The differences between words as they were read and as they are now; 0 if there are none.
   struct Difference
@@ -191,8 +191,8 @@ protected:
   template <class Differences>
   bool compare(const Cell* cells, std::size_t n, Differences difference) const
   {
-    const unsigned own = Protocol::masks_own_lane ? m_worker : Lanes::most_workers;
-    return with_other_lanes(m_all_lanes, own, [&](auto others) {
+    const unsigned own = Protocol::masks_own_mark ? m_worker : Marks::most_workers;
+    return with_other_marks(m_marks, own, [&](auto others) {
       const Id* const zone = m_zone.cells.data();
       const Id* const words = m_zone.words.data();
       const Neighbors* const neighbors = m_zone.neighbors.data();
@@ -216,9 +216,9 @@ protected:
   }
 
   Announced_zone& m_zone;
-  std::uint8_t* m_lanes; // the worker's
+  std::uint8_t* m_bytes; // the worker's
   unsigned m_shift;
-  const Lanes& m_all_lanes;
+  const Marks& m_marks;
   unsigned m_worker;
   bool m_is_torn = false;
   alignas(32) Cell m_cell;
@@ -233,7 +233,7 @@ protected:
 
 // The following does the same as Explore_announced, in vectors. Only here are words that others
 // write read four at a time. A processor with such vectors loads each word of them whole, in the
-// order described above, since x86 does not reorder loads. The compiler could; therefore lanes,
+// order described above, since x86 does not reorder loads. The compiler could; therefore marks,
 // first vertices, and the neighbours compared in the end are loaded as `volatile`.
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
@@ -285,10 +285,10 @@ public:
              e2 = load_relaxed(c2.v[n2 & 3]) & unmarked, e3 = load_relaxed(c3.v[n3 & 3]) & unmarked;
     const __m128i words = _mm_setr_epi32(int(w0), int(w1), int(w2), int(w3));
     Wide::store(m_words, words);
-    m_own_lanes = std::uint32_t(this->lane(n0 >> 2)) | std::uint32_t(this->lane(n1 >> 2)) << 8 |
-                  std::uint32_t(this->lane(n2 >> 2)) << 16 |
-                  std::uint32_t(this->lane(n3 >> 2)) << 24;
-    const unsigned open = 15 & ~bits_of_bytes(m_own_lanes);
+    m_own_marks =
+        std::uint32_t(this->own_mark(n0 >> 2)) | std::uint32_t(this->own_mark(n1 >> 2)) << 8 |
+        std::uint32_t(this->own_mark(n2 >> 2)) << 16 | std::uint32_t(this->own_mark(n3 >> 2)) << 24;
+    const unsigned open = 15 & ~bits_of_bytes(m_own_marks);
     m_is_torn |= Protocol::heeds_busy && Wide::signs_of(words) != 0;
     if (m_is_torn)
       return {open, 0, open};
@@ -304,9 +304,9 @@ public:
                                                          const Neighborhood& around, Zone_ends ends)
   {
     const unsigned inside = around.inside, bounding = around.bounding();
-    const std::uint32_t own_lanes = m_own_lanes | bytes_of_bits(inside);
+    const std::uint32_t own_marks = m_own_marks | bytes_of_bits(inside);
     for (unsigned k = 0; k < 4; ++k)
-      this->lane(cell.neighbors[k] >> 2) = std::uint8_t(own_lanes >> 8 * k);
+      this->own_mark(cell.neighbors[k] >> 2) = std::uint8_t(own_marks >> 8 * k);
     const __m128i words = Wide::load(m_words);
     Wide::store(m_zone.words.data() + (ends.cell - m_zone.cells.data()), Wide::pack(words, inside));
     Wide::store(ends.cell, Wide::pack(_mm_srli_epi32(Wide::load(cell.neighbors), 2), inside));
@@ -327,7 +327,7 @@ private:
   static unsigned bits_of_bytes(std::uint32_t bytes) { return bytes * 0x01020408 >> 24; }
   static std::uint32_t bytes_of_bits(unsigned bits) { return bits * 0x00204081 & 0x01010101; }
 
-  std::uint32_t m_own_lanes = 0; // of the neighbours, a byte each
+  std::uint32_t m_own_marks = 0; // of the neighbours, a byte each
 
   // Every x86 processor of 64 bits has these vectors.
   struct Wide_difference
@@ -337,7 +337,7 @@ private:
     void add(std::uint64_t d) { bits |= d; }
     void add_neighbors(const Id* now, const Id* then)
     {
-      // `volatile`: the compiler must not load it before the lanes and the first vertex.
+      // `volatile`: the compiler must not load it before the marks and the first vertex.
       const __m128i current = *reinterpret_cast<const volatile __m128i*>(now);
       const __m128i before = _mm_loadu_si128(reinterpret_cast<const __m128i*>(then));
       of_neighbors = _mm_or_si128(of_neighbors, _mm_xor_si128(current, before));

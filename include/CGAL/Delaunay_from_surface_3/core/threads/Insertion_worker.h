@@ -9,16 +9,16 @@
 // that no other worker interfered, and only then writes.
 //
 // Two insertions conflict if a cell of one zone is in the other zone or beside it. Both announce
-// their zones in their lanes, pass a fence, and then read the lanes of their zones and of the cells
+// their zones by their marks, pass a fence, and then read the marks of their zones and of the cells
 // beside: at least one sees the other, and gives up with nothing written. If the other has finished
-// before, its cleared lanes make its writes visible: a first vertex or a neighbour is not the one
+// before, its cleared marks make its writes visible: a first vertex or a neighbour is not the one
 // that was read. Insertions whose zones share a cell beside them only write different neighbours of
 // it.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Explore_announced.h>
-#include <CGAL/Delaunay_from_surface_3/core/threads/Lanes.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ struct Announced_to_others
   template <class Explorer>
   Explorer explore(Zone& zone) const
   {
-    return Explorer(zone, shared.lanes(), number);
+    return Explorer(zone, shared.marks(), number);
   }
 
   Shared_complex<Vertex>& shared;
@@ -104,7 +104,7 @@ class Insertion_worker
   using Access = Announced_to_others<Vertex, Protocol>;
 
 public:
-  // Makes the worker with this number, which is one of those for which `shared` has lanes.
+  // Makes the worker with this number, which is one of those for which `shared` has marks.
   Insertion_worker(Shared_complex<Vertex>& shared, unsigned number)
     : m_shared(shared)
     , m_number(number)
@@ -163,7 +163,7 @@ private:
     return outcome;
   }
 
-  void release(Id c) { store_release(m_shared.lanes().lane(c, m_number), std::uint8_t(0)); }
+  void release(Id c) { store_release(m_shared.marks().mark(c, m_number), std::uint8_t(0)); }
 
   bool has_cells_for_star()
   {

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_LANES_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_LANES_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_MARKS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_MARKS_H
 
-// Each cell has a byte per worker, its lane, which says: "the cell is in my conflict zone". Each
+// Each cell has a byte per worker, its mark, which says: "the cell is in my conflict zone". Each
 // byte has one writer, so that nothing is ever compared and swapped: two workers that announce
-// their zones in this way, and then look for the other's lane, cannot both overlook the other
+// their zones in this way, and then look for the other's mark, cannot both overlook the other
 // (Dekker's handshake; Dijkstra 1965).
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
@@ -28,19 +28,19 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-class Lanes
+class Marks
 {
 public:
   static constexpr unsigned most_workers = 64;
 
-  // Makes lanes for so many workers, up to most_workers, but for no cells yet.
-  explicit Lanes(unsigned number_of_workers)
+  // Makes marks for so many workers, up to most_workers, but for no cells yet.
+  explicit Marks(unsigned number_of_workers)
   {
     while ((1u << m_shift) < number_of_workers)
       ++m_shift;
   }
 
-  // Makes room for n cells; no lane is set. No other worker may run.
+  // Makes room for n cells; no mark is set. No other worker may run.
   void reset(std::size_t n)
   {
     m_bytes.reset(); // first, so that both are never allocated
@@ -51,7 +51,7 @@ public:
 
   void deallocate() { m_bytes.reset(); }
 
-  std::uint8_t& lane(std::size_t cell, unsigned worker)
+  std::uint8_t& mark(std::size_t cell, unsigned worker)
   {
     return m_bytes.get()[(cell << m_shift) + worker];
   }
@@ -66,17 +66,17 @@ private:
     void operator()(std::uint8_t* bytes) const { std::free(bytes); }
   };
 
-  unsigned m_shift = 1; // there are at least two lanes
+  unsigned m_shift = 1; // a cell has at least two marks
   std::unique_ptr<std::uint8_t[], Free> m_bytes;
 };
 
-// Returns the lanes of a cell, except one worker's, as one number: 0 if no other worker has the
+// Returns the marks of a cell, except one worker's, as one number: 0 if no other worker has the
 // cell. The bytes of a cell are read as words.
 template <class Word, unsigned number_of_words = 1>
-class Other_lanes
+class Other_marks
 {
 public:
-  Other_lanes(const std::uint8_t* bytes, unsigned worker)
+  Other_marks(const std::uint8_t* bytes, unsigned worker)
     : m_words(reinterpret_cast<const Word*>(bytes))
   {
     for (unsigned b = 0; b < sizeof(m_others); ++b)
@@ -99,10 +99,10 @@ private:
 
 // Does the same byte by byte, for ThreadSanitizer: what is written as a byte must be read as a
 // byte.
-class Other_lanes_by_byte
+class Other_marks_by_byte
 {
 public:
-  Other_lanes_by_byte(const std::uint8_t* bytes, unsigned worker, unsigned shift)
+  Other_marks_by_byte(const std::uint8_t* bytes, unsigned worker, unsigned shift)
     : m_bytes(bytes)
     , m_worker(worker)
     , m_shift(shift)
@@ -122,29 +122,29 @@ private:
   unsigned m_worker, m_shift;
 };
 
-// Calls f(others), where others(cell) returns the lanes of a cell except the worker's.
+// Calls f(others), where others(cell) returns the marks of a cell except the worker's.
 template <class F>
-auto with_other_lanes(const Lanes& lanes, unsigned worker, const F& f)
+auto with_other_marks(const Marks& marks, unsigned worker, const F& f)
 {
   if constexpr (is_watched)
-    return f(Other_lanes_by_byte(lanes.bytes(), worker, lanes.shift()));
-  switch (lanes.shift()) {
+    return f(Other_marks_by_byte(marks.bytes(), worker, marks.shift()));
+  switch (marks.shift()) {
   case 1:
-    return f(Other_lanes<std::uint16_t>(lanes.bytes(), worker));
+    return f(Other_marks<std::uint16_t>(marks.bytes(), worker));
   case 2:
-    return f(Other_lanes<std::uint32_t>(lanes.bytes(), worker));
+    return f(Other_marks<std::uint32_t>(marks.bytes(), worker));
   case 3:
-    return f(Other_lanes<std::uint64_t>(lanes.bytes(), worker));
+    return f(Other_marks<std::uint64_t>(marks.bytes(), worker));
   case 4:
-    return f(Other_lanes<std::uint64_t, 2>(lanes.bytes(), worker));
+    return f(Other_marks<std::uint64_t, 2>(marks.bytes(), worker));
   case 5:
-    return f(Other_lanes<std::uint64_t, 4>(lanes.bytes(), worker));
+    return f(Other_marks<std::uint64_t, 4>(marks.bytes(), worker));
   default:
-    return f(Other_lanes<std::uint64_t, 8>(lanes.bytes(), worker));
+    return f(Other_marks<std::uint64_t, 8>(marks.bytes(), worker));
   }
 }
 
-// The cells and vertices of a complex that has started, the lanes of the cells, and chunks of fresh
+// The cells and vertices of a complex that has started, the marks of the cells, and chunks of fresh
 // cells.
 template <class Vertex>
 class Shared_complex
@@ -154,19 +154,19 @@ class Shared_complex
 public:
   Shared_complex(Complex& complex, unsigned number_of_workers)
     : m_complex(complex)
-    , m_lanes(number_of_workers)
+    , m_marks(number_of_workers)
   {
   }
 
   // To be called once the complex has started.
   void begin()
   {
-    if (m_lanes.bytes() == nullptr)
+    if (m_marks.bytes() == nullptr)
       make_room(m_complex.cells_end());
   }
 
   Complex& complex() { return m_complex; }
-  Lanes& lanes() { return m_lanes; }
+  Marks& marks() { return m_marks; }
 
   // Adds fresh cells, which are dead, to `free_cells`; returns whether there were any. This is the
   // only function here that several workers may call at once.
@@ -191,7 +191,7 @@ public:
   {
     const std::size_t used = (std::min)(m_next.load(), m_complex.capacity());
     m_complex.make_room(n);
-    m_lanes.reset(m_complex.capacity());
+    m_marks.reset(m_complex.capacity());
     m_next = (std::max)(used, m_complex.cells_end());
   }
 
@@ -206,10 +206,10 @@ public:
   }
 
   // Tells the complex all cells, even fresh ones, which are dead. Finds a cell of the infinite
-  // vertex. Gives the lanes back.
+  // vertex. Gives the marks back.
   void finish()
   {
-    m_lanes.deallocate();
+    m_marks.deallocate();
     note_cells();
     for (std::size_t c = m_complex.cells_end(); c-- > 0;)
       if (!Complex::is_dead(m_complex.cell(c)) && Complex::is_infinite(m_complex.cell(c))) {
@@ -220,7 +220,7 @@ public:
 
 private:
   Complex& m_complex;
-  Lanes m_lanes;
+  Marks m_marks;
   std::atomic<std::size_t> m_next{0};
 };
 
@@ -229,4 +229,4 @@ private:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_LANES_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_MARKS_H
