@@ -662,10 +662,10 @@ BOOST_AUTO_TEST_CASE(integers_of_any_width)
     double d[4] = {number(), number(), number(), number()};
     for (double& x : d)
       x = random.one_in(3) ? d[random.below(4)] : x;
-    Wide_integer w[4];
+    Big_integer w[4];
     Plain_big b[4];
     for (int k = 0; k < 4; ++k)
-      w[k] = Wide_integer(d[k], -1074), b[k] = big(d[k]);
+      w[k] = Big_integer(d[k], -1074), b[k] = big(d[k]);
     const Plain_big minor = b[0] * b[1] - b[2] * b[3];
     zeros += minor.sign() == 0;
     wrong += sign_of(w[0] * w[1] - w[2] * w[3]) != minor.sign();

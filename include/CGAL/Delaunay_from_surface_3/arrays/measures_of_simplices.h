@@ -14,7 +14,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_integer.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Big_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -91,10 +91,10 @@ struct Bounded_rows
 
 // Holds the same differences in integers.
 template <int N>
-struct Integer_rows : Wide_differences<N>
+struct Integer_rows : Big_differences<N>
 {
-  using Number = Wide_integer;
-  using Wide_differences<N>::Wide_differences;
+  using Number = Big_integer;
+  using Big_differences<N>::Big_differences;
 
   static bool is_known(const Number&, const Number&) { return true; }
   static Scaled_double rounded(const Number& n)

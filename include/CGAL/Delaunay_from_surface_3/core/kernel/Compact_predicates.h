@@ -18,7 +18,7 @@
 //                   or at very different distances                      -  balanced_signs.h
 //   DOUBLE_DOUBLE   farther from 0 than sums of two doubles err       240  Double_double.h
 //   TWO_DIGITS      integers of 120 bits, 0 included                  440  exact_signs.h
-//   ANY_WIDTH       all that is left                                    -  Wide_integer.h
+//   ANY_WIDTH       all that is left                                    -  Big_integer.h
 //
 // Where the sign is 0, the stage goes on with CGAL's perturbation. Sheets are flat all over: where
 // the last test was decided in a flat box, the columns are asked before the integers.

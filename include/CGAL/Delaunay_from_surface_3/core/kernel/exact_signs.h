@@ -15,7 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Fixed_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Wide_integer.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Big_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -191,7 +191,7 @@ struct Exact_beyond
 template <class Determinant>
 Exact_sign wide_sign(const double* const* vertices, const double* p)
 {
-  const Wide_differences<Determinant::size> differences(vertices, p);
+  const Big_differences<Determinant::size> differences(vertices, p);
   return Determinant::sign(differences.rows, ANY_WIDTH, vertices, p);
 }
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WIDE_INTEGER_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WIDE_INTEGER_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_BIG_INTEGER_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_BIG_INTEGER_H
 
 // These integers are as large as need be, for the determinants that no other stage can decide. All
 // doubles are integers times the least positive one, 2^-1074, so differences have at most 2099
@@ -48,7 +48,7 @@ struct Bits_of_double
   int exponent;
 };
 
-class Wide_integer
+class Big_integer
 {
 #if defined(__SIZEOF_INT128__)
   using Digit = std::uint64_t;
@@ -62,7 +62,7 @@ class Wide_integer
 
 public:
   // Makes 0.
-  Wide_integer()
+  Big_integer()
     : m_begin(0)
     , m_size(0)
     , m_is_negative(false)
@@ -70,7 +70,7 @@ public:
   }
 
   // Makes d · 2^-unit, which must be an integer.
-  CGAL_DELAUNAY_FROM_SURFACE_3_APART Wide_integer(double d, int unit)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART Big_integer(double d, int unit)
     : m_begin(0)
     , m_size(0)
     , m_is_negative(d < 0)
@@ -86,11 +86,11 @@ public:
     }
   }
 
-  Wide_integer(const Wide_integer& other)
+  Big_integer(const Big_integer& other)
   {
     *this = other;
   }
-  CGAL_DELAUNAY_FROM_SURFACE_3_APART Wide_integer& operator=(const Wide_integer& other)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART Big_integer& operator=(const Big_integer& other)
   {
     if (this != &other) {
       m_begin = other.m_begin;
@@ -101,7 +101,7 @@ public:
     return *this;
   }
 
-  friend int sign_of(const Wide_integer& n)
+  friend int sign_of(const Big_integer& n)
   {
     return n.m_size == 0 ? 0 : n.m_is_negative ? -1 : 1;
   }
@@ -117,19 +117,19 @@ public:
     return m_is_negative ? -value : value;
   }
 
-  friend Wide_integer operator+(const Wide_integer& s, const Wide_integer& t)
+  friend Big_integer operator+(const Big_integer& s, const Big_integer& t)
   {
     return sum(s, t, t.m_is_negative);
   }
-  friend Wide_integer operator-(const Wide_integer& s, const Wide_integer& t)
+  friend Big_integer operator-(const Big_integer& s, const Big_integer& t)
   {
     return sum(s, t, !t.m_is_negative);
   }
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_APART friend Wide_integer operator*(const Wide_integer& s,
-                                                                   const Wide_integer& t)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART friend Big_integer operator*(const Big_integer& s,
+                                                                  const Big_integer& t)
   {
-    Wide_integer product;
+    Big_integer product;
     product.m_is_negative = s.m_is_negative != t.m_is_negative;
     product.m_begin = s.m_begin + t.m_begin;
     product.m_size = s.m_size + t.m_size;
@@ -163,12 +163,12 @@ private:
   }
 
   // Returns the sum of s and of t with the given sign.
-  CGAL_DELAUNAY_FROM_SURFACE_3_APART static Wide_integer
-  sum(const Wide_integer& s, const Wide_integer& t, bool is_t_negative)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART static Big_integer
+  sum(const Big_integer& s, const Big_integer& t, bool is_t_negative)
   {
-    Wide_integer result;
+    Big_integer result;
     const bool is_less = has_less_digits(s, t);
-    const Wide_integer &larger = is_less ? t : s, &smaller = is_less ? s : t;
+    const Big_integer &larger = is_less ? t : s, &smaller = is_less ? s : t;
     result.m_begin =
         smaller.m_size == 0 ? larger.m_begin : (std::min)(larger.m_begin, smaller.m_begin);
     result.m_is_negative = is_less ? is_t_negative : s.m_is_negative;
@@ -181,7 +181,7 @@ private:
   }
 
   // Compares absolute values.
-  static bool has_less_digits(const Wide_integer& s, const Wide_integer& t)
+  static bool has_less_digits(const Big_integer& s, const Big_integer& t)
   {
     if (s.m_size != t.m_size)
       return s.m_size < t.m_size;
@@ -192,7 +192,7 @@ private:
     return i >= begin && s.digit(i) < t.digit(i);
   }
 
-  void set_sum(const Wide_integer& larger, const Wide_integer& smaller)
+  void set_sum(const Big_integer& larger, const Big_integer& smaller)
   {
     Digit carry = 0;
     for (int i = m_begin; i < larger.m_size; ++i) {
@@ -204,7 +204,7 @@ private:
     m_digits[larger.m_size] = carry;
   }
 
-  void set_difference(const Wide_integer& larger, const Wide_integer& smaller)
+  void set_difference(const Big_integer& larger, const Big_integer& smaller)
   {
     Digit borrowed = 0;
     for (int i = m_begin; i < larger.m_size; ++i) {
@@ -231,21 +231,21 @@ private:
 // Holds the differences of N vertices and p, row by row, divided by 2^unit, the greatest power of 2
 // of which all coordinates are multiples. Any finite doubles will do.
 template <int N>
-struct Wide_differences
+struct Big_differences
 {
-  Row<Wide_integer> rows[N];
+  Row<Big_integer> rows[N];
   int unit;
 
-  Wide_differences(const double* const* vertices, const double* p)
+  Big_differences(const double* const* vertices, const double* p)
     : unit(unit_of(p))
   {
     for (int k = 0; k < N; ++k)
       unit = (std::min)(unit, unit_of(vertices[k]));
-    const Wide_integer x(p[0], unit), y(p[1], unit), z(p[2], unit);
+    const Big_integer x(p[0], unit), y(p[1], unit), z(p[2], unit);
     for (int k = 0; k < N; ++k) {
       const double* const v = vertices[k];
-      rows[k] = {Wide_integer(v[0], unit) - x, Wide_integer(v[1], unit) - y,
-                 Wide_integer(v[2], unit) - z};
+      rows[k] = {Big_integer(v[0], unit) - x, Big_integer(v[1], unit) - y,
+                 Big_integer(v[2], unit) - z};
     }
   }
 
@@ -265,4 +265,4 @@ private:
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_WIDE_INTEGER_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_BIG_INTEGER_H
