@@ -140,7 +140,7 @@ public:
       points.push_back(c.points[i]);
     return std::string(c.kind) + ", " + std::to_string(c.threads) + " " +
            runners[std::size_t(c.runner)] + ", from point " + std::to_string(c.rules.first_points) +
-           " on, in chunks of " + std::to_string(c.rules.chunk) + to_string(points);
+           " on, in batches of " + std::to_string(c.rules.batch) + to_string(points);
   }
 };
 

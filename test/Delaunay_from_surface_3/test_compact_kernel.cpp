@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes)
   check_equal(too_flat);
 }
 
-BOOST_AUTO_TEST_CASE(large_cavities)
+BOOST_AUTO_TEST_CASE(large_conflict_zones)
 {
   // The centre comes last and sees every cell; so does what is far beyond on a line of outliers.
   for (const std::size_t n : {60, 62, 64, 66, 124, 126, 128, 130, 3000}) {

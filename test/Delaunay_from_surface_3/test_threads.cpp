@@ -155,7 +155,7 @@ struct Numbers_visitor : CGAL::Default_surface_insertion_visitor_3
   }
 };
 
-// Though the caller's thread takes chunks from others, which may lie before its own.
+// Though the caller's thread takes batches from others, which may lie before its own.
 BOOST_AUTO_TEST_CASE(progress_never_falls)
 {
   const Indexed_surface surface = surfaces::genus_surface(3, 60000, 0.1);
@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(stops_and_exceptions_leave_an_empty_triangulation)
   const Triangulation plain(surface.points.begin(), surface.points.end());
   with_eight_threads([&] {
     Triangulation tr;
-    // The caller is asked once a chunk, and the first eight rounds have fewer points than one.
+    // The caller is asked once a batch, and the first eight rounds have fewer points than one.
     for (const std::size_t stops_at : {0, 5, 10, 15})
       for (const bool throws : {false, true}) {
         Counting_visitor visitor;

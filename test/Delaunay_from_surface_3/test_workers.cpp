@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Many workers in the compact kernel: eight threads on whatever cores there are, in chunks of eight
+// Many workers in the compact kernel: eight threads on whatever cores there are, in batches of eight
 // points, from the thirtieth point on, make what one thread makes. Meant for ThreadSanitizer, too.
 
 #define BOOST_TEST_MODULE test_workers
@@ -83,8 +83,8 @@ BOOST_AUTO_TEST_CASE(walks_from_afar_come_near)
       triangulation(subject.complex, executor);
   const CGAL::Delaunay_from_surface_3::internal::Starting_cells<tests::Compact_vertex> hints(
       subject.complex, subject.vertex_of, nullptr, subject.any_vertex);
-  triangulation.insert_round(0, first_round, subject.vertex_of, hints, tests::Never_stop());
-  triangulation.insert_round(first_round, n, subject.vertex_of, hints, tests::Never_stop());
+  triangulation.insert_chunk(0, first_round, subject.vertex_of, hints, tests::Never_stop());
+  triangulation.insert_chunk(first_round, n, subject.vertex_of, hints, tests::Never_stop());
   triangulation.finish();
   BOOST_TEST(triangulation.counts().cells_tested_to_start < 100 * n);
   BOOST_TEST(subject.complex.is_valid());
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(any_number_of_workers)
 
 namespace {
 
-// There is no visitor here: go_further() ends the round, before whatever chunk the caller's worker
+// There is no visitor here: go_further() ends the chunk, before whatever batch the caller's worker
 // would take. Others may leave it none.
 template <class Executor>
 void check_stops(const Executor& executor, bool caller_has_its_chunks)
@@ -136,9 +136,9 @@ void check_stops(const Executor& executor, bool caller_has_its_chunks)
     const tests::Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
     int asked = 0;
     const auto go_further = [&](std::size_t) { return asked++ < stops_at; };
-    triangulation.insert_round(0, 30, subject.vertex_of, hints, tests::Never_stop());
+    triangulation.insert_chunk(0, 30, subject.vertex_of, hints, tests::Never_stop());
     const bool is_stopped =
-        !triangulation.insert_round(30, 2000, subject.vertex_of, hints, go_further);
+        !triangulation.insert_chunk(30, 2000, subject.vertex_of, hints, go_further);
     BOOST_TEST(is_stopped == (asked > stops_at));
     BOOST_TEST((is_stopped || !caller_has_its_chunks));
     triangulation.finish();

@@ -8,7 +8,7 @@
 //
 // Left to test_handshake, which tries all orders of steps: the fence and the second reading of
 // neighbours. They guard against moments of some nanoseconds, and were not missed when 1,092 and 669
-// triangulations were made without them on two busy cores: two to eight threads, chunks of one and
+// triangulations were made without them on two busy cores: two to eight threads, batches of one and
 // eight, up to 3,000 points, with and without threads that were interrupted every 100 or 300
 // microseconds.
 //
@@ -52,18 +52,18 @@ double seconds_per_part()
   return suite.argc > 1 ? std::atof(suite.argv[1]) : 30;
 }
 
-// Dense sets in which workers meet often: few points in many small chunks.
+// Dense sets in which workers meet often: few points in many small batches.
 template <class Protocol>
 bool is_right(unsigned seed)
 {
   const char* const kinds[] = {"cube", "sphere", "moment curve", "hub"};
   const std::size_t n = seed % 4 == 2 ? 60 : seed % 8 < 4 ? 100 : 300;
   const auto points = tests::points_of(kinds[seed % 4], n, seed);
-  const std::size_t chunk = seed % 3 == 0 ? 1 : 8;
+  const std::size_t batch = seed % 3 == 0 ? 1 : 8;
   const tests::Thread_executor executor(seed % 2 == 0 ? 2 : 3);
   using Worker =
       CGAL::Delaunay_from_surface_3::internal::Insertion_worker<tests::Compact_vertex, Protocol>;
-  const auto many = tests::insert_by_many<Worker>(points, executor, {30, 8, chunk});
+  const auto many = tests::insert_by_many<Worker>(points, executor, {30, 8, batch});
   return many.is_valid && many.cells == tests::cells_by_one(points);
 }
 

@@ -131,7 +131,7 @@ private:
   bool own_cells_of_star()
   {
     while (m_zone.number_of_cells + m_zone.free_cells.size() < m_zone.number_of_facets)
-      if (!m_shared.take_chunk(m_zone.free_cells))
+      if (!m_shared.take_block(m_zone.free_cells))
         return false;
     for (std::size_t k = m_zone.number_of_cells; k < m_zone.number_of_facets; ++k)
       while (!own(m_zone.free_cells[m_zone.free_cells.size() - 1 - (k - m_zone.number_of_cells)])) {

@@ -166,7 +166,7 @@ Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
   const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
   for (std::size_t first = 0, last = 30; first < points.size(); first = last, last *= 2) {
     last = (std::min)(last, points.size());
-    triangulation.insert_round(first, last, subject.vertex_of, hints, go_further);
+    triangulation.insert_chunk(first, last, subject.vertex_of, hints, go_further);
   }
   triangulation.finish();
   return {subject.complex.is_valid() && DFS::internal::is_delaunay(subject.complex),

@@ -72,16 +72,16 @@ public:
   }
 
 private:
-  // As Parallel_triangulation cuts rounds, but for pieces.
+  // Deals out a round as Parallel_triangulation does a chunk.
   std::size_t round(std::size_t first, std::size_t last)
   {
     namespace internal = CGAL::Delaunay_from_surface_3::internal;
     const internal::Parallel_rules rules;
     std::size_t number = (std::min)(m_workers.size(), (last - first) / rules.points_per_worker);
     number = first < rules.first_points || number == 0 ? 1 : number;
-    internal::Segments segments(first, last, number);
+    internal::Shares shares(first, last, number);
     std::vector<std::size_t> announced(number, none), put_off;
-    std::vector<internal::Segments::Range> chunks(number, {0, 0});
+    std::vector<internal::Shares::Range> batches(number, {0, 0});
     std::size_t rolled_back = 0;
     for (bool is_active = true; is_active;) {
       is_active = false;
@@ -95,12 +95,12 @@ private:
             clash(announced[t]);
           announced[t] = none;
         }
-        if (chunks[t].first == chunks[t].second)
-          chunks[t] = segments.take(t, rules.chunk);
-        if (chunks[t].first == chunks[t].second)
+        if (batches[t].first == batches[t].second)
+          batches[t] = shares.take(t, rules.batch);
+        if (batches[t].first == batches[t].second)
           continue;
         is_active = true;
-        const std::size_t i = chunks[t].first++;
+        const std::size_t i = batches[t].first++;
         if (const Try outcome = announce(t, i); outcome == Try::CLASH)
           clash(i);
         else if (outcome == Try::DONE)

@@ -24,7 +24,7 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Inserts pieces of a round of Choi 2002, Fig. 1, lines 2b and 2c, by many threads.
+// Inserts chunks of a round of Choi 2002, Fig. 1, lines 2b and 2c, by several workers.
 
 template <class Vertex>
 class Insert_by_workers
@@ -38,21 +38,21 @@ public:
   {
   }
 
-  std::size_t size_of_piece(std::size_t inserted) const
+  std::size_t size_of_chunk(std::size_t inserted) const
   {
-    return m_triangulation.size_of_piece(inserted);
+    return m_triangulation.size_of_chunk(inserted);
   }
   std::size_t number_of_threads() const { return m_triangulation.number_of_workers(); }
 
   // Inserts the points at the places first, …, last - 1; returns false if the observer stopped it.
   bool operator()(std::size_t first, std::size_t last)
   {
-    return m_triangulation.insert_round(
+    return m_triangulation.insert_chunk(
         first, last, m_points.vertices, m_points.starting_cells(),
         [&](std::size_t inserted) { return m_observer.go_further(inserted); });
   }
 
-  // To be called when all is inserted.
+  // To be called when all points are inserted.
   void finish() { m_triangulation.finish(); }
 
   Insertion_counts counts() const { return m_triangulation.counts(); }

@@ -94,7 +94,7 @@ inline Insertion_order order_of_points(const Point_array& points, const Build_op
   return order;
 }
 
-// Inserts the points in rounds, and the rounds in pieces, between which observer and budget are
+// Inserts the points in rounds, and the rounds in chunks, between which observer and budget are
 // asked; not when all are inserted, since what is done is kept.
 template <class Insert>
 Insertion_outcome insert_in_rounds(Insert& insert, const Order_view& order, Observer& observer,
@@ -106,7 +106,7 @@ Insertion_outcome insert_in_rounds(Insert& insert, const Order_view& order, Obse
     const std::size_t N_h = order.round_ends[h];
     observer.phase_begins(Surface_insertion_phase::ROUND, N_h - first);
     while (first < N_h) {
-      const std::size_t next = (std::min)(N_h, first + insert.size_of_piece(first));
+      const std::size_t next = (std::min)(N_h, first + insert.size_of_chunk(first));
       if (!insert(first, next)) // 2b, 2c
         return Insertion_outcome::STOPPED;
       if (next < order.size && budget.is_exceeded(insert.counts(), next))

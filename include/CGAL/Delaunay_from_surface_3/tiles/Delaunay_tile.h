@@ -150,8 +150,8 @@ std::vector<Id> insert_by_threads(Compact_complex<Compact_vertex>& complex, std:
   std::size_t place = first;
   for (const std::size_t end : round_ends)
     while (place < first + end) {
-      const std::size_t next = (std::min)(first + end, place + workers.size_of_piece(place));
-      workers.insert_round(place, next, vertex_of,
+      const std::size_t next = (std::min)(first + end, place + workers.size_of_chunk(place));
+      workers.insert_chunk(place, next, vertex_of,
                            Starting_cells<Compact_vertex>(complex, vertex_of, nullptr, 1),
                            [](std::size_t) { return true; });
       place = next;

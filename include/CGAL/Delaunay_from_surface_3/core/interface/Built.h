@@ -6,7 +6,7 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_INTERFACE_BUILT_H
 
 // These types cross the border of the compiled core: cells and vertices as numbers, the complex
-// that build() makes, its order of insertion, and its watcher. A cell is half a cache line.
+// that build() makes, its order of insertion, and its observer. A cell is half a cache line.
 //
 // The point at place i of the order of insertion is vertex i + 1; vertex 0 is the infinite one.
 //

@@ -42,7 +42,7 @@ public:
   }
 
   // Returns how many points the next chunk should have.
-  static constexpr std::size_t size_of_piece(std::size_t /* inserted */) { return 256; }
+  static constexpr std::size_t size_of_chunk(std::size_t /* inserted */) { return 256; }
   static constexpr std::size_t number_of_threads() { return 1; }
 
   // Inserts the points at the places first, …, last - 1; returns false if the observer stopped it.

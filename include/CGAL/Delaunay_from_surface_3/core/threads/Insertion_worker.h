@@ -170,7 +170,7 @@ private:
     if (!m_zone.has_room(m_zone.number_of_facets))
       m_zone.make_room(2 * m_zone.number_of_facets);
     while (m_zone.number_of_cells + m_zone.free_cells.size() < m_zone.number_of_facets)
-      if (!m_shared.take_chunk(m_zone.free_cells))
+      if (!m_shared.take_block(m_zone.free_cells))
         return false;
     return true;
   }

@@ -144,7 +144,7 @@ auto with_other_marks(const Marks& marks, unsigned worker, const F& f)
   }
 }
 
-// The cells and vertices of a complex that has started, the marks of the cells, and chunks of fresh
+// The cells and vertices of a complex that has started, the marks of the cells, and blocks of fresh
 // cells.
 template <class Vertex>
 class Shared_complex
@@ -170,11 +170,11 @@ public:
 
   // Adds fresh cells, which are dead, to `free_cells`; returns whether there were any. This is the
   // only function here that several workers may call at once.
-  bool take_chunk(std::vector<Id>& free_cells)
+  bool take_block(std::vector<Id>& free_cells)
   {
-    constexpr std::size_t chunk = 256;
-    const std::size_t first = m_next.fetch_add(chunk, std::memory_order_relaxed);
-    const std::size_t last = (std::min)(first + chunk, m_complex.capacity());
+    constexpr std::size_t block = 256;
+    const std::size_t first = m_next.fetch_add(block, std::memory_order_relaxed);
+    const std::size_t last = (std::min)(first + block, m_complex.capacity());
     m_complex.touch_cells(first, last);
     for (std::size_t c = last; c-- > first;) {
       for (unsigned k = 0; k < 4; ++k) {

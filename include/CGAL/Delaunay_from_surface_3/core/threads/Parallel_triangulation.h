@@ -5,11 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_PARALLEL_TRIANGULATION_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_THREADS_PARALLEL_TRIANGULATION_H
 
-// Several workers do a round of Choi 2002, Fig. 1, lines 2b and 2c, or a piece of one. Every start
-// is a vertex of an earlier round, or leads to one, so that any worker can insert any point of the
-// piece at any time. A point that clashes is tried once more when its chunk is done, and then put
-// off until all chunks are, when the caller inserts it alone: until then no worker waits for
-// another.
+// Several workers insert a chunk of a round of Choi 2002, Fig. 1, lines 2b and 2c. Every start is a
+// vertex of an earlier round, or leads to one, so that any worker can insert any point of the chunk
+// at any time. A point that clashes is tried once more when its batch is done, and then put off
+// until all batches are, when the caller inserts it alone: until then no worker waits for another.
 //
 // The result is right even if workers run one after the other: the first one then takes all points.
 
@@ -35,34 +34,33 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The numbers first, …, last - 1, cut into as many segments as there are workers. If the order
-// follows the surface, each segment is a patch of it, so workers meet only at the seams. A worker
-// takes chunks from the front of its segment; when that is empty, it takes the second half of what
-// is left of the largest one.
-class Segments
+// Deals out the numbers first, …, last - 1 in one share for each worker. If the order follows the
+// surface, each share is a patch of it, so workers meet only at the seams. A worker takes batches
+// from the front of its share; when that is empty, it takes the second half of the largest one left.
+class Shares
 {
 public:
   using Range = std::pair<std::size_t, std::size_t>;
 
-  Segments(std::size_t first, std::size_t last, std::size_t number)
+  Shares(std::size_t first, std::size_t last, std::size_t number)
     : m_first(first)
-    , m_segments(number)
+    , m_shares(number)
   {
     const std::size_t n = last - first;
     for (std::size_t t = 0; t < number; ++t)
-      m_segments[t].ends = packed({n / number * t + (std::min)(t, n % number),
-                                   n / number * (t + 1) + (std::min)(t + 1, n % number)});
+      m_shares[t].ends = packed({n / number * t + (std::min)(t, n % number),
+                                 n / number * (t + 1) + (std::min)(t + 1, n % number)});
   }
 
-  // Returns the next numbers of worker t, `chunk` or fewer; the range is empty if all are taken.
-  Range take(std::size_t t, std::size_t chunk)
+  // Returns the next numbers of worker t, `batch` or fewer; the range is empty if all are taken.
+  Range take(std::size_t t, std::size_t batch)
   {
     for (;;) {
-      std::uint64_t ends = m_segments[t].ends.load();
+      std::uint64_t ends = m_shares[t].ends.load();
       Range range = unpacked(ends);
       while (range.first < range.second) {
-        const std::size_t next = (std::min)(range.first + chunk, range.second);
-        if (m_segments[t].ends.compare_exchange_weak(ends, packed({next, range.second})))
+        const std::size_t next = (std::min)(range.first + batch, range.second);
+        if (m_shares[t].ends.compare_exchange_weak(ends, packed({next, range.second})))
           return {m_first + range.first, m_first + next};
         range = unpacked(ends);
       }
@@ -72,8 +70,8 @@ public:
   }
 
 private:
-  // Each segment has a cache line of its own.
-  struct alignas(64) Segment
+  // Each share has a cache line of its own.
+  struct alignas(64) Share
   {
     std::atomic<std::uint64_t> ends{0};
   };
@@ -87,14 +85,14 @@ private:
     return {std::size_t(ends >> 32), std::size_t(ends & 0xffffffff)};
   }
 
-  // Returns false if nothing is left. Segment t is empty; only its owner fills it.
+  // Returns false if nothing is left. Share t is empty; only its owner fills it.
   bool steal_half_of_largest(std::size_t t)
   {
     for (;;) {
       std::size_t largest = t, most = 0;
       std::uint64_t ends = 0;
-      for (std::size_t s = 0; s < m_segments.size(); ++s) {
-        const std::uint64_t those = m_segments[s].ends.load();
+      for (std::size_t s = 0; s < m_shares.size(); ++s) {
+        const std::uint64_t those = m_shares[s].ends.load();
         const Range range = unpacked(those);
         if (range.first < range.second && range.second - range.first > most)
           largest = s, most = range.second - range.first, ends = those;
@@ -103,23 +101,23 @@ private:
         return false;
       const Range range = unpacked(ends);
       const std::size_t middle = range.first + (range.second - range.first) / 2;
-      if (m_segments[largest].ends.compare_exchange_strong(ends, packed({range.first, middle}))) {
-        m_segments[t].ends.store(packed({middle, range.second}));
+      if (m_shares[largest].ends.compare_exchange_strong(ends, packed({range.first, middle}))) {
+        m_shares[t].ends.store(packed({middle, range.second}));
         return true;
       }
     }
   }
 
   std::size_t m_first;
-  std::vector<Segment> m_segments;
+  std::vector<Share> m_shares;
 };
 
-// The rules for the number of workers of a round, and of the points that they take at a time.
+// These rules give the number of workers of a chunk, and of the points that they take at a time.
 struct Parallel_rules
 {
   std::size_t first_points = 2000;     // until so many are inserted, one worker works
-  std::size_t points_per_worker = 500; // at least, in a round
-  std::size_t chunk = 256;
+  std::size_t points_per_worker = 500; // at least, in a chunk
+  std::size_t batch = 256;
 };
 
 // A Worker inserts points beside others; tests use other workers.
@@ -138,40 +136,40 @@ public:
   {
   }
 
-  // Returns how many points a call of insert_round() should have: enough for its workers to be
-  // worth their start, but, after the first chunk, no more than are inserted already, because the
-  // caller looks at the costs between the calls.
-  std::size_t size_of_piece(std::size_t inserted) const
+  // Returns how many points the next chunk should have: enough for its workers to be worth their
+  // start, but, after the first batch, no more than are inserted already, because the caller looks
+  // at the costs between chunks.
+  std::size_t size_of_chunk(std::size_t inserted) const
   {
     if (inserted < m_rules.first_points) // one worker works
-      return (std::min)(m_rules.chunk, m_rules.first_points - inserted);
-    return (std::max)({m_rules.chunk, (std::min)(inserted, 32 * m_rules.chunk), inserted / 4});
+      return (std::min)(m_rules.batch, m_rules.first_points - inserted);
+    return (std::max)({m_rules.batch, (std::min)(inserted, 32 * m_rules.batch), inserted / 4});
   }
 
   // Inserts the points first, …, last - 1. vertex_of[i] becomes the vertex of point i. Each worker
-  // has a copy of `hints`. Whenever the caller's thread takes a chunk, it calls go_further(i),
-  // where i is the farthest point at which it has begun a chunk. Returns false if the answer was
+  // has a copy of `hints`. Whenever the caller's thread takes a batch, it calls go_further(i),
+  // where i is the farthest point at which it has begun a batch. Returns false if the answer was
   // no.
   template <class Hints, class GoFurther>
-  bool insert_round(std::size_t first, std::size_t last, std::vector<Id>& vertex_of,
+  bool insert_chunk(std::size_t first, std::size_t last, std::vector<Id>& vertex_of,
                     const Hints& hints, const GoFurther& go_further)
   {
     m_shared.begin();
-    const std::size_t number = workers_of_round(first, last - first);
-    Round<Hints, GoFurther> round(first, last, number, vertex_of, hints, go_further);
-    for (bool is_first = true; is_first || round.is_full; is_first = false) {
-      if (round.is_full.exchange(false))
+    const std::size_t number = workers_of_chunk(first, last - first);
+    Chunk<Hints, GoFurther> chunk(first, last, number, vertex_of, hints, go_further);
+    for (bool is_first = true; is_first || chunk.is_full; is_first = false) {
+      if (chunk.is_full.exchange(false))
         m_shared.grow();
-      call_each(m_executor, number, [&](std::size_t t) { work(round, t); });
-      if (round.error)
-        std::rethrow_exception(round.error);
-      if (round.is_stopped)
+      call_each(m_executor, number, [&](std::size_t t) { work(chunk, t); });
+      if (chunk.error)
+        std::rethrow_exception(chunk.error);
+      if (chunk.is_stopped)
         return false;
     }
-    return insert_put_off(round);
+    return insert_put_off(chunk);
   }
 
-  // Updates Compact_complex::cells_end(). To be called between rounds.
+  // Updates Compact_complex::cells_end(). To be called between chunks.
   void note_cells() { m_shared.note_cells(); }
 
   // To be called when all points are inserted. Gives back the memory that only threads need.
@@ -192,13 +190,13 @@ public:
   std::size_t number_of_workers() const { return m_executor.number_of_workers(); }
 
 private:
-  // The data that the workers of a round share, and the data of each worker.
+  // Holds the data that the workers of a chunk have in common, and the data of each worker.
   template <class Hints, class GoFurther>
-  struct Round
+  struct Chunk
   {
-    Round(std::size_t first, std::size_t last, std::size_t number, std::vector<Id>& vertices,
+    Chunk(std::size_t first, std::size_t last, std::size_t number, std::vector<Id>& vertices,
           const Hints& h, const GoFurther& go)
-      : segments(first, last, number)
+      : shares(first, last, number)
       , own(number, Own{h, {}, 0})
       , vertex_of(vertices)
       , go_further(go)
@@ -212,16 +210,16 @@ private:
       std::size_t clashes;
     };
 
-    Segments segments;
+    Shares shares;
     std::vector<Own> own;
     std::vector<Id>& vertex_of;
     const GoFurther& go_further;
-    std::size_t farthest = 0; // the farthest point at which the caller's thread began a chunk
+    std::size_t farthest = 0; // the farthest point at which the caller's thread began a batch
     std::atomic<bool> is_stopped{false}, is_full{false}, has_error{false};
     std::exception_ptr error;
   };
 
-  std::size_t workers_of_round(std::size_t inserted, std::size_t points)
+  std::size_t workers_of_chunk(std::size_t inserted, std::size_t points)
   {
     std::size_t number = m_executor.number_of_workers();
     number = (std::min)(number, points / m_rules.points_per_worker);
@@ -231,67 +229,67 @@ private:
     return number;
   }
 
-  template <class Round>
-  void work(Round& round, std::size_t t)
+  template <class Chunk>
+  void work(Chunk& chunk, std::size_t t)
   {
     try {
-      while (!round.is_stopped && !round.is_full) {
-        const Segments::Range chunk = round.segments.take(t, m_rules.chunk);
-        if (chunk.first == chunk.second)
+      while (!chunk.is_stopped && !chunk.is_full) {
+        const Shares::Range batch = chunk.shares.take(t, m_rules.batch);
+        if (batch.first == batch.second)
           break;
-        if (!may_go_further(round, t, chunk.first))
+        if (!may_go_further(chunk, t, batch.first))
           break;
-        const std::size_t clashes = insert_chunk(round, t, chunk);
+        const std::size_t clashes = insert_batch(chunk, t, batch);
         // If more than half of the points clash, there are too many workers: those with odd numbers
         // stop, and the first one stays.
-        if (t % 2 == 1 && 2 * clashes > chunk.second - chunk.first)
+        if (t % 2 == 1 && 2 * clashes > batch.second - batch.first)
           break;
       }
     } catch (...) {
-      if (!round.has_error.exchange(true))
-        round.error = std::current_exception();
-      round.is_stopped = true;
+      if (!chunk.has_error.exchange(true))
+        chunk.error = std::current_exception();
+      chunk.is_stopped = true;
     }
   }
 
   // The first worker is the caller's thread. It tells how far it has come, and never less than
-  // before, although the chunks that it takes from others may lie before its own.
-  template <class Round>
-  bool may_go_further(Round& round, std::size_t t, std::size_t i)
+  // before, although the batches that it takes from others may lie before its own.
+  template <class Chunk>
+  bool may_go_further(Chunk& chunk, std::size_t t, std::size_t i)
   {
     if (t == 0) {
-      round.farthest = (std::max)(round.farthest, i);
-      if (!round.go_further(round.farthest))
-        round.is_stopped = true;
+      chunk.farthest = (std::max)(chunk.farthest, i);
+      if (!chunk.go_further(chunk.farthest))
+        chunk.is_stopped = true;
     }
-    return !round.is_stopped;
+    return !chunk.is_stopped;
   }
 
   // Returns the number of clashes.
-  template <class Round>
-  std::size_t insert_chunk(Round& round, std::size_t t, const Segments::Range& chunk)
+  template <class Chunk>
+  std::size_t insert_batch(Chunk& chunk, std::size_t t, const Shares::Range& batch)
   {
-    auto& own = round.own[t];
+    auto& own = chunk.own[t];
     const std::size_t before = own.clashes;
     std::vector<std::size_t> again;
-    for (std::size_t i = chunk.first; i < chunk.second; ++i)
-      if (!insert_point(round, t, i, most_cells_of_walk))
+    for (std::size_t i = batch.first; i < batch.second; ++i)
+      if (!insert_point(chunk, t, i, most_cells_of_walk))
         again.push_back(i);
     for (const std::size_t i : again)
-      if (!insert_point(round, t, i, most_cells_of_walk))
+      if (!insert_point(chunk, t, i, most_cells_of_walk))
         own.put_off.push_back(i);
     return own.clashes - before;
   }
 
   // Returns false if the point is still to be inserted.
-  template <class Round>
-  bool insert_point(Round& round, std::size_t t, std::size_t i, std::size_t most_cells)
+  template <class Chunk>
+  bool insert_point(Chunk& chunk, std::size_t t, std::size_t i, std::size_t most_cells)
   {
-    auto& own = round.own[t];
-    if (round.is_full || round.is_stopped)
+    auto& own = chunk.own[t];
+    if (chunk.is_full || chunk.is_stopped)
       return false;
     Id vertex = Complex::vertex_of_point(i);
-    if (round.vertex_of[i] != 0) // one of the first four
+    if (chunk.vertex_of[i] != 0) // one of the first four
       return true;
     switch (m_workers[t]->insert(vertex, own.hints.start(i), vertex, most_cells)) {
     case Insertion_try::CLASH:
@@ -301,31 +299,31 @@ private:
       own.hints.after_update(i, vertex); // the next walk goes on from there
       return false;
     case Insertion_try::NO_CELLS:
-      round.is_full = true;
+      chunk.is_full = true;
       return false;
     default:
-      store_relaxed(round.vertex_of[i], vertex);
+      store_relaxed(chunk.vertex_of[i], vertex);
       own.hints.after_update(i, vertex);
       return true;
     }
   }
 
   // Inserts the points that were put off, by the caller alone. Returns false if it is stopped.
-  template <class Round>
-  bool insert_put_off(Round& round)
+  template <class Chunk>
+  bool insert_put_off(Chunk& chunk)
   {
     const std::size_t any = (std::numeric_limits<std::size_t>::max)();
-    for (auto& own : round.own) {
+    for (auto& own : chunk.own) {
       m_counts.put_off += own.put_off.size();
       m_counts.clashes += own.clashes;
       own.clashes = 0;
       for (std::size_t k = 0; k < own.put_off.size(); ++k) {
-        if (k % m_rules.chunk == 0 && !may_go_further(round, 0, own.put_off[k]))
+        if (k % m_rules.batch == 0 && !may_go_further(chunk, 0, own.put_off[k]))
           return false;
-        while (!insert_point(round, 0, own.put_off[k], any)) {
-          CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(round.is_full); // alone it does not clash
+        while (!insert_point(chunk, 0, own.put_off[k], any)) {
+          CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(chunk.is_full); // alone it does not clash
           m_shared.grow();
-          round.is_full = false;
+          chunk.is_full = false;
         }
       }
       own.put_off.clear();
