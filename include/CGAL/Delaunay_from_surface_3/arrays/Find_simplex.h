@@ -24,6 +24,7 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -51,15 +52,24 @@ struct Simplices_view
   {
     const auto v = std::size_t(vertices[c * stride_of_vertices + k]);
     if (v >= number_of_points)
-      throw std::out_of_range("a simplex has a vertex that is no point");
+      refuse("a vertex of simplex ", c, vertices[c * stride_of_vertices + k], number_of_points,
+             " points");
     return v;
   }
   Index neighbor(std::size_t c, std::size_t k) const
   {
     const Index d = neighbors[c * stride_of_neighbors + k];
     if (d < -1 || (d >= 0 && std::size_t(d) >= number_of_cells))
-      throw std::out_of_range("a simplex has a neighbour that is none");
+      refuse("a neighbour of simplex ", c, d, number_of_cells, " cells");
     return d >= 0 && std::size_t(d) >= number ? Index(-1) : d;
+  }
+
+private:
+  [[noreturn]] static void refuse(const char* entry, std::size_t c, Index is, std::size_t number,
+                                  const char* of)
+  {
+    throw std::out_of_range(entry + std::to_string(c) + " is " + std::to_string(is) +
+                            ", but there are " + std::to_string(number) + of);
   }
 };
 
@@ -97,7 +107,7 @@ public:
       from = m_last;
       m_last = next;
     }
-    throw std::invalid_argument("the simplices are not those of the points");
+    throw std::invalid_argument("the simplices are not a triangulation of the points");
   }
 
 private:

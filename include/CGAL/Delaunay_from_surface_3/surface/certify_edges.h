@@ -108,7 +108,7 @@ Spanning_subgraph_certificate certify_edges(const Reader& reader,
   for (const auto& e : subgraph_edges) {
     const auto [v, w] = reader.ends(e);
     if (!is_edge(surface, v, w))
-      refuse(edge_name(v, w) + " is none of the surface");
+      refuse(edge_name(v, w) + " is not in the surface");
     sorted.push_back(std::minmax(v, w));
     of_subgraph.join(v, w);
     ++degree[v];
