@@ -108,7 +108,7 @@ struct Executor_of_tag
   using type = std::conditional_t<is_parallel, Parallel_executor, Alone>;
 };
 
-// The executor for the concurrency tag of a call, or else of the triangulation.
+// Gives the executor for the concurrency tag of a call, or else of the triangulation.
 template <class ConcurrencyTag, class Triangulation>
 using Executor_by_tag = typename Executor_of_tag<
     typename Default::Get<ConcurrencyTag, typename Triangulation::Concurrency_tag>::type>::type;

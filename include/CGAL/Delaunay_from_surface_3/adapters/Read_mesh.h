@@ -5,8 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_READ_MESH_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_READ_MESH_H
 
-// What a range of points may be made of: points, pairs of points and infos, or what a point_map
-// turns into points.
+// A range of points may consist of points, of pairs of points and infos, or of items that a
+// point_map turns into points.
 
 #include <CGAL/Delaunay_from_surface_3/adapters/Read_coordinates.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
@@ -38,15 +38,15 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What a public function hands over: the points, checked; a graph on them; what the caller calls
-// them, as a function of their indices; and the infos that came with them.
+// Holds the input that a public function hands over: the checked points; a graph on them; their
+// names for the caller, as a function of their indices; and the infos that came with them.
 template <class Point, class Graph, class VertexIndexMap, class NameOf, class Infos>
 struct Insertion_input
 {
   const std::vector<Point>& points;
   const Graph& graph;
   VertexIndexMap index_map;
-  std::optional<std::string> irregularity; // none where points need not be a surface
+  std::optional<std::string> irregularity; // empty if points need not be a surface
   NameOf name_of;
   Infos infos;
 };
@@ -55,7 +55,7 @@ template <class Point, class Graph, class VertexIndexMap, class NameOf, class In
 Insertion_input(const std::vector<Point>&, const Graph&, VertexIndexMap, std::optional<std::string>,
                 NameOf, Infos) -> Insertion_input<Point, Graph, VertexIndexMap, NameOf, Infos>;
 
-// The items that bring an info with their point, as they may for CGAL's own insertion: pairs, and
+// Recognizes items that bring an info with their point, as CGAL's own insertion allows: pairs, and
 // tuples of two, which boost::zip_iterator makes.
 template <class Item>
 struct Point_and_info : std::false_type
@@ -88,7 +88,7 @@ using Category_of_iterator = typename std::iterator_traits<Iterator>::iterator_c
 template <class Iterator>
 constexpr bool is_iterator = is_detected<Category_of_iterator, Iterator>;
 
-// The points of a range, checked, and the infos that came with them. A range is read once.
+// Reads the points of a range, checked, and the infos that came with them. A range is read once.
 template <class Triangulation, class Range, class NamedParameters>
 class Read_items
 {
@@ -116,7 +116,7 @@ public:
 
   const std::vector<Point>& points() const { return m_points; }
 
-  // By the index of the point.
+  // Returns the infos by the index of the point.
   auto infos() const
   {
     if constexpr (has_infos)
@@ -150,7 +150,7 @@ struct Identity_name
   std::size_t operator()(std::size_t i) const { return i; }
 };
 
-// Whether these are ranges of integers, which number points.
+// True if these are ranges of integers, which number points.
 template <class FaceRange>
 using Index_in_face =
     decltype(std::size_t(*std::begin(*std::begin(std::declval<const FaceRange&>()))));
@@ -215,7 +215,7 @@ auto vertex_index_map_of_mesh(const FaceGraph& mesh, const NamedParameters& np)
     return parameters::get_parameter(np, internal_np::vertex_index);
 }
 
-// The vertices of a mesh, read and checked.
+// Reads and checks the vertices of a mesh.
 template <class Triangulation, class FaceGraph, class NamedParameters>
 class Read_mesh
 {

@@ -29,9 +29,9 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The handles of the cells made so far, kept in the memory of the compact cells, from the beginning
-// of each block on, so that no other memory is touched. A handle is no larger than a compact cell:
-// that of the k-th cell of a block overwrites only the first k, which have been read.
+// Holds the handles of the cells made so far in the memory of the compact cells, from the beginning
+// of each block on, so that no other memory is touched. A handle is no larger than a compact cell,
+// so the handle of the k-th cell of a block overwrites only the first k, which have been read.
 template <class Tds>
 class Cells_made
 {
@@ -42,7 +42,7 @@ class Cells_made
 public:
   using Handle = typename Tds::Cell_handle;
 
-  // The handles of one block, by place in it.
+  // Holds the handles of one block, by place in it.
   class Block
   {
   public:
@@ -68,17 +68,17 @@ public:
     char* m_begin;
   };
 
-  // Blocks have `size_of_block` cells.
+  // Each block has `size_of_block` cells, except for the last.
   Cells_made(Built& built, std::size_t size_of_block)
     : m_cells(built.cells)
     , m_size(size_of_block)
   {
   }
 
-  // The block that begins with cell `first`.
+  // Returns the block that begins with cell `first`.
   Block block(std::size_t first) const { return Block(m_cells + first); }
 
-  // How many compact cells the handles of `number` cells overwrite.
+  // Returns how many compact cells the handles of `number` cells overwrite.
   static std::size_t cells_overwritten(std::size_t number)
   {
     return (number * sizeof(Cell*) + sizeof(Compact) - 1) / sizeof(Compact);
@@ -88,7 +88,7 @@ public:
   Handle operator[](std::size_t c) const { return block(first(c))[c - first(c)]; }
 
 private:
-  // The first cell of the block of cell c.
+  // Returns the first cell of the block of cell c.
   std::size_t first(std::size_t c) const { return c < m_size ? 0 : c - c % m_size; }
 
   Compact* m_cells;
@@ -99,7 +99,7 @@ template <class Tr>
 std::true_type has_upper_levels(const Triangulation_hierarchy_3<Tr>*);
 std::false_type has_upper_levels(const void*);
 
-// Elements of CGAL's containers that bear a time stamp are made one after the other.
+// Elements with a time stamp, in CGAL's containers, are made one after the other.
 template <class Element>
 using Says_of_time_stamp = typename Element::Has_timestamp;
 
@@ -196,8 +196,8 @@ private:
     return (std::min)(std::size_t(neighbor >> 2) - first, own);
   }
 
-  // How many cells ahead handles, and then what they point to, are prefetched. The distances were
-  // chosen by trial; no measurement of them is kept.
+  // Prefetches handles some cells ahead, and then what they point to. The distances were chosen by
+  // trial; no measurement of them is kept.
   static void fetch_ahead(const Built& built, const Block& cells, std::size_t c, std::size_t first,
                           std::size_t last)
   {
@@ -211,7 +211,7 @@ private:
   std::vector<Neighbors_out> m_neighbors_out;
 };
 
-// The cells alone. Returns their handles by cell, which lie in the memory of the compact cells.
+// Makes the cells. Returns their handles by cell, which lie in the memory of the compact cells.
 template <class Tds, class Vertex>
 Cells_made<Tds> export_cells(Tds& tds, Built& built, const std::vector<Vertex>& vertices,
                              typename Tds::Cell_handle scratch, const Executor& executor)
@@ -236,8 +236,8 @@ Cells_made<Tds> export_cells(Tds& tds, Built& built, const std::vector<Vertex>& 
   return cells;
 }
 
-// The k-th vertex to be created, k > 0: in the order of the numbers, or in that in which `order`,
-// if it is there, first names points.
+// Returns the k-th vertex to be created, k > 0: in the order of the numbers, or, if `order` is not
+// null, in the order in which that first names points.
 struct Creation_order
 {
   const std::vector<std::size_t>* order;
@@ -249,8 +249,8 @@ struct Creation_order
   }
 };
 
-// The vertices alone, but for the infinite one. Returns their handles by vertex, none where there
-// is no vertex. point(v) and in_order(k): as in export_complex().
+// Makes the vertices, except for the infinite one. Returns their handles by vertex, or null handles
+// for numbers without a vertex. point(v) and in_order(k) are as in export_complex().
 template <class Triangulation, class PointOf, class InOrder>
 std::vector<typename Triangulation::Vertex_handle>
 export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const InOrder& in_order,
@@ -277,12 +277,12 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
   return vertices;
 }
 
-// Fills `tr`, empty, and gives up the memory of `built`. point(v) leads to the point of vertex v,
-// or to none if that vertex is in no cell. The vertices are made in the order in which in_order(1),
-// … first names them; in_order.is_own() says that it is that of the numbers. Returns the handles by
-// vertex, that of the infinite vertex first, and none where there is no vertex. With several
-// workers each fills containers of its own, which are then merged: their order is that of the
-// numbers all the same.
+// Fills `tr`, which is empty, and gives up the memory of `built`. point(v) leads to the point of
+// vertex v, or is null if that vertex is in no cell. The vertices are made in the order in which
+// in_order(1), … first names them; in_order.is_own() says that this is the order of their numbers.
+// Returns the handles by vertex, the infinite vertex first, or null handles for numbers without a
+// vertex. If there are several workers, each fills containers of its own, which are then merged in
+// the order of the numbers.
 template <class Triangulation, class PointOf, class InOrder>
 std::vector<typename Triangulation::Vertex_handle>
 export_complex(Triangulation& tr, Built& built, const PointOf& point, const InOrder& in_order,
@@ -311,8 +311,7 @@ export_complex(Triangulation& tr, Built& built, const PointOf& point, const InOr
   return vertices;
 }
 
-// Fills the upper levels of a triangulation with `Fast_location`: vertices that are inserted again
-// where they are pass the draw of their level.
+// Fills the upper levels of a triangulation with `Fast_location`: inserting draws a vertex's level.
 template <class Triangulation>
 void fill_upper_levels(Triangulation& tr,
                        const std::vector<typename Triangulation::Vertex_handle>& vertices)
@@ -331,10 +330,8 @@ void fill_upper_levels(Triangulation& tr,
   }
 }
 
-// From the core's complex to the caller's triangulation.
-
-// Fills `tr`, which is empty, with the complex, and gives up its memory. Returns the vertices by point.
-// They are made in the order of insertion or in that of the input. Linear.
+// Fills `tr`, which is empty, with the complex, and gives up its memory. Returns the vertices by
+// point, made in the order of insertion or in the order of the input. Linear.
 template <class Triangulation>
 std::vector<typename Triangulation::Vertex_handle>
 export_built(Built& built, const std::vector<typename Triangulation::Point>& points,

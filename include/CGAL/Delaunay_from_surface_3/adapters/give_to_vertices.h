@@ -5,12 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_GIVE_TO_VERTICES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_GIVE_TO_VERTICES_H
 
-// What is done with the vertices once they are in the triangulation: infos are set, and the
-// caller's output is written.
+// Sets the infos of the vertices in the triangulation, and writes the caller's output.
 //
-// Here `vertices` are handles by input index, none for a point that is not inserted. Of points that
-// are equal the one with the smallest index decides: what was given before is overwritten by
-// smaller ones.
+// Here `vertices` are handles by input index, null for a point that is not inserted. Of equal
+// points, the one with the smallest index decides: it overwrites what larger ones gave.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
@@ -31,7 +29,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Infos are functions from the index of a point to its info; or there are none.
+// Infos are functions from the index of a point to its info, or there are no infos.
 struct No_infos
 {
 };
@@ -46,8 +44,8 @@ struct Infos_in_order
   }
 };
 
-// Returned by value: a map may return a reference to its key, as Identity_property_map does, and
-// the key does not outlive the call.
+// Returns infos by value: a map may return a reference to its key, as Identity_property_map does,
+// and the key does not outlive the call.
 template <class InfoMap, class NameOf>
 struct Infos_of_map
 {
@@ -69,7 +67,7 @@ void check_number_of_infos(const InfoRange& infos, std::size_t number_of_points)
                               std::to_string(number_of_points) + " points");
 }
 
-// Those of the named parameters, else those that came with the points.
+// Returns the infos of the named parameters, or else the ones that came with the points.
 template <class NamedParameters, class NameOf, class Infos>
 auto infos_of_caller(const NamedParameters& np, const NameOf& name_of, const Infos& of_points,
                      std::size_t number_of_points)
@@ -97,7 +95,7 @@ using Info_of = decltype(std::declval<Vertex&>().info());
 template <class Vertex>
 constexpr bool has_info = is_detected<Info_of, Vertex>;
 
-// Whether vertices can get these infos. If not, that is one error.
+// Returns true if vertices can get these infos. If not, that is one error.
 template <class Vertex, class Infos>
 constexpr bool check_infos()
 {
@@ -128,7 +126,7 @@ void give_infos(const std::vector<Vertex_handle>& vertices, const Infos& infos)
         vertices[i]->info() = infos(i);
 }
 
-// Points that are equal may still differ, as 0 and -0 do.
+// Sets the points, since equal ones may still differ, as 0 and -0 do.
 template <class Vertex_handle, class Point>
 void give_points(const std::vector<Vertex_handle>& vertices, const std::vector<Point>& points)
 {

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_SURFACE_INPUT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_SURFACE_INPUT_H
 
-// Everything that is asked of the input before the triangulation is touched.
+// Converts and checks the input before the triangulation is touched.
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -35,24 +35,24 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Coordinates of any number type, as doubles where they are doubles.
+// Coordinates of any number type become doubles where they equal doubles.
 
 using Coordinate_intervals = std::array<std::pair<double, double>, 3>;
 
-// Whether a point holds intervals around its coordinates. Points of lazy kernels do; to ask these
-// for a coordinate would make a number of it first.
+// True if a point holds intervals around its coordinates, as points of lazy kernels do; asking
+// these for a coordinate would make a number of it first.
 template <class Point>
 using Interval_of_x = decltype(std::declval<const Point&>().approx().x().pair());
 
 template <class Point>
 constexpr bool has_intervals = is_detected<Interval_of_x, Point>;
 
-// Whether every number of the type is a double.
+// True if every number of the type is a double.
 template <class FT>
 constexpr bool is_at_most_double = std::is_floating_point<FT>::value &&
                                    sizeof(FT) <= sizeof(double);
 
-// Intervals that contain the coordinates.
+// Returns intervals that contain the coordinates.
 template <class Point>
 Coordinate_intervals coordinate_intervals(const Point& p)
 {
@@ -64,8 +64,8 @@ Coordinate_intervals coordinate_intervals(const Point& p)
   }
 }
 
-// The double that is equal to x, if there is one. A lazy number is computed exactly by the
-// comparison, and its interval is the narrowest after it.
+// Returns the double that equals x, if there is one. Comparing makes the interval of a lazy number
+// the narrowest.
 template <class FT>
 std::optional<double> equal_double(const FT& x)
 {
@@ -77,7 +77,7 @@ std::optional<double> equal_double(const FT& x)
   return std::nullopt;
 }
 
-// The coordinates of p if they are all doubles.
+// Returns the coordinates of p if they are all doubles.
 template <class Point>
 std::optional<std::array<double, 3>> double_coordinates(const Point& p)
 {
@@ -100,11 +100,11 @@ std::optional<std::array<double, 3>> double_coordinates(const Point& p)
   }
 }
 
-// Whether it is an arithmetic type of more than one byte: no bool, no char.
+// True if the type is arithmetic and has more than one byte: bool and char are not numbers.
 template <class Number>
 constexpr bool is_number = std::is_arithmetic<Number>::value && sizeof(Number) > 1;
 
-// Its number of coordinates, if its type says so; else 3 are assumed.
+// The number of coordinates is in the type, or else 3 is assumed.
 template <class Item>
 using Size_of_tuple = std::integral_constant<std::size_t, std::tuple_size<Item>::value>;
 
@@ -121,14 +121,14 @@ using Point_of_kernel_of = typename Item::R::Point_3;
 template <class Item>
 using First_coordinate = std::decay_t<decltype(std::declval<const Item&>()[0])>;
 
-// Whether it has coordinates [0], [1] and [2] of arithmetic type, as arrays, pointers, and vectors
-// of other libraries have. A type of a kernel must be its point type; others are refused.
+// True if the type has coordinates [0], [1] and [2] of arithmetic type, as arrays, pointers, and
+// vectors of other libraries have. A type of a kernel must be its point type; others are refused.
 template <class Item>
 constexpr bool has_coordinates =
     is_number<detected_or_t<char, First_coordinate, Item>>&& number_of_coordinates<Item> == 3 &&
     !is_detected<Kernel_of_item, Item>;
 
-// Whether it is a point of a kernel.
+// True if the type is a point of a kernel.
 template <class Item>
 constexpr bool is_point_of_kernel =
     std::is_convertible<const Item&, detected_or_t<void, Point_of_kernel_of, Item>>::value;
@@ -150,9 +150,9 @@ double double_of(Number x)
   return d;
 }
 
-// The rule where the kernels differ: a point of the same or a convertible type is taken as it is;
-// any other goes through Cartesian_converter, exactly if the target's numbers can hold it, else by
-// to_double(). Coordinates without a point are doubles, or refused.
+// Converts a point if kernels differ. A point of the same or a convertible type is taken as it is.
+// Any other goes through Cartesian_converter, exactly if the target's numbers can hold it, and
+// otherwise by to_double(). Coordinates without a point are doubles, or refused.
 template <class Point, class SourcePoint>
 Point converted_point(const SourcePoint& p)
 {
@@ -206,7 +206,7 @@ void reserve_for(const Range& items, std::vector<T>& into)
     into.reserve(std::size_t(std::distance(std::begin(items), std::end(items))));
 }
 
-// The points of `items`, converted and checked. A range is read once.
+// Returns the points of `items`, converted and checked. A range is read once.
 template <class Point, class Range, class PointMap>
 std::vector<Point> read_points(const Range& items, const PointMap& point_map)
 {
@@ -217,9 +217,8 @@ std::vector<Point> read_points(const Range& items, const PointMap& point_map)
   return points;
 }
 
-// The vertices of a graph, numbered 0, …, n-1. The user's index map must tell them apart; it need
-// not be dense, since that of a mesh with removed vertices is not. A map from vertices to these
-// numbers:
+// Maps the vertices of a graph to the numbers 0, …, n - 1. The user's index map must tell them
+// apart, but need not be dense, as it is not for a mesh with removed vertices.
 template <class VertexIndexMap>
 class Dense_index_map
 {
@@ -247,7 +246,7 @@ private:
 
 constexpr std::size_t no_index = std::size_t(-1);
 
-// dense[index of v] = position of v in `vertices`. All indices must be less than `bound`.
+// Returns the position of v in `vertices` by the index of v, which must be less than `bound`.
 template <class VertexRange, class VertexIndexMap>
 std::vector<std::size_t> dense_indices(const VertexRange& vertices, VertexIndexMap index_map,
                                        std::size_t bound)
@@ -274,7 +273,7 @@ std::vector<std::size_t> dense_indices(const VertexRange& vertices, VertexIndexM
   return dense;
 }
 
-// Throws unless the vertices of `graph` have the indices 0, …, n-1.
+// Throws unless the vertices of `graph` have the indices 0, …, n - 1.
 template <class Graph, class VertexIndexMap>
 void check_indices(const Graph& graph, VertexIndexMap index_map, std::size_t n)
 {
