@@ -128,7 +128,7 @@ def draw_insertion():
     walked = min((plane.walk(t, p) for t, corners in enumerate(plane.triangles)
                   if t not in zone and any((plane.points[v] == every[start]).all() for v in corners)), key=len)
     for panel, name in enumerate(("walk to a cell in conflict", "dig out all cells in conflict",
-                                  "fill the hole with the star")):
+                                  "fill the zone with the star")):
         def at(q, panel=panel):
             return 143 + 286 * panel + 82 * q[0], 88 - 90 * q[1]
         for t, corners in enumerate(plane.triangles):
