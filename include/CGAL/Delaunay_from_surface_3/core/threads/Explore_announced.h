@@ -40,7 +40,7 @@ struct Neighbors
   Id of[4];
 };
 
-// A conflict zone, and the data that was read when it was dug: others may have written since.
+// Adds to a conflict zone the data that was read when it was dug: others may have written since.
 struct Announced_zone : Conflict_zone
 {
   std::vector<Neighbors> neighbors; // of the zone's cells
@@ -59,7 +59,7 @@ struct Announced_zone : Conflict_zone
   }
 };
 
-// The parts of the handshake. Tests leave them out, one at a time.
+// Names the parts of the handshake. Tests leave them out, one at a time.
 struct Handshake
 {
   static constexpr bool has_fence = true;
@@ -69,7 +69,7 @@ struct Handshake
   static constexpr bool heeds_busy = true;
 };
 
-// Copies a cell that another worker may be writing. Returns whether the copy is consistent.
+// Copies a cell that another worker may be writing. Returns true if the copy is consistent.
 inline bool read_cell(const Compact_cell& cell, Compact_cell& copy)
 {
   const Id word = load_acquire(cell.v[0]);
@@ -164,7 +164,7 @@ public:
 
   bool is_torn() const { return m_is_torn; }
 
-  // Returns whether all that was read still holds, for the zone's first n cells and for those
+  // Returns true if all that was read still holds, for the zone's first n cells and for the cells
   // beyond its facets, and no other worker has announced any of them.
   bool is_still_true(const Cell* cells, std::size_t n) const
   {
@@ -174,7 +174,7 @@ public:
 protected:
   std::uint8_t& own_mark(std::size_t cell) const { return m_bytes[cell << m_shift]; }
 
-  // The differences between words as they were read and as they are now; 0 if there are none.
+  // Collects the differences between words as they were read and as they are now.
   struct Difference
   {
     std::uint64_t bits = 0;

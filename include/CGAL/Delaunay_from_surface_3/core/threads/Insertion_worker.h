@@ -71,7 +71,7 @@ enum class Insertion_try {
   NO_CELLS // no fresh cells are left; nothing was written
 };
 
-// The way in which a worker looks at cells and writes them: it announces its zone.
+// Says how a worker looks at cells and writes them: it announces its zone.
 template <class Vertex_, class Protocol>
 struct Announced_to_others
 {
@@ -121,7 +121,7 @@ public:
     return outcome == Insertion_try::DONE ? write(p) : outcome;
   }
 
-  // The first half: finds the zone and announces it. DONE says only that this has succeeded.
+  // Does the first half: finds the zone and announces it. DONE says only that this has succeeded.
   Insertion_try announce(Id p, Id start, Id& other, std::size_t most_cells)
   {
     Read_announced read(most_cells);
@@ -142,7 +142,7 @@ public:
     return has_cells_for_star() ? Insertion_try::DONE : withdraw(Insertion_try::NO_CELLS);
   }
 
-  // The second half: writes the star of p if no other worker interfered.
+  // Does the second half: writes the star of p if no other worker interfered.
   Insertion_try write(Id p)
   {
     if (Protocol::has_fence)

@@ -144,8 +144,8 @@ auto with_other_marks(const Marks& marks, unsigned worker, const F& f)
   }
 }
 
-// The cells and vertices of a complex that has started, the marks of the cells, and blocks of fresh
-// cells.
+// Holds a complex that has started, for several workers: its cells and vertices, the marks of the
+// cells, and blocks of fresh cells.
 template <class Vertex>
 class Shared_complex
 {
@@ -168,8 +168,8 @@ public:
   Complex& complex() { return m_complex; }
   Marks& marks() { return m_marks; }
 
-  // Adds fresh cells, which are dead, to `free_cells`; returns whether there were any. This is the
-  // only function here that several workers may call at once.
+  // Adds fresh cells, which are dead, to `free_cells`; returns false if there are none left. This
+  // is the only function here that several workers may call at once.
   bool take_block(std::vector<Id>& free_cells)
   {
     constexpr std::size_t block = 256;
@@ -186,7 +186,7 @@ public:
     return first < last;
   }
 
-  // Makes room for at least n cells, all of them available. No worker may run.
+  // Makes room for n cells, or as many as are allowed, all of them available. No worker may run.
   void make_room(std::size_t n)
   {
     const std::size_t used = (std::min)(m_next.load(), m_complex.capacity());
