@@ -25,7 +25,7 @@ build_in_order(const std::vector<Point>& points,
                const CGAL::Delaunay_from_surface_3::Insertion_order& order,
                bool uses_starting_places = true)
 {
-  const auto coordinates = core::rounded_coordinates(points);
+  const auto coordinates = CGAL::Delaunay_from_surface_3::internal::rounded_coordinates(points);
   core::Given_points source(core::Point_array(coordinates.data(), points.size()));
   const core::Order_view view = core::view_of(order);
   core::Build_options options;
