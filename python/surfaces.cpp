@@ -10,7 +10,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/surface/Face_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
-#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_marks.h>
 
 #include <pybind11/stl.h>
 

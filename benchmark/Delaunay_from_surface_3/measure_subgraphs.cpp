@@ -134,7 +134,7 @@ Edges subgraph_by_loops(const Mesh& mesh, internal::Subgraph_kind kind)
   reader.read(surface);
   meters::Find_loops<std::uint32_t> find_loops(surface);
   auto cut = find_loops.as_cut_candidate(find_loops());
-  internal::Prune_cut<std::uint32_t>(surface, cut)();
+  internal::prune_cut(surface, cut);
   Edges edges;
   internal::write_marked(
       reader, surface, internal::Bounded_degree_marks<std::uint32_t>(surface, kind)(std::move(cut)),

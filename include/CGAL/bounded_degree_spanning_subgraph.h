@@ -5,8 +5,8 @@
 #ifndef CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
 #define CGAL_BOUNDED_DEGREE_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
-#include <CGAL/Delaunay_from_surface_3/surface/write_bounded_degree_subgraph.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_marks.h>
 
 namespace CGAL {
 

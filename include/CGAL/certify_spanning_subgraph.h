@@ -5,10 +5,8 @@
 #ifndef CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 #define CGAL_CERTIFY_SPANNING_SUBGRAPH_H
 
-#include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
-#include <CGAL/Delaunay_from_surface_3/surface/certify_edges.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
-#include <CGAL/Delaunay_from_surface_3/surface/with_rotation_system.h>
 
 namespace CGAL {
 

@@ -9,7 +9,7 @@
 // "constructed by computing D(S) and running a minimum spanning tree algorithm on the edges".
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Minimum_spanning_forest.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Unique_hash_map.h>

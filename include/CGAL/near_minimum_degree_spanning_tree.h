@@ -6,8 +6,7 @@
 #define CGAL_NEAR_MINIMUM_DEGREE_SPANNING_TREE_H
 
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
-#include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/iterator.h>

@@ -50,10 +50,10 @@ class Arrows(unittest.TestCase):
 
     def test_sideways(self):
         self.assertEqual(self.check_tree({
-            f"{PACKAGE}/trees/Forest.h": f"{PACKAGE}/inside/Points.h",
-            f"{PACKAGE}/inside/Points.h": None,
-        }), (1, "Delaunay_from_surface_3/trees/Forest.h:2: sideways, from trees to inside: "
-                "Delaunay_from_surface_3/inside/Points.h\n"))
+            f"{PACKAGE}/tiles/Forest.h": f"{PACKAGE}/arrays/Points.h",
+            f"{PACKAGE}/arrays/Points.h": None,
+        }), (1, "Delaunay_from_surface_3/tiles/Forest.h:2: sideways, from tiles to arrays: "
+                "Delaunay_from_surface_3/arrays/Points.h\n"))
 
     def test_order_knows_no_kernel(self):
         self.assertEqual(self.check_tree({

@@ -16,7 +16,6 @@
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_traits_3.h>

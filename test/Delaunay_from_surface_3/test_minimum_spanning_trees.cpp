@@ -17,7 +17,7 @@
 
 #include <Delaunay_from_surface_3_meters/delaunay_share.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
-#include <CGAL/Delaunay_from_surface_3/trees/Minimum_spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Minimum_spanning_forest.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

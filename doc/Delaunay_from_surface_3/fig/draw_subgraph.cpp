@@ -133,7 +133,7 @@ void draw_torus(const std::string& cut_file_name, const std::string& tree_file_n
   internal::Cut_candidate<std::uint32_t> candidate(torus.surface);
   internal::Search_triangles<std::uint32_t>(torus.surface, candidate)();
   const internal::Dart_marks uncrossed = candidate.marks;
-  internal::Prune_cut<std::uint32_t>(torus.surface, candidate)();
+  internal::prune_cut(torus.surface, candidate);
   internal::Dart_marks cut = candidate.marks;
   for (std::uint32_t v = 0; v < torus.surface.number_of_vertices(); ++v)
     if (candidate.degree[v] == 0)

@@ -16,7 +16,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
-#include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
 #include <CGAL/near_minimum_degree_spanning_tree.h>

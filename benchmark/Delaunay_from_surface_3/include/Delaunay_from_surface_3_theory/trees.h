@@ -14,7 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
-#include <CGAL/Delaunay_from_surface_3/trees/Minimum_spanning_forest.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Minimum_spanning_forest.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/iterator/function_output_iterator.hpp>

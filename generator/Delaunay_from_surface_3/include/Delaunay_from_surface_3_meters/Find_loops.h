@@ -17,7 +17,7 @@
 // comparison with the cut graph only.
 
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
+#include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 
 #include <algorithm>

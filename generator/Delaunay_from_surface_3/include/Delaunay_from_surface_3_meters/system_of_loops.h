@@ -10,8 +10,7 @@
 
 #include <Delaunay_from_surface_3_meters/Find_loops.h>
 
-#include <CGAL/Delaunay_from_surface_3/surface/Triangulated_surface.h>
-#include <CGAL/Delaunay_from_surface_3/surface/with_rotation_system.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
 
 #include <algorithm>
 #include <type_traits>

@@ -8,7 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
-#include <CGAL/Delaunay_from_surface_3/surface/shortest_edges_first.h>
+#include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 
 #include <CGAL/iterator.h>
 

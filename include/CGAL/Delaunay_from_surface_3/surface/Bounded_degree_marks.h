@@ -21,13 +21,16 @@
 // any time, plus what the copies on the cut need.
 
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Open_along_cut.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
+#include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -58,76 +61,33 @@ struct Rim_edge
 };
 
 template <class Index>
-class Drop_cycles
+void drop_cycles(const Opened_surface<Index>& opened, const std::vector<Rim_edge<Index>>& rim_edges,
+                 Dart_marks& subgraph)
 {
-public:
-  Drop_cycles(const Opened_surface<Index>& opened, Dart_marks& subgraph)
-    : m_opened(opened)
-    , m_subgraph(subgraph)
-  {
-  }
-
-  void operator()(const std::vector<Rim_edge<Index>>& rim_edges)
-  {
-    count_degrees();
-    Disjoint_sets<Index> trees(m_degree.size());
-    for (const Rim_edge<Index>& edge : light_edges_first(rim_edges))
-      if (!trees.unite(edge.source, edge.target))
-        m_subgraph[edge.dart] = false;
-  }
-
-private:
-  void count_degrees()
-  {
-    const Rotation_system<Index>& surface = m_opened.surface;
-    m_degree.assign(surface.number_of_vertices(), 0);
-    for (Index v = 0; v < surface.number_of_vertices(); ++v)
-      for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
-        if (m_subgraph[dart]) {
-          ++m_degree[v];
-          ++m_degree[m_opened.origin(surface.neighbor[dart])];
-        }
-  }
-
-  Index weight(const Rim_edge<Index>& edge) const
-  {
-    return (std::max)(m_degree[edge.source], m_degree[edge.target]);
-  }
-
-  // Sorts the edges by counting.
-  std::vector<Rim_edge<Index>> light_edges_first(const std::vector<Rim_edge<Index>>& edges) const
-  {
-    std::vector<std::size_t> begin_of_weight(1, 0);
-    for (const Rim_edge<Index>& edge : edges) {
-      if (begin_of_weight.size() < std::size_t(weight(edge)) + 2)
-        begin_of_weight.resize(std::size_t(weight(edge)) + 2, 0);
-      ++begin_of_weight[weight(edge) + 1];
-    }
-    for (std::size_t w = 1; w < begin_of_weight.size(); ++w)
-      begin_of_weight[w] += begin_of_weight[w - 1];
-    std::vector<Rim_edge<Index>> sorted(edges.size());
-    for (const Rim_edge<Index>& edge : edges)
-      sorted[begin_of_weight[weight(edge)]++] = edge;
-    return sorted;
-  }
-
-  const Opened_surface<Index>& m_opened;
-  Dart_marks& m_subgraph;
-  std::vector<Index> m_degree;
-};
+  const Rotation_system<Index>& surface = opened.surface;
+  std::vector<Index> degree(surface.number_of_vertices(), 0);
+  for (Index v = 0; v < surface.number_of_vertices(); ++v)
+    for (Index dart = surface.first[v]; dart < surface.first[v + 1]; ++dart)
+      if (subgraph[dart]) {
+        ++degree[v];
+        ++degree[opened.origin(surface.neighbor[dart])];
+      }
+  const auto weight = [&](std::size_t k) {
+    return std::size_t((std::max)(degree[rim_edges[k].source], degree[rim_edges[k].target]));
+  };
+  std::size_t weights = 1;
+  for (std::size_t k = 0; k < rim_edges.size(); ++k)
+    weights = (std::max)(weights, weight(k) + 1);
+  const Lists<Index> by_weight =
+      in_lists<Index>(weights, Listed_items(rim_edges.size(), weight,
+                                            [](std::size_t k) { return static_cast<Index>(k); }));
+  Disjoint_sets<Index> trees(degree.size());
+  for (const Index k : by_weight.items)
+    if (!trees.unite(rim_edges[k].source, rim_edges[k].target))
+      subgraph[rim_edges[k].dart] = false;
+}
 
 enum class Subgraph_kind { SUBGRAPH, TREE };
-
-// Finds the cut graph. Its edges and the boundary edges are marked at both darts; marks at vertices
-// that have degree 0 in the result mean nothing.
-template <class Index>
-Cut_candidate<Index> find_cut_graph(const Rotation_system<Index>& surface)
-{
-  Cut_candidate<Index> cut(surface);
-  Search_triangles<Index>(surface, cut)();
-  Prune_cut<Index>(surface, cut)();
-  return cut;
-}
 
 template <class Index>
 class Bounded_degree_marks
@@ -227,7 +187,7 @@ private:
   Dart_marks finish()
   {
     if (m_kind == Subgraph_kind::TREE)
-      Drop_cycles<Index>(m_opened, m_subgraph)(m_rim_edges);
+      drop_cycles(m_opened, m_rim_edges, m_subgraph);
     return std::move(m_subgraph);
   }
 
@@ -289,6 +249,16 @@ private:
   std::vector<Rim_edge<Index>> m_rim_edges; // for a tree only
   std::size_t m_vertices_on_rim = 0;
 };
+
+template <class Reader, class OutputIterator>
+OutputIterator write_bounded_degree_subgraph(const Reader& reader, Subgraph_kind kind,
+                                             OutputIterator out)
+{
+  return with_rotation_system(reader, [&](auto& surface) {
+    using Index = typename std::decay_t<decltype(surface)>::Index;
+    return write_marked(reader, surface, Bounded_degree_marks<Index>(surface, kind)(), out);
+  });
+}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal

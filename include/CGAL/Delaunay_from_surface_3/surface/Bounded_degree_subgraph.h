@@ -9,7 +9,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/surface/Face_reader.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Halfedge_graph_reader.h>
-#include <CGAL/Delaunay_from_surface_3/surface/write_near_minimum_degree_tree.h>
+#include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -154,7 +154,7 @@ public:
   void read(Rotation_system<Index>& surface) const
   {
     const std::size_t n = num_vertices(m_graph);
-    refuse_bad_indices(n);
+    refuse_bad_indices(vertices(m_graph), m_index, n);
     surface.on_boundary.assign(n, false);
     surface.first.assign(n + 1, 0);
     std::size_t darts = 0;
@@ -200,16 +200,6 @@ private:
   {
     const auto& list = get(m_embedding, v);
     return static_cast<std::size_t>(std::distance(std::begin(list), std::end(list)));
-  }
-
-  void refuse_bad_indices(std::size_t n) const
-  {
-    std::vector<bool> is_taken(n, false);
-    for_each_vertex([&](Vertex, std::size_t i) {
-      if (i >= n || is_taken[i])
-        refuse_index(n, i);
-      is_taken[i] = true;
-    });
   }
 
   template <class Index>

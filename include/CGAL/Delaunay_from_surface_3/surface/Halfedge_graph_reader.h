@@ -103,7 +103,7 @@ private:
     const std::size_t n = static_cast<std::size_t>(std::distance(range.first, range.second));
     surface.on_boundary.assign(n, false);
     surface.first.assign(n + 1, 0);
-    refuse_bad_indices(n);
+    refuse_bad_indices(range, m_index, n);
     std::size_t inner_halfedges = 0;
     for (Halfedge h : halfedges(m_graph)) {
       ++surface.first[get(m_index, target(h, m_graph)) + 1];
@@ -115,17 +115,6 @@ private:
     for (std::size_t v = 0; v < n; ++v)
       surface.first[v + 1] += surface.first[v];
     surface.neighbor.resize(surface.first[n]);
-  }
-
-  void refuse_bad_indices(std::size_t n) const
-  {
-    std::vector<bool> is_taken(n, false);
-    for (Vertex v : vertices(m_graph)) {
-      const std::size_t i = static_cast<std::size_t>(get(m_index, v));
-      if (i >= n || is_taken[i])
-        refuse_index(n, i);
-      is_taken[i] = true;
-    }
   }
 
   // Holds the state of a walk around one vertex.

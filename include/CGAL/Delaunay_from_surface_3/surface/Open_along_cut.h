@@ -18,133 +18,16 @@
 
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Rotation_system.h>
-#include <CGAL/Delaunay_from_surface_3/surface/Search_triangles.h>
+#include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
 
 #include <cstddef>
-#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-// Groups values by a key below n in linear time, as linked lists in flat arrays. It turns what each
-// v says of u into what u hears from all v: so the two darts of an edge meet where the cut needs
-// it; elsewhere they need not. Cost: two words per value; the array of heads is the caller's.
-
-template <class Index>
-class Buckets
-{
-public:
-  static constexpr Index empty = (std::numeric_limits<Index>::max)();
-
-  void reserve(std::size_t number_of_values)
-  {
-    m_values.reserve(number_of_values);
-    m_next.reserve(number_of_values);
-  }
-
-  // Adds a value to a bucket. The caller keeps the head of the bucket, which starts as `empty`.
-  void add(Index& head, Index value)
-  {
-    m_values.push_back(value);
-    m_next.push_back(head);
-    head = static_cast<Index>(m_values.size() - 1);
-  }
-
-  template <class Function>
-  void for_each(Index head, const Function& function) const
-  {
-    for (; head != empty; head = m_next[head])
-      function(m_values[head]);
-  }
-
-private:
-  std::vector<Index> m_values;
-  std::vector<Index> m_next;
-};
-
-// Prunes G to the cut graph: step 2 of the cut.
-//
-// Vertices of degree 1 are removed until none is left; then an edge is in the cut graph if and only
-// if the degrees of both its ends are positive. The one neighbour of a vertex of degree 1 is the
-// exclusive or of its neighbours, so no list is read. The last step marks both darts of a cut edge.
-// Invariant: removing a leaf and its edge leaves the complement of G an open disc.
-// Bound: with χ = 2 - h - b the sum of (degree - 2) over the cut graph is 2(1 - χ) and no degree is
-// below 2. This bounds the degree of the subgraph; the degree of G itself has no bound. On a sphere
-// G is pruned to a point.
-// Cost: O(n), one bit per vertex and two words per cut edge.
-
-template <class Index>
-class Prune_cut
-{
-public:
-  Prune_cut(const Rotation_system<Index>& surface, Cut_candidate<Index>& candidate)
-    : m_surface(surface)
-    , m_candidate(candidate)
-  {
-  }
-
-  void operator()()
-  {
-    remove_leaves();
-    mark_both_darts();
-  }
-
-private:
-  bool is_on_cut(Index v) const { return m_candidate.degree[v] != 0; }
-
-  void remove_leaves()
-  {
-    std::vector<Index>& degree = m_candidate.degree;
-    std::vector<Index>& neighbors = m_candidate.xor_of_neighbors;
-    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
-      for (Index leaf = v; degree[leaf] == 1;) {
-        const Index next = neighbors[leaf];
-        degree[leaf] = 0;
-        --degree[next];
-        neighbors[next] ^= leaf;
-        leaf = next;
-      }
-  }
-
-  void mark_both_darts()
-  {
-    Buckets<Index> marked_at;
-    std::vector<Index>& heads = m_candidate.xor_of_neighbors; // its values are no longer needed
-    heads.assign(heads.size(), Buckets<Index>::empty);
-    for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
-      if (is_on_cut(v))
-        keep_cut_edges(v, heads, marked_at);
-    std::vector<bool> is_other_end(m_surface.number_of_vertices(), false);
-    for (Index v = 0; v < m_surface.number_of_vertices(); ++v) {
-      if (heads[v] == Buckets<Index>::empty)
-        continue;
-      marked_at.for_each(heads[v], [&](Index u) { is_other_end[u] = true; });
-      for (Index dart = m_surface.first[v]; dart < m_surface.first[v + 1]; ++dart)
-        if (is_other_end[m_surface.neighbor[dart]])
-          m_candidate.marks[dart] = true;
-      marked_at.for_each(heads[v], [&](Index u) { is_other_end[u] = false; });
-    }
-  }
-
-  void keep_cut_edges(Index v, std::vector<Index>& heads, Buckets<Index>& marked_at)
-  {
-    for (Index dart = m_surface.first[v]; dart < m_surface.first[v + 1]; ++dart) {
-      if (!m_candidate.marks[dart])
-        continue;
-      const Index u = m_surface.neighbor[dart];
-      if (is_on_cut(u))
-        marked_at.add(heads[u], v);
-      else
-        m_candidate.marks[dart] = false;
-    }
-  }
-
-  const Rotation_system<Index>& m_surface;
-  Cut_candidate<Index>& m_candidate;
-};
 
 // Holds the surface cut open into discs: the rotation system, plus copies of vertices on the cut.
 //

@@ -5,7 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_ROTATION_SYSTEM_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_ROTATION_SYSTEM_H
 
-// Stores a triangulated surface in flat arrays, on which every step of the subgraphs works.
+// Stores a triangulated surface in flat arrays, on which every step of the subgraphs works. Like the
+// steps, this header needs no other library: Python's module is built without them.
 //
 // Invariant: darts first[v] .. first[v+1]-1 are the edges at v in the order in which they stand
 // around v, in either direction; neighbor[dart] is the other end. The list of an interior vertex is
@@ -16,8 +17,11 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,6 +69,34 @@ struct Rotation_system
   }
 };
 
+// Counts the elements of a surface, or of one component, for its Euler characteristic: vertices -
+// edges + triangles.
+struct Euler_count
+{
+  std::size_t vertices = 0;
+  std::size_t darts = 0;   // two per edge
+  std::size_t corners = 0; // three per triangle
+  std::size_t boundary_vertices = 0;
+
+  template <class Index>
+  void add(const Rotation_system<Index>& surface, Index v)
+  {
+    ++vertices;
+    darts += surface.degree(v);
+    corners += surface.number_of_corners(v);
+    boundary_vertices += surface.on_boundary[v] ? 1 : 0;
+  }
+
+  std::ptrdiff_t characteristic() const
+  {
+    return std::ptrdiff_t(vertices) - std::ptrdiff_t(darts / 2) + std::ptrdiff_t(corners / 3);
+  }
+
+  // These tell what a connected surface with these counts is; a disc has one boundary loop.
+  bool is_sphere() const { return characteristic() == 2 && boundary_vertices == 0; }
+  bool is_disc() const { return characteristic() == 1 && boundary_vertices > 0; }
+};
+
 // The subgraph functions refuse their input with messages that tell what is wrong, and at which
 // vertex or edge. Vertices are named by their index, edges by their two ends.
 
@@ -83,10 +115,18 @@ inline std::string edge_name(std::size_t v, std::size_t w)
   return "edge (" + std::to_string(v) + ", " + std::to_string(w) + ")";
 }
 
-[[noreturn]] inline void refuse_index(std::size_t n, std::size_t index)
+// Refuses a map that is no bijection from these vertices onto 0 .. n-1.
+template <class VertexRange, class VertexIndexMap>
+void refuse_bad_indices(const VertexRange& range, VertexIndexMap index, std::size_t n)
 {
-  refuse("the vertex index map is no bijection onto 0 .. n-1: n is " + std::to_string(n) +
-         " and index " + std::to_string(index) + (index < n ? " is there twice" : " is too large"));
+  std::vector<bool> is_taken(n, false);
+  for (auto v = range.first; v != range.second; ++v) {
+    const std::size_t i = static_cast<std::size_t>(get(index, *v));
+    if (i >= n || is_taken[i])
+      refuse("the vertex index map is no bijection onto 0 .. n-1: n is " + std::to_string(n) +
+             " and index " + std::to_string(i) + (i < n ? " is there twice" : " is too large"));
+    is_taken[i] = true;
+  }
 }
 
 // Names two edges with the same ends by their positions in the range edges(g).
@@ -108,8 +148,66 @@ template <class Graph, class VertexIndexMap>
          " times, as edges number " + positions + " of edges(g)");
 }
 
+// A reader (Halfedge_graph_reader, Embedding_reader, Face_reader) turns one kind of surface into a
+// rotation system, and marked darts back into its edges.
+
+// Reads the surface and calls function(Rotation_system<Index>&), with indices of 32 bits wherever
+// the numbers of edges and vertices allow.
+template <class Reader, class Function>
+auto with_rotation_system(const Reader& reader, const Function& function)
+{
+  // Cutting the surface open makes copies of vertices, fewer than there are darts; so half of the
+  // 32-bit numbers are left for the copies.
+  if ((std::max)(reader.number_of_darts(), reader.number_of_vertices()) < (std::size_t(1) << 31)) {
+    Rotation_system<std::uint32_t> surface;
+    reader.read(surface);
+    return function(surface);
+  }
+  Rotation_system<std::uint64_t> surface;
+  reader.read(surface);
+  return function(surface);
+}
+
+// Writes the edges that are marked.
+template <class Reader, class Index, class OutputIterator>
+OutputIterator write_marked(const Reader& reader, const Rotation_system<Index>& surface,
+                            const Dart_marks& marks, OutputIterator out)
+{
+  reader.for_each_marked(surface, marks, [&](Index, const auto& edge) { *out++ = edge; });
+  return out;
+}
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
+
+/*!
+\ingroup PkgDelaunayFromSurface3Subgraphs
+
+is a triangulated surface as the functions on subgraphs take it, independent of the user's data
+structure. It is returned by `surface_of()`, is small, and refers to the arguments of that function.
+
+\tparam Reader chosen by `surface_of()`
+*/
+template <class Reader>
+class Triangulated_surface
+{
+public:
+  /// the type of edges: the descriptor of the mesh or graph, or a pair of indices for a soup.
+  using edge_descriptor = typename Reader::Edge;
+
+  /// \cond
+  explicit Triangulated_surface(Reader reader)
+    : m_reader(std::move(reader))
+  {
+  }
+
+  const Reader& reader() const { return m_reader; }
+  /// \endcond
+
+private:
+  Reader m_reader;
+};
+
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -43,27 +44,12 @@ struct Numbered_edge
   }
 };
 
-// Presents edges as items: the list of the upper end gets the lower one.
-class Edges_as_items
-{
-public:
-  explicit Edges_as_items(const Large_vector<Numbered_edge>& edges)
-    : m_edges(&edges)
-  {
-  }
-
-  std::size_t size() const { return m_edges->size(); }
-  std::size_t list(std::size_t k) const { return (*m_edges)[k].upper; }
-  std::uint32_t item(std::size_t k) const { return (*m_edges)[k].lower; }
-
-private:
-  const Large_vector<Numbered_edge>* m_edges;
-};
-
 // Returns, for each of n vertices, its neighbours with smaller numbers.
 inline Lists<std::uint32_t> lower_neighbors(const Large_vector<Numbered_edge>& edges, std::size_t n)
 {
-  return in_lists<std::uint32_t>(n, Edges_as_items(edges));
+  const auto list_of = [&](std::size_t k) { return std::size_t(edges[k].upper); };
+  const auto item_of = [&](std::size_t k) { return edges[k].lower; };
+  return in_lists<std::uint32_t>(n, Listed_items(edges.size(), list_of, item_of));
 }
 
 struct Soup_edges
@@ -115,122 +101,31 @@ void for_each_side(const IndexRange& face, std::ptrdiff_t size, const Side& side
   }
 }
 
-// Holds the counts made while faces are read.
-struct Face_counts
-{
-  std::size_t sides = 0, non_triangles = 0;
-};
-
-// Counts the sides of the faces first, …, last - 1, of which `it` is the first, in numbers[larger
-// end]: every edge as often as there are faces that have it.
-template <class Iterator>
-Face_counts count_sides(Iterator it, std::size_t first, std::size_t last,
-                        std::size_t number_of_points, std::uint32_t* numbers)
-{
-  Face_counts counts;
-  for (std::size_t f = first; f < last; ++f, ++it) {
-    const auto& face = *it;
-    check_face(face, f, number_of_points);
-    const auto size = std::distance(std::begin(face), std::end(face));
-    counts.sides += std::size_t(size);
-    counts.non_triangles += size != 3;
-    for_each_side(face, size,
-                  [&](std::uint32_t s, std::uint32_t t) { ++numbers[(std::max)(s, t)]; });
-  }
-  return counts;
-}
-
-// Puts the smaller ends of the same sides at the places given for the larger ends. Some hundreds of
-// sides are read at a time, so that the memory they lead to is known in advance.
-template <class Iterator>
-void place_sides(Iterator it, std::size_t number, std::uint32_t* places, std::uint32_t* items)
-{
-  constexpr std::size_t many = 512;
-  Large_vector<Numbered_edge> sides;
-  sides.reserve(many + 16);
-  for (; number > 0; --number, ++it) {
-    const auto& face = *it;
-    for_each_side(face, std::distance(std::begin(face), std::end(face)),
-                  [&](std::uint32_t s, std::uint32_t t) { sides.emplace_back(s, t); });
-    if (sides.size() >= many) {
-      place_items(Edges_as_items(sides), places, items);
-      sides.clear();
-    }
-  }
-  place_items(Edges_as_items(sides), places, items);
-}
-
-// Returns how many blocks there may be: each has a number for every point, and the numbers of all
-// blocks but one are together at most four times the items.
-inline std::size_t most_blocks(std::size_t points, std::size_t items)
-{
-  return 1 + 4 * items / (points + 1);
-}
-
-// Tells what one thread keeps of the lists first, …, last - 1: the items begin, …, end - 1.
+// Keeps one of the equal items of each list. Returns how many of them came more than twice.
 template <class Index>
-struct Kept_items
+std::size_t keep_one_of_each(Lists<Index>& lists)
 {
-  std::size_t first = 0, last = 0;
-  Index begin = 0, end = 0;
-  std::size_t more_than_twice = 0; // the number of items that came more than twice
-};
-
-// Keeps one of the equal items of each of the lists first, …, last - 1, packed at their front.
-// Moves the beginnings of all these lists but the first.
-template <class Index>
-Kept_items<Index> keep_one_of_each(Lists<Index>& lists, std::size_t first, std::size_t last)
-{
-  Kept_items<Index> all = {first, last, lists.first[first], lists.first[first]};
-  // Holds the place of an item among all that are kept, plus 1; it is valid if in the current list.
-  Large_vector<Index> place(lists.size(), 0);
-  std::vector<unsigned char> times;
-  Index k = all.begin;
-  for (std::size_t v = first; v < last; ++v) {
-    const Index begin = all.end - all.begin, end = lists.first[v + 1];
-    if (v != first) // the thread before reads the beginning of the first list
-      lists.first[v] = all.end;
+  Large_vector<Index> place(lists.size(), 0); // of an item kept, plus 1; valid in the current list
+  std::vector<unsigned char> times;           // how often it came; 3 stands for more, too
+  std::size_t more_than_twice = 0;
+  Index end = 0;
+  for (std::size_t v = 0; v < lists.size(); ++v) {
+    Index k = std::exchange(lists.first[v], end);
     times.clear();
-    for (; k < end; ++k) {
+    for (; k < lists.first[v + 1]; ++k) {
       const Index u = lists.items[k];
-      if (place[u] > begin) {
-        unsigned char& t = times[place[u] - 1 - begin];
-        all.more_than_twice += t == 2;
+      if (place[u] > lists.first[v]) {
+        unsigned char& t = times[place[u] - 1 - lists.first[v]];
+        more_than_twice += t == 2;
         t += t < 3;
       } else {
-        lists.items[all.end] = u;
-        place[u] = Index(++all.end - all.begin);
+        lists.items[end] = u;
+        place[u] = ++end;
         times.push_back(1);
       }
     }
   }
-  return all;
-}
-
-// Keeps one of the equal items of each list. Returns how many of them came more than twice.
-template <class Index>
-std::size_t keep_one_of_each(Lists<Index>& lists, const Executor& executor)
-{
-  const std::size_t n = lists.size();
-  const std::size_t blocks =
-      (std::min)(number_of_blocks(executor, n, 4096), most_blocks(n, lists.items.size()));
-  std::vector<Kept_items<Index>> kept(blocks);
-  for_each_block(executor, n, blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
-    if (first < last)
-      kept[b] = keep_one_of_each(lists, first, last);
-  });
-  Index end = 0;
-  std::size_t more_than_twice = 0;
-  for (const Kept_items<Index>& items : kept) { // close the gaps
-    if (items.begin != end)
-      std::copy(lists.items.begin() + items.begin, lists.items.begin() + items.end,
-                lists.items.begin() + end);
-    for (std::size_t v = items.first; v < items.last; ++v)
-      lists.first[v] -= Index(items.begin - end);
-    end += items.end - items.begin;
-    more_than_twice += items.more_than_twice;
-  }
-  lists.first[n] = end;
+  lists.first[lists.size()] = end;
   lists.items.resize(end);
   return more_than_twice;
 }
@@ -250,33 +145,47 @@ Soup_edges soup_edges(const FaceRange& faces, std::size_t number_of_points,
   }
   const auto begin = std::begin(faces);
   const auto n = std::size_t(std::distance(begin, std::end(faces)));
+  // Each block has a number for every point, so that the numbers of all blocks but one are together
+  // at most four times the sides.
   const std::size_t blocks =
       !has_random_access<FaceRange>
           ? 1
-          : (std::min)(number_of_blocks(executor, n, 4096), most_blocks(number_of_points, 3 * n));
-  const auto face = [&](std::size_t f) { return std::next(begin, std::ptrdiff_t(f)); };
-  const auto first = [&](std::size_t b) { return n * b / blocks; };
+          : (std::min)(number_of_blocks(executor, n, 4096), 1 + 12 * n / (number_of_points + 1));
+  // Calls visit(face, f, size) for the faces of a block.
+  const auto for_each_face = [&](std::size_t b, const auto& visit) {
+    std::size_t f = n * b / blocks;
+    for (auto it = std::next(begin, std::ptrdiff_t(f)); f < n * (b + 1) / blocks; ++f, ++it) {
+      const auto& face = *it;
+      visit(face, f, std::distance(std::begin(face), std::end(face)));
+    }
+  };
 
   Sort_into_lists<Index> sort(number_of_points, blocks, executor);
-  std::vector<Face_counts> counts(blocks);
+  std::vector<std::size_t> sides(blocks, 0), non_triangles(blocks, 0);
   sort.count([&](std::size_t b, Index* numbers) {
-    counts[b] = count_sides(face(first(b)), first(b), first(b + 1), number_of_points, numbers);
+    for_each_face(b, [&](const auto& face, std::size_t f, std::ptrdiff_t size) {
+      check_face(face, f, number_of_points);
+      sides[b] += std::size_t(size);
+      non_triangles[b] += size != 3;
+      for_each_side(face, size, [&](Index s, Index t) { ++numbers[(std::max)(s, t)]; });
+    });
   });
-  Face_counts all;
-  for (const Face_counts& c : counts) {
-    all.sides += c.sides;
-    all.non_triangles += c.non_triangles;
-  }
-  if (all.sides >= too_many)
+  if (std::accumulate(sides.begin(), sides.end(), std::size_t(0)) >= too_many)
     return {};
-  Lists<Index> lists = sort.place([&](std::size_t b, Index* places, Index* items) {
-    place_sides(face(first(b)), first(b + 1) - first(b), places, items);
+  Soup_edges soup;
+  soup.has_lists = true;
+  soup.lower = sort.place([&](std::size_t b, Index* places, Index* items) {
+    for_each_face(b, [&](const auto& face, std::size_t, std::ptrdiff_t size) {
+      for_each_side(face, size, [&](Index s, Index t) {
+        items[places[(std::max)(s, t)]++] = (std::min)(s, t);
+      });
+    });
   });
-  const std::size_t non_manifold_edges = keep_one_of_each(lists, executor);
-
-  Soup_edges soup = {true, std::move(lists), std::nullopt};
-  if (all.non_triangles + non_manifold_edges > 0)
-    soup.irregularity = "faces that are not triangles: " + std::to_string(all.non_triangles) +
+  const std::size_t non_manifold_edges = keep_one_of_each(soup.lower);
+  const std::size_t others =
+      std::accumulate(non_triangles.begin(), non_triangles.end(), std::size_t(0));
+  if (others + non_manifold_edges > 0)
+    soup.irregularity = "faces that are not triangles: " + std::to_string(others) +
                         ", edges with more than two faces: " + std::to_string(non_manifold_edges);
   return soup;
 }

@@ -2,27 +2,27 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SHORTEST_EDGES_FIRST_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SHORTEST_EDGES_FIRST_H
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_MINIMUM_SPANNING_FOREST_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_MINIMUM_SPANNING_FOREST_H
 
 // Runs Kruskal's algorithm on edges between points: Choi 2002, §3.1, "a minimum spanning tree
-// algorithm".
+// algorithm". If F contains the Euclidean minimum spanning tree of S, then this tree is the minimum
+// spanning tree of F.
 
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/graph/properties.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -107,59 +107,81 @@ void keep_minimum_spanning_forest(std::vector<Measured_edge>& edges,
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
-// Spanning_forest is a subgraph T for surfaces without usable faces. Choi 2002, §3 asks for bounded
-// degree; this one has no bound, so the trace is correct but its cost is not proved.
-
 /*!
 \ingroup PkgDelaunayFromSurface3Subgraphs
 
-writes the edges of a spanning forest, one tree per connected component: every edge that joins two
-components of the edges before it. It works for every graph; the degree is not bounded.
+writes the edges of a minimum spanning forest, one tree per connected component, with the smallest
+sum of edge lengths. If the surface contains a Euclidean minimum spanning tree of its points
+(`contains_euclidean_minimum_spanning_tree()`), and no two vertices have the same point, the forest
+is such a tree: its degree is at most 12, and its edges are Delaunay (\cgalCite{choi-dtsm-02},
+§3.1). Otherwise nothing bounds its degree.
 
-<b>Complexity</b>: \f$O(n + m \alpha(n))\f$ time for n vertices and m edges, and two integers of
-memory per vertex.
+A graph has no lengths, so the points must be given. Your own traits class passes them on:
+
+\code{.cpp}
+struct My_traits : CGAL::Tracing_traits_3
+{
+  using Surface_subgraph = CGAL::Delaunay_from_surface_3::Minimum_spanning_forest<Point>;
+  const std::vector<Point>& points; // by the vertices of the surface
+  Surface_subgraph surface_subgraph_object() const { return Surface_subgraph(points); }
+};
+\endcode
+
+<b>Complexity</b>: \f$O(n + m \log m)\f$ for n vertices and m edges. Lengths are compared exactly;
+edges of the same length are taken in the order of the indices of their vertices.
+
+\tparam Point a point of a %CGAL kernel with exact predicates
 
 \cgalModels{SurfaceSubgraph}
 */
-class Spanning_forest
+template <class Point>
+class Minimum_spanning_forest
 {
 public:
+  /// keeps a reference to `points`: `points[i]` is the point of the vertex with index i.
+  explicit Minimum_spanning_forest(const std::vector<Point>& points)
+    : m_points(&points)
+  {
+  }
+
   /*!
-  writes edges of `graph` that span it without a cycle.
+  writes edges of `graph` that span it without a cycle, the shortest first.
 
   \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
   \tparam EdgeOutputIterator accepts edge descriptors of `Graph`
 
-  \param graph the surface
-  \param index_map maps the vertices of `graph` to their indices
-  \param out receives the edges
-
   \return the output iterator past the last edge written
+  \pre there are n points
   */
   template <class Graph, class VertexIndexMap, class EdgeOutputIterator>
   EdgeOutputIterator operator()(const Graph& graph, VertexIndexMap index_map,
                                 EdgeOutputIterator out) const
   {
-    internal::Disjoint_sets<std::size_t> trees(number_of_vertices(graph));
-    for (auto [e, end] = edges(graph); e != end; ++e)
-      if (trees.unite(std::size_t(get(index_map, source(*e, graph))),
-                      std::size_t(get(index_map, target(*e, graph)))))
-        *out++ = *e;
+    std::vector<const Point*> points;
+    points.reserve(m_points->size());
+    for (const Point& p : *m_points)
+      points.push_back(&p);
+    std::vector<typename boost::graph_traits<Graph>::edge_descriptor> all;
+    std::vector<internal::Measured_edge> forest;
+    for (auto [e, end] = edges(graph); e != end; ++e) {
+      forest.push_back(internal::measured_edge(std::size_t(get(index_map, source(*e, graph))),
+                                               std::size_t(get(index_map, target(*e, graph))),
+                                               all.size()));
+      CGAL_precondition(forest.back().ends[1] < points.size());
+      all.push_back(*e);
+    }
+    internal::keep_minimum_spanning_forest(forest, points, typename Kernel_traits<Point>::Kernel());
+    for (const internal::Measured_edge& e : forest)
+      *out++ = all[e.place];
     return out;
   }
 
 private:
-  // Counts the vertices: num_vertices() is only an upper bound where a mesh has removed elements.
-  template <class Graph>
-  static std::size_t number_of_vertices(const Graph& graph)
-  {
-    const auto range = vertices(graph);
-    return std::size_t(std::distance(range.first, range.second));
-  }
+  const std::vector<Point>* m_points;
 };
 
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_SHORTEST_EDGES_FIRST_H
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_SURFACE_MINIMUM_SPANNING_FOREST_H
