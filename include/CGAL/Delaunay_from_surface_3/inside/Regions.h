@@ -34,6 +34,18 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
+// Calls visit(c) for c = 0, …, n-1, by several threads if there are many.
+template <class Visit>
+void for_each_cell(std::size_t n, const Executor& executor, const Visit& visit)
+{
+  for_each_block(executor, n, number_of_blocks(executor, n, 1024),
+                 [&](std::size_t first, std::size_t last, std::size_t) {
+                   Steps step(executor);
+                   for (std::size_t c = first; c < last; ++c, step())
+                     visit(c);
+                 });
+}
+
 // Box_tree stores triangles in a hierarchy of boxes, with the invariant of Winding_tree.
 
 // Holds a triangle that counts `number` times. The length of the normal is twice the area.
@@ -435,12 +447,8 @@ private:
   void cross_facets(const Triangle_table& table)
   {
     std::vector<char> is_facet(table.size(), 0);
-    for_each_block(m_executor, m_cells.number, number_of_blocks(m_executor, m_cells.number, 4096),
-                   [&](std::size_t first, std::size_t last, std::size_t) {
-                     Steps step(m_executor);
-                     for (std::size_t c = first; c < last; ++c, step())
-                       cross_facets_of(c, table, is_facet);
-                   });
+    for_each_cell(m_cells.number, m_executor,
+                  [&](std::size_t c) { cross_facets_of(c, table, is_facet); });
     table.for_each([&](std::uint32_t v, std::uint32_t r) {
       if (!is_facet[r] && table[r].number != 0)
         m_no_facets.emplace_back(Triangle_3d{m_cells.points[v], m_cells.points[table[r].middle],
@@ -469,18 +477,13 @@ private:
 
   void cross_others(const Box_tree& tree)
   {
-    for_each_block(m_executor, m_cells.number, number_of_blocks(m_executor, m_cells.number, 1024),
-                   [&](std::size_t first, std::size_t last, std::size_t) {
-                     Steps step(m_executor);
-                     for (std::size_t c = first; c < last; ++c, step()) {
-                       const Jumps crossings = Crossings::of(tree, m_cells, c);
-                       for (std::size_t k = 0; k < 4; ++k)
-                         m_jumps[c][k] =
-                             crossings[k] == unknown_jump || m_jumps[c][k] == unknown_jump
-                                 ? std::int8_t(unknown_jump)
-                                 : as_jump(crossings[k] + m_jumps[c][k]);
-                     }
-                   });
+    for_each_cell(m_cells.number, m_executor, [&](std::size_t c) {
+      const Jumps crossings = Crossings::of(tree, m_cells, c);
+      for (std::size_t k = 0; k < 4; ++k)
+        m_jumps[c][k] = crossings[k] == unknown_jump || m_jumps[c][k] == unknown_jump
+                            ? std::int8_t(unknown_jump)
+                            : as_jump(crossings[k] + m_jumps[c][k]);
+    });
   }
 
   // Places a tetrahedron in a set; `number` is its winding number minus that of the root.

@@ -208,41 +208,37 @@ inline std::vector<Open_edge> open_edges(const Sides& sides)
   return open;
 }
 
-// Numbers the connected sets of the edges: returns the set of each edge, and how many there are.
-inline std::pair<std::vector<std::size_t>, std::size_t>
-connected_sets(const std::vector<Open_edge>& edges)
+// Returns for each edge the first one of the connected set of edges to which it belongs.
+inline std::vector<std::size_t> first_connected_ones(const std::vector<Open_edge>& edges)
 {
-  std::vector<std::size_t> vertices;
-  for (const Open_edge& e : edges)
-    vertices.insert(vertices.end(), e.ends, e.ends + 2);
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  const auto place = [&](std::size_t v) {
-    return std::size_t(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
-  };
-  Disjoint_sets<std::size_t> joined(vertices.size());
-  for (const Open_edge& e : edges)
-    joined.unite(place(e.ends[0]), place(e.ends[1]));
-  std::vector<std::size_t> number(vertices.size(), vertices.size()), sets;
-  std::size_t count = 0;
-  for (const Open_edge& e : edges) {
-    std::size_t& n = number[joined.root(place(e.ends[0]))];
-    if (n == vertices.size())
-      n = count++;
-    sets.push_back(n);
+  std::vector<std::array<std::size_t, 2>> at; // a vertex, and an edge there
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (const std::size_t v : edges[k].ends)
+      at.push_back({v, k});
+  std::sort(at.begin(), at.end());
+  Disjoint_sets<std::size_t> joined(edges.size());
+  for (std::size_t i = 1; i < at.size(); ++i)
+    if (at[i][0] == at[i - 1][0])
+      joined.unite(at[i][1], at[i - 1][1]);
+  std::vector<std::size_t> first_of(edges.size(), edges.size()), firsts;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    std::size_t& first = first_of[joined.root(k)];
+    first = (std::min)(first, k);
+    firsts.push_back(first);
   }
-  return {std::move(sets), count};
+  return firsts;
 }
 
-// Returns the triangles that would close open edges, and their area for each connected set.
+// Returns the triangles that would close open edges, and their area for each connected set, at the
+// place of its first edge.
 // The coordinates point_of(v) must be safe from overflow.
 template <class PointOf>
 std::pair<std::vector<Triangle_3d>, std::vector<double>>
 closing_triangles(const std::vector<Open_edge>& edges, const PointOf& point_of)
 {
-  const auto [sets, number] = connected_sets(edges);
-  std::vector<Vector_3d> middles(number, Vector_3d{0, 0, 0});
-  std::vector<double> ends(number, 0);
+  const std::vector<std::size_t> sets = first_connected_ones(edges);
+  std::vector<Vector_3d> middles(edges.size(), Vector_3d{0, 0, 0});
+  std::vector<double> ends(edges.size(), 0);
   for (std::size_t k = 0; k < edges.size(); ++k)
     for (const std::size_t v : edges[k].ends) {
       const Vector_3d p = point_of(v);
@@ -251,7 +247,7 @@ closing_triangles(const std::vector<Open_edge>& edges, const PointOf& point_of)
       ++ends[sets[k]];
     }
   std::vector<Triangle_3d> triangles;
-  std::vector<double> areas(number, 0);
+  std::vector<double> areas(edges.size(), 0);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     Vector_3d middle = middles[sets[k]];
     for (double& x : middle)
@@ -316,9 +312,10 @@ public:
 
 private:
   // Returns whether the surface bounds a solid. It does if more volume is surely inside than in
-  // doubt. If one opening lies in a plane, like the open deck of a ship's hull, the numbers exceed
-  // 1/2 up to there, however wide it is: then it is enough that no more is in doubt than inside,
-  // the openings are not too wide, and the others are small, unlike the two ends of a tube.
+  // doubt, however wide the openings are. If one opening lies in a plane, like the open deck of a
+  // ship's hull, the numbers exceed 1/2 up to there, but much may be in doubt: then it is enough
+  // that no more is in doubt than inside, the openings are not so wide that the surface is rather a
+  // dish, and the others are small, unlike the two ends of a tube.
   bool has_inside(double share_of_openings, double share_of_largest) const
   {
     constexpr double widest = 0.3;
@@ -401,12 +398,8 @@ void find_numbers_by_regions(const Cells& cells, Regions<Cells>& regions,
   };
   const std::vector<std::int32_t> whole =
       regions.numbers(closing, [&](std::size_t c) { return ask(c) - of_closing(c); });
-  for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 1024),
-                 [&](std::size_t first, std::size_t last, std::size_t) {
-                   Steps step(executor);
-                   for (std::size_t c = first; c < last; ++c, step())
-                     numbers[c] = whole[c] + of_closing(c);
-                 });
+  for_each_cell(cells.number, executor,
+                [&](std::size_t c) { numbers[c] = whole[c] + of_closing(c); });
 }
 
 // Marks the tetrahedra that these triangles pass through.
@@ -418,19 +411,15 @@ std::vector<char> crossed_cells(const Cells& cells, const std::vector<Cutting_tr
   if (triangles.empty())
     return is_crossed;
   const Box_tree tree{std::vector<Cutting_triangle>(triangles)};
-  for_each_block(executor, cells.number, number_of_blocks(executor, cells.number, 1024),
-                 [&](std::size_t first, std::size_t last, std::size_t) {
-                   Steps step(executor);
-                   for (std::size_t c = first; c < last; ++c, step()) {
-                     const std::array<Vector_3d, 4> p = cells(c);
-                     Box_3d box;
-                     for (const Vector_3d& corner : p)
-                       box.add(corner);
-                     tree.visit(box, [&](const Cutting_triangle& t) {
-                       is_crossed[c] = is_crossed[c] != 0 || passes_inside(t, p, box);
-                     });
-                   }
-                 });
+  for_each_cell(cells.number, executor, [&](std::size_t c) {
+    const std::array<Vector_3d, 4> p = cells(c);
+    Box_3d box;
+    for (const Vector_3d& corner : p)
+      box.add(corner);
+    tree.visit(box, [&](const Cutting_triangle& t) {
+      is_crossed[c] = is_crossed[c] != 0 || passes_inside(t, p, box);
+    });
+  });
   return is_crossed;
 }
 
