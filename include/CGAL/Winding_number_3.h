@@ -29,8 +29,8 @@ oriented consistently.
 Groups of triangles that are far from the point are approximated by an expansion to the third order
 (\cgalCite{bdslj-fwn-18}), so the numbers are correct up to about 0.01.
 
-<b>Complexity</b>: construction takes \f$O(n \log n)\f$ time for n triangles, and about 110 bytes
-for each. A call takes \f$O(\log n)\f$ if the surface is spread evenly. Several threads may call at
+<b>Complexity</b>: construction takes \f$O(n \log n)\f$ time for n triangles, and less than 180
+bytes for each. A call takes \f$O(\log n)\f$ if the surface is spread evenly. Several threads may call at
 the same time.
 */
 class Winding_number_3
