@@ -412,4 +412,11 @@ BOOST_AUTO_TEST_CASE(stored_halfedges_that_lead_elsewhere_are_refused_by_name)
   const auto lonely = isolated.add_vertex();
   isolated.set_halfedge(lonely, isolated.halfedge(v));
   check_refused(isolated, {"vertex 4 has a halfedge that does not lead to it"});
+
+  Surface_mesh removed = tetrahedron();
+  const auto end = removed.add_vertex();
+  const auto h = removed.add_edge(v, end);
+  removed.set_halfedge(end, h);
+  removed.remove_edge(removed.edge(h));
+  check_refused(removed, {"vertex 4 has a halfedge that does not lead to it"});
 }

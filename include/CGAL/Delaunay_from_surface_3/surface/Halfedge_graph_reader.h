@@ -187,7 +187,7 @@ private:
         refuse(vertex_name(i) + " has edges, but no halfedge of its own");
       return false;
     }
-    if (target(start, m_graph) != v)
+    if (target(start, m_graph) != v || surface.degree(i) == 0) // 0 if the halfedge is removed
       refuse(vertex_name(i) + " has a halfedge that does not lead to it");
     return true;
   }
