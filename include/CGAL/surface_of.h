@@ -80,12 +80,16 @@ the functions on subgraphs. Each component may be closed or have boundary, and m
 not. Edges are the edge descriptors of the graph.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, undirected
-\tparam Embedding a model of `SurfaceEmbedding`
+\tparam Embedding a model of `boost::ReadablePropertyMap` from vertex descriptors to ranges of edge
+descriptors
 \tparam VertexIndexMap a model of `boost::ReadablePropertyMap` from vertex descriptors to integers
 \tparam EdgeIsBoundaryMap a model of `boost::ReadablePropertyMap` from edge descriptors to `bool`
 
 \param graph the vertices and edges of the surface. It must outlive the object returned.
-\param embedding maps every vertex to its edges in cyclic order
+\param embedding maps every vertex to the list of its edges: each edge once, in cyclic order, and in
+either direction. The lists of two vertices need not agree in direction; this is how a Möbius band
+can be described. The list of a vertex on the boundary starts and ends with its two boundary edges.
+An `iterator_property_map` over a vector of vectors of edge descriptors will do.
 \param vertex_index_map maps the vertices onto 0, …, `num_vertices(graph)` - 1, one to one
 \param edge_is_boundary_map says whether an edge has a triangle on one side only
 

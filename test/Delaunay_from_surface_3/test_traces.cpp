@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(each_point_is_located_from_a_neighbour)
     const Case c = random_case(n, pieces, seed);
     Triangulation tr;
     Noting_target target(tr, c.points);
-    DFS::Null_update_observer nobody;
+    DFS::Previous_hint_3<Noting_target, Graph> nobody(target);
     // The last piece gets no vertex, if there are several.
     for (std::size_t k = 0, i = 0; k < inserted; ++i)
       if (pieces == 1 || i % pieces + 1 < pieces) {

@@ -3,8 +3,8 @@
 \cgalConcept
 
 An `InsertionHints_3` provides for each point the cell from which its location starts
-(\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). It observes the insertions, and it may trace
-the surface through the triangulation at the end of a round.
+(\cgalCite{choi-dtsm-02}, Fig.\ 1, lines 2a and 2b). It is told what each insertion changes (line
+2c), and it may trace the surface through the triangulation at the end of a round.
 
 The starting cell is only a hint: any cell gives the right result, a near one gives it fast.
 
@@ -19,10 +19,11 @@ represents T, the subgraph of the surface that a `SurfaceSubgraph` has chosen; e
 be followed in both directions. Points are numbered in the order of their insertion, as in the
 target.
 
+A model may be derived from `CGAL::Delaunay_from_surface_3::Previous_hint_3`, and then has all
+members already; those that it declares itself take their place.
+
 With `Planned_hints_3` and `Previous_hint_3` the points can go through the core
 (`SurfaceInsertionTraits_3::through_core`), which uses the same starting points.
-
-\cgalRefines{UpdateObserver_3}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Delaunay_from_surface_3::Traced_hints_3<Target\, Subgraph>}
@@ -42,6 +43,12 @@ public:
   constructor receives an empty graph.
   */
   static constexpr bool uses_subgraph = unspecified_value;
+
+  /*!
+  says, at compile time, whether `before_update()` is to be called. If it is `false`, the target
+  need not compute the conflict zone separately, and inserts in the fastest way.
+  */
+  static constexpr bool observes_conflict_zone = unspecified_value;
 
   /*!
   constructs the hints for one call. All three arguments outlive this object, so references to them
@@ -64,6 +71,25 @@ public:
   is none.
   */
   Target::Cell start(std::size_t i);
+
+  /*!
+  is called before point `i` is inserted, if `observes_conflict_zone` is `true` and the target knows
+  the conflict zone: in dimension 3, without `Fast_location`, for points that have no vertex yet.
+
+  \tparam CellIterator an input iterator with the value type `Target::Cell`
+  \param i the number of the point
+  \param first,last the cells that the insertion will destroy. They still exist.
+  */
+  template <class CellIterator>
+  void before_update(std::size_t i, CellIterator first, CellIterator last);
+
+  /*!
+  is called after point `i` was inserted.
+
+  \param i the number of the point
+  \param v its vertex: a new one, or the existing one if the point is a duplicate
+  */
+  void after_update(std::size_t i, Target::Vertex v);
 
   /*!
   traces the surface, if the policy does so (line 2a). It is called after the last insertion of each

@@ -47,37 +47,28 @@ struct Root_hints_3 : meters::History_hints_3<Target, Subgraph>
 
 // None: where a triangulation can do without, as with Fast_location.
 template <class Target, class Subgraph>
-struct No_hint_3 : CGAL::Delaunay_from_surface_3::Null_update_observer
+struct No_hint_3 : CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>
 {
-  static constexpr bool uses_subgraph = false;
-  No_hint_3(const Target&, const Subgraph&, const CGAL::Delaunay_from_surface_3::Insertion_order&)
-  {
-  }
+  using CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>::Previous_hint_3;
   typename Target::Cell start(std::size_t) const { return {}; }
-  std::size_t trace() { return 0; }
 };
 
 // From any of the points inserted.
 template <class Target, class Subgraph>
-class Random_hint_3 : public CGAL::Delaunay_from_surface_3::Null_update_observer
+class Random_hint_3 : public CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>
 {
+  using Base = CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>;
+  using Base::m_target;
+
 public:
-  static constexpr bool uses_subgraph = false;
-  Random_hint_3(const Target& target, const Subgraph&,
-                const CGAL::Delaunay_from_surface_3::Insertion_order&)
-    : m_target(target)
-    , m_random(0)
-  {
-  }
+  using Base::Base;
   typename Target::Cell start(std::size_t i)
   {
-    return m_target.cell(i == 0 ? typename Target::Vertex() : m_target.vertex(m_random.below(i)));
+    return i == 0 ? Base::start(i) : m_target.cell(m_target.vertex(m_random.below(i)));
   }
-  std::size_t trace() { return 0; }
 
 private:
-  const Target& m_target;
-  surfaces::Random m_random;
+  surfaces::Random m_random{0};
 };
 
 template <template <class, class> class Hints,

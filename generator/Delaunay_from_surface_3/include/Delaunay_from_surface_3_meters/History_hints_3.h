@@ -39,8 +39,10 @@ namespace meters {
 // Target: `Triangulation_target_3`, not of a triangulation with `Fast_location`
 // Subgraph: a model of `boost::AdjacencyGraph` on the numbers of the points: T
 template <class Target, class Subgraph>
-class History_hints_3
+class History_hints_3 : public CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>
 {
+  using Base = CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>;
+  using Base::m_target;
   static_assert(Target::reports_conflict_zones,
                 "a history of cells needs to be told of every conflict zone");
   using Dag = History_dag_3<std::decay_t<decltype(std::declval<const Target&>().triangulation())>>;
@@ -59,7 +61,7 @@ public:
   History_hints_3(const Target& target, const Subgraph& subgraph,
                   const CGAL::Delaunay_from_surface_3::Insertion_order& =
                       CGAL::Delaunay_from_surface_3::Insertion_order())
-    : m_target(target)
+    : Base(target, subgraph)
     , m_dag(target.triangulation())
     , m_trace(target, subgraph)
     , m_record(target.size(), Dag::none)
@@ -71,7 +73,7 @@ public:
   typename Target::Cell start(std::size_t i)
   {
     if (m_dag.is_empty())
-      return m_target.cell(m_previous);
+      return Base::start(i);
     const auto descent = m_record[i] == Dag::none ? m_dag.locate(m_target.point(i))
                                                   : m_dag.locate(m_target.point(i), m_record[i]);
     m_nodes_entered += descent.nodes_entered;
@@ -88,7 +90,7 @@ public:
   // hands the update to the history.
   void after_update(std::size_t i, typename Target::Vertex v)
   {
-    m_previous = v;
+    Base::after_update(i, v);
     m_dag.after_update(i, v);
   }
 
@@ -114,11 +116,9 @@ public:
   std::size_t nodes_entered() const { return m_nodes_entered; }
 
 private:
-  const Target& m_target;
   Dag m_dag;
   CGAL::Delaunay_from_surface_3::Trace_subgraph<Target, Subgraph> m_trace;
   std::vector<typename Dag::Node> m_record;
-  typename Target::Vertex m_previous = {};
   std::size_t m_nodes_entered = 0;
 };
 

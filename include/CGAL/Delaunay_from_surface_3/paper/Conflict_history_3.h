@@ -19,6 +19,7 @@
 // cells in conflict. So they are tested from the youngest on until one is not in conflict.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
@@ -35,7 +36,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -44,45 +44,6 @@ namespace CGAL {
 namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-// Stores the facets of the boundary of a conflict zone, each with its two cells. From the cell
-// across, which survives, it finds the cell behind, which does not.
-template <class Node>
-class Zone_boundary
-{
-public:
-  void clear() { m_facets.clear(); }
-
-  // Adds facet `index` of the cell `across`.
-  void add(Node across, int index, Node behind) { m_facets.push_back({across, index, behind}); }
-
-  // Must be called when all facets are added. Takes O(m log m) for m facets.
-  void sort() { std::sort(m_facets.begin(), m_facets.end()); }
-
-  // Returns the cell behind in O(log m).
-  Node behind(Node across, int index) const
-  {
-    const auto facet =
-        std::lower_bound(m_facets.begin(), m_facets.end(), Facet{across, index, Node()});
-    CGAL_assertion(facet != m_facets.end() && facet->across == across && facet->index == index);
-    return facet->behind;
-  }
-
-private:
-  struct Facet
-  {
-    Node across;
-    int index;
-    Node behind;
-
-    bool operator<(const Facet& other) const
-    {
-      return std::tie(across, index) < std::tie(other.across, other.index);
-    }
-  };
-
-  std::vector<Facet> m_facets;
-};
 
 // Conflict_test tells whether a point is in conflict with a cell, which may be destroyed: only its
 // vertices are needed. The answers agree with CGAL's find_conflicts(), perturbation included.
@@ -115,18 +76,31 @@ public:
   {
   }
 
+  // Of a finite cell the sphere counts, of an infinite one the finite facet: p is in conflict if it
+  // is beyond the facet, or in its plane and inside its circle.
   Conflict operator()(const Vertices& v, const Point& p) const
   {
+    std::array<const Point*, 4> q; // the points of the cell, with p in place of the infinite vertex
+    std::size_t infinite = 4;
     for (std::size_t i = 0; i < 4; ++i)
       if (m_tr.is_infinite(v[i]))
-        return with_infinite_cell(v, i, p);
-    const Point &a = v[0]->point(), &b = v[1]->point(), &c = v[2]->point(), &d = v[3]->point();
-    const Oriented_side side = traits().side_of_oriented_sphere_3_object()(a, b, c, d, p);
-    if (side != ON_ORIENTED_BOUNDARY)
-      return answer(side == ON_POSITIVE_SIDE);
+        q[infinite = i] = &p;
+      else
+        q[i] = &v[i]->point();
+    const bool is_finite = infinite == 4;
+    const Sign side =
+        is_finite ? traits().side_of_oriented_sphere_3_object()(*q[0], *q[1], *q[2], *q[3], p)
+                  : traits().orientation_3_object()(*q[0], *q[1], *q[2], *q[3]);
+    if (side != ZERO)
+      return answer(side == POSITIVE);
     if (vertex_at(v, p) != Vertex())
       return Conflict::AT_VERTEX;
-    return answer(m_exposed.side_of_oriented_sphere(a, b, c, d, p, true) == ON_POSITIVE_SIDE);
+    if (is_finite)
+      return answer(m_exposed.side_of_oriented_sphere(*q[0], *q[1], *q[2], *q[3], p, true) ==
+                    ON_POSITIVE_SIDE);
+    std::swap(q[infinite], q[3]);
+    return answer(m_exposed.coplanar_side_of_bounded_circle(*q[0], *q[1], *q[2], p, true) ==
+                  ON_BOUNDED_SIDE);
   }
 
   // Returns the finite vertex at p, or Vertex() if there is none.
@@ -142,22 +116,6 @@ private:
   static Conflict answer(bool is_in_conflict)
   {
     return is_in_conflict ? Conflict::YES : Conflict::NO;
-  }
-
-  // Tests whether p is beyond the finite facet, or in its plane and inside its circle.
-  Conflict with_infinite_cell(const Vertices& v, std::size_t infinite, const Point& p) const
-  {
-    std::array<const Point*, 4> q;
-    for (std::size_t i = 0; i < 4; ++i)
-      q[i] = i == infinite ? &p : &v[i]->point();
-    const Orientation o = traits().orientation_3_object()(*q[0], *q[1], *q[2], *q[3]);
-    if (o != COPLANAR)
-      return answer(o == POSITIVE);
-    if (vertex_at(v, p) != Vertex())
-      return Conflict::AT_VERTEX;
-    std::swap(q[infinite], q[3]);
-    return answer(m_exposed.coplanar_side_of_bounded_circle(*q[0], *q[1], *q[2], p, true) ==
-                  ON_BOUNDED_SIDE);
   }
 
   const Geom_traits& traits() const { return m_tr.geom_traits(); }
@@ -196,8 +154,6 @@ each facet, whatever the degrees of the vertices. So the work is proportional to
 \pre Points are only inserted, never removed; all conflict zones are reported; predicates are exact.
 
 \tparam Triangulation a `CGAL::Delaunay_triangulation_3`, not with `Fast_location`
-
-\cgalModels{UpdateObserver_3}
 */
 template <class Triangulation>
 class Conflict_history_3
@@ -249,9 +205,9 @@ public:
       for (int i = 0; i < 4; ++i) {
         const Cell across = c->neighbor(i);
         if (is_leaf(node(across)))
-          m_boundary.add(node(across), across->index(c), node(c));
+          m_boundary.push_back({node(across), Node(across->index(c)), node(c)});
       }
-    m_boundary.sort();
+    std::sort(m_boundary.begin(), m_boundary.end());
   }
 
   /// adds the star of `v`, or the root if the triangulation has just become 3-dimensional. A
@@ -265,7 +221,7 @@ public:
         add_node(c);
       for (const Cell c : m_zone) {
         const Cell across = c->neighbor(c->index(v));
-        link(node(c), node(across), across->index(c));
+        link(node(c), node(across), Node(across->index(c)));
       }
       m_zone.clear();
     } else if (is_empty() && m_tr.dimension() == 3)
@@ -367,11 +323,15 @@ private:
     m_marks.push_back(0);
   }
 
-  // Links node n, which stands on facet `index` of its stepfather.
-  void link(Node n, Node stepfather, int index)
+  // Links node n, which stands on facet `index` of its stepfather. Its father is found in O(log m)
+  // if the zone had m facets.
+  void link(Node n, Node stepfather, Node index)
   {
-    Node& first_son = m_records[m_boundary.behind(stepfather, index)].first_son;
-    Node& youngest = m_records[stepfather].youngest_stepson[std::size_t(index)];
+    const auto facet =
+        std::lower_bound(m_boundary.begin(), m_boundary.end(), Facet{stepfather, index, 0});
+    CGAL_assertion(facet != m_boundary.end() && (*facet)[0] == stepfather && (*facet)[1] == index);
+    Node& first_son = m_records[(*facet)[2]].first_son;
+    Node& youngest = m_records[stepfather].youngest_stepson[index];
     m_records[n].next_son = first_son;
     m_records[n].next_older_stepson = youngest;
     first_son = youngest = n;
@@ -418,13 +378,17 @@ private:
     return search;
   }
 
+  // Holds a facet of the boundary of a zone: the cell across, which survives, the number of the
+  // facet in it, and the cell behind, which does not.
+  using Facet = std::array<Node, 3>;
+
   const Triangulation& m_tr;
   internal::Conflict_test<Triangulation> m_test;
   std::vector<Record> m_records;
   Unique_hash_map<Cell, Node> m_node_of_cell;
   Node m_root_end = 0;
-  std::vector<Cell> m_zone;                 // not empty while an update is under way
-  internal::Zone_boundary<Node> m_boundary; // the boundary of the zone
+  std::vector<Cell> m_zone;         // not empty while an update is under way
+  std::vector<Facet> m_boundary;    // the boundary of the zone, sorted
   std::vector<std::size_t> m_marks; // twice the last search that tested the node, plus the answer
   std::size_t m_search = 0;
   std::vector<Node> m_stack;
@@ -465,11 +429,12 @@ a trace, in addition, the previous records, and at most 16 bytes per point.
 \tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
 
 \cgalModels{InsertionHints_3}
-
 */
 template <class Target, class Subgraph>
-class Conflict_history_hints_3
+class Conflict_history_hints_3 : public Previous_hint_3<Target, Subgraph>
 {
+  using Base = Previous_hint_3<Target, Subgraph>;
+  using Base::m_target;
   static_assert(Target::reports_conflict_zones,
                 "a history of cells needs to be told of every conflict zone");
   using Triangulation = std::decay_t<decltype(std::declval<const Target&>().triangulation())>;
@@ -492,7 +457,7 @@ public:
   /// keeps references to target and subgraph. The plan is not used.
   Conflict_history_hints_3(const Target& target, const Subgraph& subgraph,
                            const Insertion_order& = Insertion_order())
-    : m_target(target)
+    : Base(target, subgraph)
     , m_history(target.triangulation())
     , m_trace(target, subgraph)
     , m_record(target.size())
@@ -506,11 +471,11 @@ public:
   {
     const Record& record = m_record[i];
     if (m_history.is_empty())
-      return m_target.cell(m_previous);
+      return Base::start(i);
     if (record.vertex != Vertex())
       return m_target.cell(record.vertex);
     if (record.first == record.last)
-      return m_history.root_size() > largest_root ? m_target.cell(m_previous) : start_from_root(i);
+      return m_history.root_size() > largest_root ? Base::start(i) : start_from_root(i);
     return found_start([&](const auto out) {
       return m_history.find_conflicts(m_target.point(i), m_recorded.begin() + record.first,
                                       m_recorded.begin() + record.last, m_number_of_nodes_at_trace,
@@ -523,7 +488,7 @@ public:
   Cell start_from_root(std::size_t i)
   {
     if (m_history.is_empty())
-      return m_target.cell(m_previous);
+      return Base::start(i);
     return found_start(
         [&](const auto out) { return m_history.find_conflicts(m_target.point(i), out); });
   }
@@ -538,7 +503,7 @@ public:
   /// passes the update to the history.
   void after_update(std::size_t i, Vertex v)
   {
-    m_previous = v;
+    Base::after_update(i, v);
     m_history.after_update(i, v);
   }
 
@@ -580,9 +545,8 @@ private:
 
   struct Record
   {
-    std::ptrdiff_t first = 0,
-                   last = 0; // in the list of nodes; there is none before the first trace
-    Vertex vertex = {};      // the vertex at the point at the last trace
+    std::ptrdiff_t first = 0, last = 0; // in the list of nodes; equal before the first trace
+    Vertex vertex = {};                 // the vertex at the point at the last trace
   };
 
   Record record(std::size_t i, const typename Target::Location& location,
@@ -619,17 +583,16 @@ private:
       if (!m_target.triangulation().is_infinite(m_history.cell(n)))
         return m_history.cell(n);
     // Inexact predicates may have found nothing.
-    return m_conflicts.empty() ? m_target.cell(m_previous) : m_history.cell(m_conflicts.front());
+    return m_conflicts.empty() ? m_target.cell(this->m_previous)
+                               : m_history.cell(m_conflicts.front());
   }
 
-  const Target& m_target;
   History m_history;
   Trace_subgraph<Target, Subgraph> m_trace;
   std::vector<Record> m_record;
   std::vector<Node> m_recorded;
   std::size_t m_number_of_nodes_at_trace = 0;
   std::vector<Node> m_conflicts;
-  Vertex m_previous = {};
   std::size_t m_nodes_visited = 0, m_nodes_tested = 0;
 };
 

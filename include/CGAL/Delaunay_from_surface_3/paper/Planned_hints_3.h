@@ -20,54 +20,17 @@
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
 
-/*!
-\ingroup PkgDelaunayFromSurface3Insertion
-
-observes nothing and costs nothing; it serves as a base class.
-
-\cgalModels{UpdateObserver_3}
-*/
-struct Null_update_observer
-{
-  /// `false`: the conflict zone is not needed, and the target may insert in the fastest way.
-  static constexpr bool observes_conflict_zone = false;
-
-  /// does nothing.
-  template <class CellIterator>
-  void before_update(std::size_t, CellIterator, CellIterator)
-  {
-  }
-
-  /// does nothing.
-  template <class Vertex>
-  void after_update(std::size_t, Vertex)
-  {
-  }
-};
-
-namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-// Tells whether a hint policy needs no trace and is built into the core. The header of such a
-// policy specializes it.
-template <template <class Target, class Subgraph> class InsertionHints>
-struct Starts_in_core : std::false_type
-{
-  static constexpr bool uses_starting_places = true;
-};
-
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
-
 // Previous_hint_3 is the control: every point starts from the point inserted before it, as in
-// CGAL's own range insertion.
+// CGAL's own range insertion. The other policies are derived from it: they differ in what they know
+// of a point, and most do as it does where they know nothing.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Hints
 
 starts every insertion from a cell of the vertex inserted last, as
 `Delaunay_triangulation_3::insert(first, last)` does. The surface is not used. Traits with this
-policy go through the core, which starts in the same way.
+policy go through the core, which starts in the same way. Your own policy may be derived from this
+one, and then needs only the members in which it differs.
 
 <b>Complexity</b>: \f$O(1)\f$ per point. It needs no trace, no subgraph, and no memory of its own.
 
@@ -77,11 +40,14 @@ policy go through the core, which starts in the same way.
 \cgalModels{InsertionHints_3}
 */
 template <class Target, class Subgraph>
-class Previous_hint_3 : public Null_update_observer
+class Previous_hint_3
 {
 public:
   /// `false`: no subgraph is needed.
   static constexpr bool uses_subgraph = false;
+
+  /// `false`: the conflict zone is not needed, and the target may insert in the fastest way.
+  static constexpr bool observes_conflict_zone = false;
 
   /// keeps a reference to `target`.
   explicit Previous_hint_3(const Target& target, const Subgraph& = Subgraph(),
@@ -93,28 +59,22 @@ public:
   /// returns a cell of the vertex inserted last.
   typename Target::Cell start(std::size_t) const { return m_target.cell(m_previous); }
 
+  /// does nothing.
+  template <class CellIterator>
+  void before_update(std::size_t, CellIterator, CellIterator)
+  {
+  }
+
   /// remembers `v`.
   void after_update(std::size_t, typename Target::Vertex v) { m_previous = v; }
 
   /// does nothing, and returns 0: no point is located.
   std::size_t trace() { return 0; }
 
-private:
+protected:
   const Target& m_target;
-  typename Target::Vertex m_previous = {};
+  typename Target::Vertex m_previous = {}; // none before the first insertion
 };
-
-namespace internal {
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-template <>
-struct Starts_in_core<Previous_hint_3> : std::true_type
-{
-  static constexpr bool uses_starting_places = false;
-};
-
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
 
 // Neighbor_hints_3 goes beyond the paper: it needs no trace at all. When a point's turn comes, some
 // of its neighbours on the surface are nearly always in the triangulation, except early on.
@@ -136,8 +96,10 @@ trace and no memory of its own.
 \cgalModels{InsertionHints_3}
 */
 template <class Target, class Subgraph>
-class Neighbor_hints_3 : public Null_update_observer
+class Neighbor_hints_3 : public Previous_hint_3<Target, Subgraph>
 {
+  using Base = Previous_hint_3<Target, Subgraph>;
+  using Base::m_target;
   using Vertex = typename Target::Vertex;
 
 public:
@@ -147,7 +109,7 @@ public:
   /// keeps references to target and subgraph. The plan is not used.
   Neighbor_hints_3(const Target& target, const Subgraph& subgraph,
                    const Insertion_order& = Insertion_order())
-    : m_target(target)
+    : Base(target, subgraph)
     , m_subgraph(subgraph)
   {
   }
@@ -161,19 +123,11 @@ public:
       if (v != Vertex() && (nearest == Vertex() || m_target.is_closer(i, v, nearest)))
         nearest = v;
     }
-    return m_target.cell(nearest == Vertex() ? m_previous : nearest);
+    return nearest == Vertex() ? Base::start(i) : m_target.cell(nearest);
   }
 
-  /// remembers `v`.
-  void after_update(std::size_t, Vertex v) { m_previous = v; }
-
-  /// does nothing, and returns 0: no point is located.
-  std::size_t trace() { return 0; }
-
 private:
-  const Target& m_target;
   const Subgraph& m_subgraph;
-  Vertex m_previous = {};
 };
 
 /*!
@@ -192,17 +146,15 @@ and no memory of its own.
 \cgalModels{InsertionHints_3}
 */
 template <class Target, class Subgraph>
-class Planned_hints_3 : public Null_update_observer
+class Planned_hints_3 : public Previous_hint_3<Target, Subgraph>
 {
-  using Vertex = typename Target::Vertex;
+  using Base = Previous_hint_3<Target, Subgraph>;
+  using Base::m_target;
 
 public:
-  /// `false`: no subgraph is needed.
-  static constexpr bool uses_subgraph = false;
-
   /// keeps references to `target` and `plan`.
-  Planned_hints_3(const Target& target, const Subgraph&, const Insertion_order& plan)
-    : m_target(target)
+  Planned_hints_3(const Target& target, const Subgraph& subgraph, const Insertion_order& plan)
+    : Base(target, subgraph)
     , m_places(plan.starting_places)
   {
   }
@@ -211,25 +163,29 @@ public:
   /// inserted last.
   typename Target::Cell start(std::size_t i) const
   {
-    if (i == 0 || m_places.empty())
-      return m_target.cell(m_previous);
-    return m_target.cell(m_target.vertex(m_places[i]));
+    return i == 0 || m_places.empty() ? Base::start(i)
+                                      : m_target.cell(m_target.vertex(m_places[i]));
   }
 
-  /// remembers `v`.
-  void after_update(std::size_t, Vertex v) { m_previous = v; }
-
-  /// does nothing, and returns 0: no point is located.
-  std::size_t trace() { return 0; }
-
 private:
-  const Target& m_target;
   const std::vector<std::size_t>& m_places;
-  Vertex m_previous = {};
 };
 
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Tells whether a hint policy needs no trace and is built into the core.
+template <template <class Target, class Subgraph> class InsertionHints>
+struct Starts_in_core : std::false_type
+{
+  static constexpr bool uses_starting_places = true;
+};
+
+template <>
+struct Starts_in_core<Previous_hint_3> : std::true_type
+{
+  static constexpr bool uses_starting_places = false;
+};
 
 template <>
 struct Starts_in_core<Planned_hints_3> : std::true_type

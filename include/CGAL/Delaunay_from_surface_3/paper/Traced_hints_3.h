@@ -144,8 +144,10 @@ handle per point.
 \cgalModels{InsertionHints_3}
 */
 template <class Target, class Subgraph>
-class Traced_hints_3 : public Null_update_observer
+class Traced_hints_3 : public Previous_hint_3<Target, Subgraph>
 {
+  using Base = Previous_hint_3<Target, Subgraph>;
+  using Base::m_target;
   using Vertex = typename Target::Vertex;
   using Cell = typename Target::Cell;
 
@@ -156,7 +158,7 @@ public:
   /// keeps references to target and subgraph. The plan is not used.
   Traced_hints_3(const Target& target, const Subgraph& subgraph,
                  const Insertion_order& = Insertion_order())
-    : m_target(target)
+    : Base(target, subgraph)
     , m_trace(target, subgraph)
     , m_record(target.size())
   {
@@ -170,11 +172,8 @@ public:
   /// insertion.
   Vertex recorded_vertex(std::size_t i) const
   {
-    return m_record[i] == Vertex() ? m_previous : m_record[i];
+    return m_record[i] == Vertex() ? this->m_previous : m_record[i];
   }
-
-  /// remembers `v`.
-  void after_update(std::size_t, Vertex v) { m_previous = v; }
 
   /// locates every point that is not yet inserted and returns their number.
   /// \pre A point is inserted.
@@ -187,9 +186,7 @@ public:
   }
 
 private:
-  const Target& m_target;
   Trace_subgraph<Target, Subgraph> m_trace;
-  Vertex m_previous = {};
   std::vector<Vertex> m_record;
 };
 

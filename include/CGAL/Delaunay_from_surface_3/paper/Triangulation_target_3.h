@@ -102,7 +102,7 @@ inserts points into a `CGAL::Delaunay_triangulation_3` by its own member functio
 a starting cell, then `insert()` at the location found. The triangulation may be of any dimension,
 may contain points already, and may have any vertex and cell base.
 
-If the observer observes conflict zones, an insertion in dimension 3 uses `find_conflicts()` and
+If the hints observe conflict zones, an insertion in dimension 3 uses `find_conflicts()` and
 `insert_in_hole()` instead. With `Fast_location` it does not, since `insert()` must also fill the
 upper levels. No conflict zone is reported then, nor if the dimension is below 3.
 
@@ -131,7 +131,7 @@ public:
     int lj;                                   ///< the second vertex of an edge.
   };
 
-  /// says whether observers are told of every conflict zone in dimension 3: `false` with
+  /// says whether hints are told of every conflict zone in dimension 3: `false` with
   /// `Fast_location`.
   static constexpr bool reports_conflict_zones =
       !decltype(has_hierarchy(static_cast<Triangulation*>(nullptr)))::value;
@@ -185,16 +185,17 @@ public:
            SMALLER;
   }
 
-  /// inserts point `i` where it was just located, and tells `observer` (a model of
-  /// `UpdateObserver_3`). If there is already a vertex at the point, the point gets this vertex.
+  /// inserts point `i` where it was just located, and tells `hints`: any object with the members
+  /// `observes_conflict_zone`, `before_update()` and `after_update()` of `InsertionHints_3`. If there
+  /// is already a vertex at the point, the point gets this vertex.
   /// The time is linear in the number of cells destroyed and created, plus the time for the upper
   /// levels of `Fast_location`. After an exception of CGAL's insertion the triangulation may only
   /// be cleared or destroyed.
-  template <class Observer>
-  void insert(std::size_t i, const Location& location, Observer& observer)
+  template <class Hints>
+  void insert(std::size_t i, const Location& location, Hints& hints)
   {
-    m_vertices[i] = insert_at(i, location, observer);
-    observer.after_update(i, m_vertices[i]);
+    m_vertices[i] = insert_at(i, location, hints);
+    hints.after_update(i, m_vertices[i]);
   }
 
   /// returns only zeros: CGAL's insertion does not count.
@@ -204,25 +205,25 @@ public:
   std::vector<Vertex> take_vertices() { return std::move(m_vertices); }
 
 private:
-  template <class Observer>
-  Vertex insert_at(std::size_t i, const Location& location, Observer& observer)
+  template <class Hints>
+  Vertex insert_at(std::size_t i, const Location& location, Hints& hints)
   {
-    if constexpr (Observer::observes_conflict_zone && reports_conflict_zones) {
+    if constexpr (Hints::observes_conflict_zone && reports_conflict_zones) {
       if (m_tr.dimension() == 3 && location.type != Triangulation::VERTEX)
-        return insert_in_conflict_zone(i, location, observer);
+        return insert_in_conflict_zone(i, location, hints);
     }
     return m_tr.insert(m_points[i], location.type, location.cell, location.li, location.lj);
   }
 
   // Inserts point i. The cell where it is located is in conflict with it, also outside the hull.
-  template <class Observer>
-  Vertex insert_in_conflict_zone(std::size_t i, const Location& location, Observer& observer)
+  template <class Hints>
+  Vertex insert_in_conflict_zone(std::size_t i, const Location& location, Hints& hints)
   {
     m_conflict_zone.clear();
     m_boundary.clear();
     m_tr.find_conflicts(m_points[i], location.cell, std::back_inserter(m_boundary),
                         std::back_inserter(m_conflict_zone));
-    observer.before_update(i, m_conflict_zone.begin(), m_conflict_zone.end());
+    hints.before_update(i, m_conflict_zone.begin(), m_conflict_zone.end());
     return m_tr.insert_in_hole(m_points[i], m_conflict_zone.begin(), m_conflict_zone.end(),
                                m_boundary.front().first, m_boundary.front().second);
   }
