@@ -9,7 +9,7 @@
 #include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/insert_surface.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/refuse_triangulation.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
+#include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 
@@ -118,7 +118,7 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Delaunay_triangulation_3<Gt, Tds, Lp, Slds>;
   const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(points, np);
-  const Lower_neighbor_graph no_graph;
+  const Index_graph no_graph;
   const Insertion_input input{read.points(), no_graph,        Identity_index_map(),
                               std::nullopt,  Identity_name(), read.infos()};
   return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t>(

@@ -13,7 +13,7 @@
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 
-#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
+#include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 #include <CGAL/Surface_mesh.h>
@@ -50,8 +50,7 @@ template <class FaceRange>
 std::set<Pair> edges_of_soup(Kind kind, const FaceRange& faces, std::size_t n)
 {
   namespace internal = DFS::internal;
-  const internal::Graph_of_faces<FaceRange> graph(
-      internal::Lower_neighbor_graph(internal::soup_edges(faces, n).lower), faces);
+  const internal::Graph_of_faces<FaceRange> graph(internal::soup_edges(faces, n).lower, faces);
   std::set<Pair> result;
   const DFS::Bounded_degree_subgraph subgraph(kind);
   subgraph(graph, internal::Identity_index_map(),

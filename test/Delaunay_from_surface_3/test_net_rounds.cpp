@@ -204,13 +204,13 @@ BOOST_AUTO_TEST_CASE(order_of_points_by_request)
 
 BOOST_AUTO_TEST_CASE(random_blocks_are_permutations)
 {
-  using DFS::internal::Random_blocks;
   const auto order = [](std::size_t n, std::uint64_t seed) {
     std::vector<std::size_t> result;
-    Random_blocks(n, seed).for_each([&](std::size_t v) { result.push_back(v); });
+    DFS::internal::for_each_in_random_blocks(n, seed, 1024,
+                                             [&](std::size_t v) { result.push_back(v); });
     return result;
   };
-  const std::size_t block = Random_blocks::largest_block;
+  const std::size_t block = DFS::internal::largest_net_block;
   for (const std::size_t n : {std::size_t(0), std::size_t(1), std::size_t(2), std::size_t(3),
                               std::size_t(1000), block - 1, block, block + 1, 3 * block + 5}) {
     std::vector<std::size_t> sorted = order(n, 7);
@@ -275,7 +275,9 @@ BOOST_AUTO_TEST_CASE(hubs_do_not_keep_what_is_nearer_to_others)
       coordinates[3 * v] = v;
     const DFS::internal::Point_array points(coordinates.data(), n);
     const auto lower = DFS::internal::lower_neighbors(edges, n);
-    const auto net = DFS::internal::net_of(lower, 1, DFS::internal::Vertex_points(points));
+    std::vector<std::uint32_t> names(n);
+    std::iota(names.begin(), names.end(), 0u);
+    const auto net = DFS::internal::net_of(lower, 1, points, names.data(), 1024);
     const auto stay = std::count(net.cluster_of.begin(), net.cluster_of.end(), net.cluster_of[0]);
     BOOST_TEST(stay > 1);
     BOOST_TEST(stay < n / 16);

@@ -19,7 +19,6 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
@@ -115,11 +114,11 @@ DFS::Insertion_order plan_of(const std::vector<Point>& points, const Index_graph
 // Every edge once, from the smaller index to the larger.
 Index_graph graph_of(const surfaces::Indexed_surface& surface)
 {
-  const DFS::internal::Lower_neighbor_graph soup(
-      DFS::internal::soup_edges(surface.faces, surface.points.size()).lower);
+  const auto lower = DFS::internal::soup_edges(surface.faces, surface.points.size()).lower;
   std::vector<std::pair<std::size_t, std::size_t>> ascending;
-  for (auto [e, end] = edges(soup); e != end; ++e)
-    ascending.emplace_back(target(*e, soup), source(*e, soup));
+  for (std::size_t v = 0; v < lower.size(); ++v)
+    for (const auto *u = lower.begin(v), *end = lower.end(v); u != end; ++u)
+      ascending.emplace_back(*u, v);
   return Index_graph(boost::edges_are_unsorted_multi_pass, ascending.begin(), ascending.end(),
                      surface.points.size());
 }

@@ -12,8 +12,9 @@
 #include <CGAL/Delaunay_from_surface_3/adapters/check_named_parameters.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/give_to_vertices.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
+#include <CGAL/Delaunay_from_surface_3/support/Lists.h>
+#include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 
@@ -23,9 +24,14 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
+#include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
+#include <boost/property_map/property_map.hpp>
 #include <boost/tuple/tuple.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -158,6 +164,75 @@ using Index_in_face =
 template <class FaceRange>
 constexpr bool are_faces = is_detected<Index_in_face, FaceRange>;
 
+// Represents the edges of a polygon soup as a graph on the indices of its points: models
+// boost::VertexListGraph and boost::EdgeListGraph. It refers to the faces, for subgraphs that need
+// more than edges.
+template <class FaceRange>
+class Graph_of_faces
+{
+public:
+  using vertex_descriptor = std::size_t;
+  using edge_descriptor = std::pair<std::size_t, std::size_t>; // the larger number, and the smaller
+  using directed_category = boost::directed_tag;
+  using edge_parallel_category = boost::disallow_parallel_edge_tag;
+  struct traversal_category : boost::vertex_list_graph_tag, boost::edge_list_graph_tag
+  {
+  };
+  using vertices_size_type = std::size_t;
+  using edges_size_type = std::size_t;
+  using vertex_iterator = boost::counting_iterator<std::size_t>;
+  struct Descriptor_of_edge
+  {
+    edge_descriptor operator()(const Numbered_edge& e) const { return {e.upper, e.lower}; }
+  };
+  using edge_iterator = boost::transform_iterator<Descriptor_of_edge, const Numbered_edge*>;
+
+  // Makes a graph without edges.
+  Graph_of_faces(std::size_t number_of_vertices, const FaceRange& faces)
+    : m_number_of_vertices(number_of_vertices)
+    , m_faces(&faces)
+  {
+  }
+
+  // Makes a graph with these edges: `lower` has for each vertex the neighbours with smaller numbers.
+  Graph_of_faces(const Lists<std::uint32_t>& lower, const FaceRange& faces)
+    : Graph_of_faces(lower.size(), faces)
+  {
+    m_edges.reserve(lower.items.size());
+    for (std::size_t v = 0; v < lower.size(); ++v)
+      for (const std::uint32_t *u = lower.begin(v), *end = lower.end(v); u != end; ++u)
+        m_edges.emplace_back(std::uint32_t(v), *u);
+  }
+
+  std::size_t number_of_vertices() const { return m_number_of_vertices; }
+  const FaceRange& faces_of_soup() const { return *m_faces; }
+
+  friend auto vertices(const Graph_of_faces& graph)
+  {
+    return std::pair(vertex_iterator(0), vertex_iterator(graph.m_number_of_vertices));
+  }
+  friend auto edges(const Graph_of_faces& graph)
+  {
+    const Numbered_edge* const first = graph.m_edges.data();
+    return std::pair(edge_iterator(first), edge_iterator(first + graph.m_edges.size()));
+  }
+  friend std::size_t num_vertices(const Graph_of_faces& graph)
+  {
+    return graph.m_number_of_vertices;
+  }
+  friend std::size_t num_edges(const Graph_of_faces& graph) { return graph.m_edges.size(); }
+  friend std::size_t source(const edge_descriptor& e, const Graph_of_faces&) { return e.first; }
+  friend std::size_t target(const edge_descriptor& e, const Graph_of_faces&) { return e.second; }
+
+private:
+  std::size_t m_number_of_vertices;
+  const FaceRange* m_faces;
+  Large_vector<Numbered_edge> m_edges;
+};
+
+// The index of a point of a range is the point's number itself.
+using Identity_index_map = boost::typed_identity_property_map<std::size_t>;
+
 // Reads and checks the points and faces of a polygon soup. Edges are kept only for a caller who asks
 // for the graph.
 template <class Triangulation, class PointRange, class FaceRange, class NamedParameters>
@@ -168,7 +243,7 @@ public:
   Read_soup(const PointRange& points, const FaceRange& faces, const NamedParameters& np,
             const Executor& executor, bool asks_for_graph)
     : m_items(points, np)
-    , m_graph(Lower_neighbor_graph(m_items.points().size()), faces)
+    , m_graph(m_items.points().size(), faces)
   {
     if (!asks_for_graph && !is_given<NamedParameters, internal_np::visitor_t>) {
       check_faces(faces, m_items.points().size());
@@ -177,7 +252,7 @@ public:
     Soup_edges soup = soup_edges(faces, m_items.points().size(), executor);
     m_irregularity = std::move(soup.irregularity);
     if (asks_for_graph && soup.has_lists)
-      m_graph = Graph_of_faces<FaceRange>(Lower_neighbor_graph(std::move(soup.lower)), faces);
+      m_graph = Graph_of_faces<FaceRange>(soup.lower, faces);
   }
 
   // Refers to this object.

@@ -18,7 +18,6 @@
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/Split_mix.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Lower_neighbor_graph.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Lists.h>
@@ -35,7 +34,6 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,10 +42,40 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Surface_net_rounds documents these constants.
+// A graph is given by the neighbours of each vertex that have smaller numbers: every edge is stored
+// at one of its ends only, which handles it for both. A level is made in linear time.
+using Net_index = std::uint32_t;
+using Net_graph = Lists_view<Net_index>;
+
 constexpr double net_stall = 0.9;
 constexpr std::size_t coarsest_net = 64;
 constexpr std::size_t large_cluster = 32;
+constexpr std::size_t largest_net_block = std::size_t(1) << 15;
+
+// Calls visit(v) for 0, …, n-1 in random order; if there are many, blocks of `block` numbers, rounded
+// up to a power of 2, follow each other, and the order is random inside each. The blocks share one
+// permutation, each with a shift and flip of its own. The part of a graph that belongs to one of
+// many blocks fits into the cache nearest to the processor.
+template <class Visit>
+void for_each_in_random_blocks(std::size_t n, std::uint64_t seed, std::size_t block,
+                               const Visit& visit)
+{
+  std::size_t size = 1;
+  while (size < (n <= largest_net_block ? n : (std::min)(n, block)))
+    size *= 2;
+  Split_mix random(seed);
+  std::vector<Net_index> inner(size);
+  std::iota(inner.begin(), inner.end(), Net_index(0));
+  random.shuffle(inner.begin(), inner.end());
+  for (std::size_t first = 0; first < n; first += size) {
+    const std::size_t shift = random() % size, flip = random() % size;
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::size_t v = first + (inner[(k + shift) & (size - 1)] ^ flip);
+      if (v < n)
+        visit(v);
+    }
+  }
+}
 
 // A net of a graph is a maximal independent set. The cluster of a net vertex consists of the vertex
 // and neighbours of it; a vertex beside several net vertices belongs to the nearest, or, if there
@@ -56,162 +84,95 @@ constexpr std::size_t large_cluster = 32;
 // The net is the greedy one in a random order of the vertices. In the order of the numbers it would
 // be as regular as the numbering, and CAD programs number along profiles and rings: whole rings
 // would come one after the other. If there are many vertices, blocks of successive numbers follow
-// each other, and the order is random inside each. That keeps memory accesses together, and stays
-// near the order of the numbers, which is a good one on scans. Hubs come before all others: it is
-// better to insert the middle of a fan before the fan. Chains of vertices, each of which waits for
-// the one before, have logarithmic length in random orders (Blelloch, Fineman, Shun 2012; Fischer,
-// Noever 2018).
-//
-// Cost: linear in vertices and edges. Every edge is stored at one of its ends only, which handles
-// it for both: a vertex asks the vertices in its list, and tells them when it joins.
-
-// Visits the numbers 0, …, n-1 in random order; if there are many, block by block, in random order
-// inside each. The blocks share one permutation, each with a shift and flip of its own. The part of
-// a graph that belongs to one of many blocks fits into the cache nearest to the processor.
-class Random_blocks
-{
-public:
-  static constexpr std::size_t largest_block = std::size_t(1) << 15;
-  static constexpr std::size_t one_of_many = std::size_t(1) << 10;
-
-  // Makes blocks of `block` numbers, rounded up to a power of 2, if there are many numbers.
-  Random_blocks(std::size_t n, std::uint64_t seed, std::size_t block = one_of_many)
-    : m_n(n)
-  {
-    std::size_t size = 1;
-    while (size < (n <= largest_block ? n : (std::min)(n, block)))
-      size *= 2;
-    Split_mix random(seed);
-    m_inner.resize(size);
-    std::iota(m_inner.begin(), m_inner.end(), std::uint32_t(0));
-    random.shuffle(m_inner.begin(), m_inner.end());
-    for (std::size_t first = 0; first < n; first += size)
-      m_blocks.push_back({first, std::size_t(random() % size), std::size_t(random() % size)});
-  }
-
-  // Calls visit(v) for every number.
-  template <class Visit>
-  void for_each(const Visit& visit) const
-  {
-    const std::size_t mask = m_inner.size() - 1;
-    for (const Block& block : m_blocks)
-      for (std::size_t k = 0; k <= mask; ++k) {
-        const std::size_t v = block.first + (m_inner[(k + block.shift) & mask] ^ block.flip);
-        if (v < m_n)
-          visit(v);
-      }
-  }
-
-private:
-  struct Block
-  {
-    std::size_t first, shift, flip;
-  };
-
-  std::size_t m_n;
-  std::vector<Block> m_blocks;
-  std::vector<std::uint32_t> m_inner; // a permutation of a block, whose size is a power of 2
-};
-
-// Refers to the points at the vertices of a graph.
-class Vertex_points
-{
-public:
-  // Vertex v is at the point names[v], or at point v if there are no names.
-  explicit Vertex_points(const Point_array& points, const std::uint32_t* names = nullptr)
-    : m_points(points)
-    , m_names(names)
-  {
-  }
-
-  double squared_distance(std::size_t v, std::size_t u) const
-  {
-    return m_names == nullptr
-               ? internal::squared_distance(m_points[v], m_points[u])
-               : internal::squared_distance(m_points[m_names[v]], m_points[m_names[u]]);
-  }
-
-private:
-  Point_array m_points;
-  const std::uint32_t* m_names;
-};
-
+// each other. That keeps memory accesses together, and stays near the order of the numbers, which
+// is a good one on scans. Hubs come before all others: it is better to insert the middle of a fan
+// before the fan. Chains of vertices, each of which waits for the one before, have logarithmic
+// length in random orders (Blelloch, Fineman, Shun 2012; Fischer, Noever 2018).
 struct Net
 {
-  Large_vector<std::uint32_t> centers;    // the net vertex of each cluster, in ascending order
-  Large_vector<std::uint32_t> cluster_of; // the cluster of each vertex
+  Large_vector<Net_index> centers;    // the net vertex of each cluster, in ascending order
+  Large_vector<Net_index> cluster_of; // the cluster of each vertex
 };
 
 // Returns the vertices with more than three times as many edges as the average, in random order.
-inline std::vector<std::uint32_t> hubs_of(const Lists_view<std::uint32_t>& lower,
-                                          std::uint64_t seed)
+inline std::vector<Net_index> hubs_of(const Net_graph& lower, std::uint64_t seed)
 {
-  using Index = std::uint32_t;
   const std::size_t n = lower.size();
-  Large_vector<Index> degree(n);
+  Large_vector<Net_index> degree(n);
   for (std::size_t v = 0; v < n; ++v)
-    degree[v] = Index(lower.end(v) - lower.begin(v));
+    degree[v] = Net_index(lower.end(v) - lower.begin(v));
   for (std::size_t k = 0; k < lower.number_of_items; ++k)
     ++degree[lower.items[k]];
-  const Index most = Index(3 * 2 * lower.number_of_items / n);
-  std::vector<Index> result;
+  const auto most = Net_index(3 * 2 * lower.number_of_items / n);
+  std::vector<Net_index> result;
   for (std::size_t v = 0; v < n; ++v)
     if (degree[v] > most)
-      result.push_back(Index(v));
+      result.push_back(Net_index(v));
   Split_mix(seed).shuffle(result.begin(), result.end());
   return result;
 }
 
-// Returns for each vertex itself if it is in the greedy net of the graph with these lower
-// neighbours, otherwise a neighbour that is. `hubs` come first.
-inline Large_vector<std::uint32_t> random_net(const Lists_view<std::uint32_t>& lower,
-                                              const std::vector<std::uint32_t>& hubs,
-                                              std::uint64_t seed, std::size_t block)
+// Returns for each vertex itself if it is in the greedy net, otherwise a neighbour that is. `hubs`
+// come first. A vertex asks the vertices in its list, and tells them when it joins.
+inline Large_vector<Net_index> random_net(const Net_graph& lower,
+                                          const std::vector<Net_index>& hubs, std::uint64_t seed,
+                                          std::size_t block)
 {
-  using Index = std::uint32_t;
   enum State : char { UNSEEN, IN_NET, BESIDE };
   std::vector<char> state(lower.size(), UNSEEN);
-  Large_vector<Index> center(lower.size());
+  Large_vector<Net_index> center(lower.size());
   const auto decide = [&](std::size_t v) {
     if (state[v] != UNSEEN)
       return;
-    const Index *const first = lower.begin(v), *const last = lower.end(v);
-    const Index* const in_net =
-        std::find_if(first, last, [&](Index u) { return state[u] == IN_NET; });
-    center[v] = in_net == last ? Index(v) : *in_net;
+    const Net_index *const first = lower.begin(v), *const last = lower.end(v);
+    const Net_index* const in_net =
+        std::find_if(first, last, [&](Net_index u) { return state[u] == IN_NET; });
+    center[v] = in_net == last ? Net_index(v) : *in_net;
     state[v] = in_net == last ? IN_NET : BESIDE;
     if (in_net == last)
-      for (const Index* u = first; u != last; ++u)
+      for (const Net_index* u = first; u != last; ++u)
         if (state[*u] == UNSEEN) {
           state[*u] = BESIDE;
-          center[*u] = Index(v);
+          center[*u] = Net_index(v);
         }
   };
-  for (const Index v : hubs)
+  for (const Net_index v : hubs)
     decide(v);
-  Random_blocks(lower.size(), seed, block).for_each(decide);
+  for_each_in_random_blocks(lower.size(), seed, block, decide);
   return center;
 }
 
-// Makes the nearest net vertex beside a vertex its centre, for each vertex with is_wanted(v).
-template <class Is_wanted>
-void choose_nearest_centers(const Lists_view<std::uint32_t>& lower, const Is_wanted& is_wanted,
-                            const Vertex_points& points, Large_vector<std::uint32_t>& center)
+// Makes the nearest net vertex beside a vertex its centre. If there are many vertices, only in the
+// clusters of hubs: a pass over all points would cost much, for a small gain. But a hub would keep
+// all vertices beside it, however far away, and its cluster the adjacent clusters on the next level,
+// until one cluster has half of all vertices. Vertex v is at the point names[v].
+inline void choose_nearest_centers(const Net_graph& lower, const std::vector<Net_index>& hubs,
+                                   const Point_array& points, const Net_index* names,
+                                   Large_vector<Net_index>& center)
 {
-  using Index = std::uint32_t;
+  const std::size_t n = lower.size();
+  const bool are_few = n <= largest_net_block;
+  if (!are_few && hubs.empty())
+    return;
+  std::vector<char> is_hub(n), chooses(n);
+  for (const Net_index v : hubs)
+    is_hub[v] = 1;
+  for (std::size_t v = 0; v < n; ++v)
+    chooses[v] = are_few || is_hub[center[v]];
   const double largest = (std::numeric_limits<float>::max)();
-  Large_vector<float> nearest(lower.size(), (std::numeric_limits<float>::infinity)());
+  Large_vector<float> nearest(n, (std::numeric_limits<float>::infinity)());
   const auto offer = [&](std::size_t v, std::size_t c) {
-    if (!is_wanted(v))
+    if (!chooses[v])
       return;
-    const float d = float((std::min)(points.squared_distance(v, c), largest));
+    const float d =
+        float((std::min)(squared_distance(points[names[v]], points[names[c]]), largest));
     if (d < nearest[v]) {
       nearest[v] = d;
-      center[v] = Index(c);
+      center[v] = Net_index(c);
     }
   };
-  for (std::size_t v = 0; v < lower.size(); ++v)
-    for (const Index *u = lower.begin(v), *end = lower.end(v); u != end; ++u)
+  for (std::size_t v = 0; v < n; ++v)
+    for (const Net_index *u = lower.begin(v), *end = lower.end(v); u != end; ++u)
       if (center[v] == v) {
         if (*u != v)
           offer(*u, v);
@@ -219,33 +180,13 @@ void choose_nearest_centers(const Lists_view<std::uint32_t>& lower, const Is_wan
         offer(v, *u);
 }
 
-// Does the same for the vertices in the clusters of hubs. A hub would keep all vertices beside it,
-// however far away, and its cluster the adjacent clusters on the next level, until one cluster has
-// half of all vertices.
-inline void choose_nearest_instead_of_hubs(const Lists_view<std::uint32_t>& lower,
-                                           const std::vector<std::uint32_t>& hubs,
-                                           const Vertex_points& points,
-                                           Large_vector<std::uint32_t>& center)
-{
-  if (hubs.empty())
-    return;
-  std::vector<char> is_hub(lower.size()), is_beside_hub(lower.size());
-  for (const std::uint32_t v : hubs)
-    is_hub[v] = 1;
-  for (std::size_t v = 0; v < lower.size(); ++v)
-    is_beside_hub[v] = is_hub[center[v]];
-  choose_nearest_centers(
-      lower, [&](std::size_t v) { return is_beside_hub[v] != 0; }, points, center);
-}
-
 // Returns whether center[v], the centre of each vertex v, defines a net: every centre is its own,
 // every other vertex is beside its centre, and no centre is beside another. Linear.
-inline bool is_net(const Lists_view<std::uint32_t>& lower,
-                   const Large_vector<std::uint32_t>& center)
+inline bool is_net(const Net_graph& lower, const Large_vector<Net_index>& center)
 {
   std::vector<char> is_beside_center(lower.size());
   for (std::size_t v = 0; v < lower.size(); ++v)
-    for (const std::uint32_t *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
+    for (const Net_index *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
       if (*u != v && center[v] == v && center[*u] == *u)
         return false;
       if (center[v] == *u)
@@ -259,136 +200,108 @@ inline bool is_net(const Lists_view<std::uint32_t>& lower,
   return true;
 }
 
-// Makes the net and its clusters. Distances are computed between neighbours, one of which is in the
-// net; if there are many vertices, only in clusters of hubs: a pass over all points would then cost
-// much, for a small gain.
-inline Net net_of(const Lists_view<std::uint32_t>& lower, std::uint64_t seed,
-                  const Vertex_points& points, std::size_t block = Random_blocks::one_of_many)
+// Makes the net and its clusters. Vertex v is at the point names[v].
+inline Net net_of(const Net_graph& lower, std::uint64_t seed, const Point_array& points,
+                  const Net_index* names, std::size_t block)
 {
-  using Index = std::uint32_t;
   const std::size_t n = lower.size();
-  const std::vector<Index> hubs = hubs_of(lower, seed);
-  Net net;
-  net.cluster_of = random_net(lower, hubs, seed, block);
-  Large_vector<Index>& center = net.cluster_of;
-  if (n <= Random_blocks::largest_block)
-    choose_nearest_centers(
-        lower, [](std::size_t) { return true; }, points, center);
-  else
-    choose_nearest_instead_of_hubs(lower, hubs, points, center);
+  const std::vector<Net_index> hubs = hubs_of(lower, seed);
+  Large_vector<Net_index> center = random_net(lower, hubs, seed, block);
+  choose_nearest_centers(lower, hubs, points, names, center);
   CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(is_net(lower, center));
-  Large_vector<Index> number(n); // the cluster of a net vertex
+  Net net;
+  Large_vector<Net_index> number(n); // the cluster of a net vertex
   for (std::size_t v = 0; v < n; ++v)
     if (center[v] == v) {
-      number[v] = Index(net.centers.size());
-      net.centers.push_back(Index(v));
+      number[v] = Net_index(net.centers.size());
+      net.centers.push_back(Net_index(v));
     }
-  for (std::size_t v = 0; v < n; ++v)
-    net.cluster_of[v] = number[center[v]];
+  for (Net_index& c : center)
+    c = number[c];
+  net.cluster_of = std::move(center);
   return net;
 }
 
-// Net_hierarchy makes nets of a graph, each a maximal independent set in the contracted graph of
-// the one before, with the clusters of their vertices.
-//
-// A graph is given by the neighbours of each vertex that have smaller numbers: each edge is stored
-// once, at the end that is visited last.
-//
-// Invariant: the vertices of a level are numbered in the order of the level below, so that a mesh
-// that is coherent in memory gives coherent levels. There is no search through the graph: if the
-// mesh is not coherent, it would miss the cache at every vertex.
-// Cost: every level is linear in its vertices and edges. On the surfaces measured the levels shrink
-// by a constant factor (4 to 5) and their edges with them: linear altogether. In other graphs a
-// level may keep nearly all its vertices; such a level ends the hierarchy.
-
 // Lists the members of every cluster, its net vertex first, the others in ascending order.
-inline Lists<std::uint32_t> members(const Net& net)
+inline Lists<Net_index> members(const Net& net)
 {
-  using Index = std::uint32_t;
-  Lists<Index> lists = in_lists<Index>(
+  Lists<Net_index> lists = in_lists<Net_index>(
       net.centers.size(),
       Listed_items(
           net.cluster_of.size(), [&](std::size_t v) { return std::size_t(net.cluster_of[v]); },
-          [](std::size_t v) { return Index(v); }));
+          [](std::size_t v) { return Net_index(v); }));
   for (std::size_t c = 0; c < lists.size(); ++c) {
-    Index* const first = lists.items.data() + lists.first[c];
-    Index* k = first;
-    while (*k != net.centers[c])
-      ++k;
-    std::copy_backward(first, k, k + 1);
-    *first = net.centers[c];
+    Net_index* const first = lists.items.data() + lists.first[c];
+    Net_index* const center =
+        std::find(first, first + (lists.end(c) - lists.begin(c)), net.centers[c]);
+    std::rotate(first, center, center + 1);
   }
   return lists;
 }
 
 // Returns the graph of the clusters: two are neighbours if members of them are. An edge is found
 // from each of its clusters at most once, so that it is there at most twice.
-inline Lists<std::uint32_t> contracted(const Lists_view<std::uint32_t>& lower,
-                                       const Large_vector<std::uint32_t>& cluster_of,
-                                       const Lists<std::uint32_t>& clusters)
+inline Lists<Net_index> contracted(const Net_graph& lower,
+                                   const Large_vector<Net_index>& cluster_of,
+                                   const Lists<Net_index>& clusters)
 {
-  using Index = std::uint32_t;
   Large_vector<Numbered_edge> edges;
   edges.reserve(4 * clusters.size()); // enough on a surface
-  Large_vector<Index> last_met_by(clusters.size(), Index(clusters.size()));
+  Large_vector<Net_index> last_met_by(clusters.size(), Net_index(clusters.size()));
   const std::size_t last_item = clusters.items.size() - 1;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
-    last_met_by[c] = Index(c);
+    last_met_by[c] = Net_index(c);
     for (std::size_t k = clusters.first[c]; k < clusters.first[c + 1]; ++k) {
       prefetch(&lower.first[clusters.items[(std::min)(k + prefetch_distance, last_item)]]);
       prefetch(lower.begin(clusters.items[(std::min)(k + near_prefetch_distance, last_item)]));
-      const Index v = clusters.items[k];
-      for (const Index *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
-        const Index d = cluster_of[*u];
-        if (last_met_by[d] == Index(c))
+      const Net_index v = clusters.items[k];
+      for (const Net_index *u = lower.begin(v), *end = lower.end(v); u != end; ++u) {
+        const Net_index d = cluster_of[*u];
+        if (last_met_by[d] == Net_index(c))
           continue;
-        last_met_by[d] = Index(c);
-        edges.emplace_back(Index(c), d);
+        last_met_by[d] = Net_index(c);
+        edges.emplace_back(Net_index(c), d);
       }
     }
   }
   return lower_neighbors(edges, clusters.size());
 }
 
-// Holds the levels, finest first. clusters[l] lists the clusters of the vertices of level l; they
-// are the vertices of level l + 1. names[l] has the point of each vertex of level l; at level 0 the
-// vertices are the points themselves, and nothing is stored.
+// Holds nets of a graph, finest first, each a maximal independent set in the contracted graph of the
+// one before. clusters[l] lists the clusters of the vertices of level l; they are the vertices of
+// level l + 1. names[l] has the point of each vertex of level l.
+//
+// Invariant: the vertices of a level are numbered in the order of the level below, so that a mesh
+// that is coherent in memory gives coherent levels. There is no search through the graph: if the
+// mesh is not coherent, it would miss the cache at every vertex.
+// Cost: on the surfaces measured the levels shrink by a constant factor (4 to 5) and their edges with
+// them: linear altogether. In other graphs a level may keep nearly all its vertices; such a level
+// ends the hierarchy.
 struct Net_hierarchy
 {
-  std::vector<Lists<std::uint32_t>> clusters;
-  std::vector<Large_vector<std::uint32_t>> names;
-  std::size_t number_of_coarsest;
+  std::vector<Lists<Net_index>> clusters;
+  std::vector<Large_vector<Net_index>> names;
 
   // Makes nets of the graph with these edges (at least one) until at most `coarsest_net` vertices
-  // are left, or a net keeps more than the share `net_stall` of them. `block` is for Random_blocks.
-  Net_hierarchy(Lists_view<std::uint32_t> lower, const Point_array& points, unsigned int seed,
-                std::size_t block = Random_blocks::one_of_many)
-    : names(1)
-    , number_of_coarsest(points.size())
+  // are left, or a net keeps more than the share `net_stall` of them.
+  Net_hierarchy(Net_graph lower, const Point_array& points, unsigned int seed, std::size_t block)
+    : names(1, Large_vector<Net_index>(points.size()))
   {
+    std::iota(names[0].begin(), names[0].end(), Net_index(0));
     Split_mix random(seed);
-    Lists<std::uint32_t> contracted_edges;
-    while (number_of_coarsest > coarsest_net) {
-      const std::size_t level = names.size() - 1;
-      const Vertex_points vertices(points, level == 0 ? nullptr : names[level].data());
-      Net net = net_of(lower, random(), vertices, block);
-      if (double(net.centers.size()) > net_stall * double(number_of_coarsest))
+    Lists<Net_index> contracted_edges;
+    while (lower.size() > coarsest_net) {
+      const Large_vector<Net_index>& names_here = names.back();
+      Net net = net_of(lower, random(), points, names_here.data(), block);
+      if (double(net.centers.size()) > net_stall * double(lower.size()))
         break;
       clusters.push_back(members(net));
       contracted_edges = contracted(lower, net.cluster_of, clusters.back());
       lower = contracted_edges;
-      number_of_coarsest = lower.size();
-      for (std::uint32_t& c : net.centers)
-        c = std::uint32_t(point(level, c));
+      for (Net_index& c : net.centers)
+        c = names_here[c];
       names.push_back(std::move(net.centers));
     }
-  }
-
-  std::size_t number_of_levels() const { return names.size(); }
-
-  std::size_t point(std::size_t level, std::size_t v) const
-  {
-    return level == 0 ? v : names[level][v];
   }
 };
 
@@ -397,12 +310,12 @@ struct Net_hierarchy
 inline double median_of_distances(const Point_array& points, const Net_hierarchy& nets,
                                   std::size_t level)
 {
-  const Lists<std::uint32_t>& clusters = nets.clusters[level];
+  const Lists<Net_index>& clusters = nets.clusters[level];
+  const Large_vector<Net_index>& names = nets.names[level];
   std::vector<double> distances;
   for (std::size_t c = 0; c < clusters.size(); c += clusters.size() / 1024 + 1)
-    if (const std::uint32_t* center = clusters.begin(c); clusters.end(c) - center > 1)
-      distances.push_back(squared_distance(points[nets.point(level, *center)],
-                                           points[nets.point(level, center[1])]));
+    if (const Net_index* center = clusters.begin(c); clusters.end(c) - center > 1)
+      distances.push_back(squared_distance(points[names[*center]], points[names[center[1]]]));
   if (distances.empty())
     return 0;
   const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
@@ -426,10 +339,17 @@ inline bool joins_near_points(const Point_array& points, const Net_hierarchy& ne
          std::sqrt(falls) * median_of_distances(points, nets, 0);
 }
 
-inline Insertion_order rounds_behind_nets(const Point_array& points, unsigned int seed)
+// Returns the order of Geometric_rounds for the points named.
+inline Insertion_order geometric_rounds_of(const Point_array& points, const Net_index* first,
+                                           const Net_index* last, unsigned int seed)
 {
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * std::size_t(last - first));
+  for (; first != last; ++first)
+    coordinates.insert(coordinates.end(), points[*first], points[*first] + 3);
   const Build_options options;
-  return geometric_rounds(points, seed, options.ratio, options.first_round);
+  return geometric_rounds(Point_array(coordinates.data(), coordinates.size() / 3), seed,
+                          options.ratio, options.first_round);
 }
 
 // Appends one round after the other to an order, from the coarsest net to the finest.
@@ -438,7 +358,7 @@ class Rounds_of_nets
   // Holds a vertex of a level, and the place of its point in the order.
   struct Placed
   {
-    std::uint32_t vertex, place;
+    Net_index vertex, place;
   };
 
   // Lists all vertices of a level in their order.
@@ -454,7 +374,6 @@ public:
 
   Insertion_order order()
   {
-    m_result = Insertion_order();
     m_result.order.reserve(m_points.size());
     m_result.starting_places.reserve(m_points.size());
     Sequence sequence = append_coarsest();
@@ -464,31 +383,26 @@ public:
   }
 
 private:
-  // Appends a vertex of a level to the order. Returns its place.
-  std::uint32_t append(std::size_t level, std::size_t vertex, std::size_t starting_place)
+  // Appends a point to the order. Returns its place.
+  Net_index append(std::size_t point, std::size_t starting_place)
   {
-    const std::size_t place = m_result.order.size();
-    m_result.order.push_back(m_nets.point(level, vertex));
+    m_result.order.push_back(point);
     m_result.starting_places.push_back(starting_place);
-    return static_cast<std::uint32_t>(place);
+    return Net_index(m_result.order.size() - 1);
   }
 
   // Appends the first rounds: the vertices of the coarsest level. Returns them in their order.
   Sequence append_coarsest()
   {
-    const std::size_t level = m_nets.number_of_levels() - 1;
-    const std::vector<double> coordinates = coordinates_of(
-        m_nets.number_of_coarsest, [&](std::size_t v) { return m_nets.point(level, v); });
+    const Large_vector<Net_index>& names = m_nets.names.back();
     Insertion_order coarse =
-        random_rounds(Point_array(coordinates.data(), m_nets.number_of_coarsest));
+        geometric_rounds_of(m_points, names.data(), names.data() + names.size(), m_seed);
     m_result.round_ends = std::move(coarse.round_ends);
     Sequence sequence;
-    sequence.reserve(coarse.order.size());
-    for (const std::size_t v : coarse.order) {
-      const std::size_t place = m_result.order.size();
+    sequence.reserve(names.size());
+    for (const std::size_t v : coarse.order)
       sequence.push_back(
-          {static_cast<std::uint32_t>(v), append(level, v, place == 0 ? 0 : place - 1)});
-    }
+          {Net_index(v), append(names[v], (std::max)(sequence.size(), std::size_t(1)) - 1)});
     return sequence;
   }
 
@@ -496,17 +410,18 @@ private:
   // vertices in the net, in their order; returns all vertices of the level in their order.
   Sequence append_round(std::size_t level, const Sequence& parents)
   {
-    const Lists<std::uint32_t>& clusters = m_nets.clusters[level];
+    const Lists<Net_index>& clusters = m_nets.clusters[level];
+    const Large_vector<Net_index>& names = m_nets.names[level];
     Sequence sequence;
     sequence.reserve(clusters.items.size());
     for (const auto& [c, place_of_center] : parents) {
-      const std::uint32_t *const first = clusters.begin(c), *const last = clusters.end(c);
+      const Net_index *const first = clusters.begin(c), *const last = clusters.end(c);
       sequence.push_back({*first, place_of_center});
       if (std::size_t(last - first) > large_cluster)
-        append_large_cluster(level, first, last, sequence);
+        append_large_cluster(names, first, last, sequence);
       else
-        for (const std::uint32_t* member = first + 1; member != last; ++member)
-          sequence.push_back({*member, append(level, *member, place_of_center)});
+        for (const Net_index* member = first + 1; member != last; ++member)
+          sequence.push_back({*member, append(names[*member], place_of_center)});
     }
     m_result.round_ends.push_back(m_result.order.size());
     return sequence;
@@ -515,43 +430,24 @@ private:
   // Appends the members of one cluster except its net vertex, the last of `sequence`. A walk from
   // there would lead through half of the fan: so the members come in random rounds, and start at
   // the previous point if that is nearer.
-  void append_large_cluster(std::size_t level, const std::uint32_t* first,
-                            const std::uint32_t* last, Sequence& sequence)
+  void append_large_cluster(const Large_vector<Net_index>& names, const Net_index* first,
+                            const Net_index* last, Sequence& sequence)
   {
-    const std::uint32_t* const members = first + 1;
-    const std::size_t size = std::size_t(last - members);
-    const std::vector<double> coordinates =
-        coordinates_of(size, [&](std::size_t k) { return m_nets.point(level, members[k]); });
-    const Point_array fan(coordinates.data(), size);
-    const std::size_t center = m_nets.point(level, *first);
-    const std::uint32_t place_of_center = sequence.back().place;
-    std::size_t previous = center, place_of_previous = place_of_center;
-    for (const std::size_t k : random_rounds(fan).order) {
-      const std::size_t point = m_nets.point(level, members[k]);
-      const bool previous_is_nearer = squared_distance(m_points[point], m_points[previous]) <
-                                      squared_distance(m_points[point], m_points[center]);
-      const std::uint32_t place =
-          append(level, members[k], previous_is_nearer ? place_of_previous : place_of_center);
-      sequence.push_back({members[k], place});
+    std::vector<Net_index> fan;
+    for (const Net_index* member = first + 1; member != last; ++member)
+      fan.push_back(names[*member]);
+    const Placed center = sequence.back();
+    const double* previous = m_points[names[*first]];
+    const double* const middle = previous;
+    for (const std::size_t k :
+         geometric_rounds_of(m_points, fan.data(), fan.data() + fan.size(), m_seed).order) {
+      const double* const point = m_points[fan[k]];
+      const bool previous_is_nearer =
+          squared_distance(point, previous) < squared_distance(point, middle);
+      sequence.push_back({first[1 + k], append(fan[k], previous_is_nearer ? sequence.back().place
+                                                                          : center.place)});
       previous = point;
-      place_of_previous = place;
     }
-  }
-
-  Insertion_order random_rounds(const Point_array& points) const
-  {
-    return rounds_behind_nets(points, m_seed);
-  }
-
-  // Returns the coordinates of the points name(0), …, name(n-1).
-  template <class Name>
-  std::vector<double> coordinates_of(std::size_t n, const Name& name) const
-  {
-    std::vector<double> coordinates;
-    coordinates.reserve(3 * n);
-    for (std::size_t k = 0; k < n; ++k)
-      coordinates.insert(coordinates.end(), m_points[name(k)], m_points[name(k)] + 3);
-    return coordinates;
   }
 
   Point_array m_points;
@@ -560,34 +456,19 @@ private:
   Insertion_order m_result;
 };
 
-// Returns the order of points whose graph has these lower neighbours. Without edges it depends on
-// the points alone. It has no starting places if edges join points that are not near each other.
-inline Insertion_order surface_net_rounds(const Point_array& points,
-                                          const Lists_view<std::uint32_t>& lower, unsigned int seed,
-                                          std::size_t block)
-{
-  if (lower.number_of_items == 0)
-    return spaced_rounds(points, Alone());
-  const Net_hierarchy nets(lower, points, seed, block);
-  return joins_near_points(points, nets) ? Rounds_of_nets(points, nets, seed).order()
-                                         : rounds_behind_nets(points, seed);
-}
-
 // Lists, for each of the n vertices of a graph, its neighbours with smaller numbers; returns no
 // lists if there are no edges, or too many vertices or edges for 32-bit numbers.
 template <class Graph, class VertexIndexMap>
-Lists<std::uint32_t> lower_neighbors(const Graph& graph, VertexIndexMap index_map, std::size_t n)
+Lists<Net_index> lower_neighbors(const Graph& graph, VertexIndexMap index_map, std::size_t n)
 {
-  using Index = std::uint32_t;
   const std::size_t m = std::size_t(num_edges(graph));
-  if (m == 0 || (std::max)(n, m) >= (std::numeric_limits<Index>::max)())
+  if (m == 0 || (std::max)(n, m) >= (std::numeric_limits<Net_index>::max)())
     return {};
   Large_vector<Numbered_edge> numbered;
   numbered.reserve(m);
-  const auto range = edges(graph);
-  for (auto e = range.first; e != range.second; ++e)
-    numbered.emplace_back(Index(get(index_map, source(*e, graph))),
-                          Index(get(index_map, target(*e, graph))));
+  for (auto [e, end] = edges(graph); e != end; ++e)
+    numbered.emplace_back(Net_index(get(index_map, source(*e, graph))),
+                          Net_index(get(index_map, target(*e, graph))));
   return lower_neighbors(numbered, n);
 }
 
@@ -600,7 +481,7 @@ Lists<std::uint32_t> lower_neighbors(const Graph& graph, VertexIndexMap index_ma
 makes rounds and order from the surface graph. A net of the graph is a maximal independent set.
 Every other vertex joins the cluster of an adjacent net vertex: the nearest if there are at most
 32768 vertices, or if the first that was chosen has many edges; otherwise the first.
-Contracting the clusters gives a smaller graph, and so on, until at most `coarsest` vertices are
+Contracting the clusters gives a smaller graph, and so on, until at most 64 vertices are
 left. Rounds go from the coarsest net to the finest and grow four- to fivefold. Inside a round the
 points follow the clusters, children in the order of their parents. This order is local on the
 surface, and so in space. Each point starts at the net vertex of its cluster, which is inserted in
@@ -612,8 +493,7 @@ only the order inside each block is random. In the order of the indices a net wo
 the numbering. CAD programs number vertices along profiles and rings, and such nets destroyed 3.6
 times as many cells as random ones on an airfoil of 200,000 points (`nets_200k.json`). Vertices
 with more than three times as many edges as the average come first: it is better to insert the
-middle of a fan before the fan. The members of a cluster of more than `large_cluster` vertices come
-in the order of `Geometric_rounds`, and start at the previous point if that is nearer than the net
+middle of a fan before the fan. The members of a cluster of more than 32 vertices come in the order of `Geometric_rounds`, and start at the previous point if that is nearer than the net
 vertex.
 
 If there are no edges or more than \f$2^{32}\f$, the order is that of `Spaced_rounds`, within the
@@ -636,19 +516,10 @@ up to rounding.
 class Surface_net_rounds
 {
 public:
-  /// the fraction of its vertices that a level may keep.
-  static constexpr double stall = internal::net_stall;
-
-  /// the number of vertices at which nets end.
-  static constexpr std::size_t coarsest = internal::coarsest_net;
-
   /// the budget (`InsertionPlan::cells_per_point`). On most surfaces nets destroy 12 to 33 cells
   /// per point. On smooth tori without noise they destroy more, and 3 to 4 more for each doubling
   /// of the points; on adversarial surfaces any number.
   static constexpr std::size_t cells_per_point = internal::Build_options::usual_number;
-
-  /// the largest size of a cluster whose members are not ordered by `Geometric_rounds`.
-  static constexpr std::size_t large_cluster = internal::large_cluster;
 
   /*!
   makes the plan.
@@ -670,17 +541,18 @@ public:
   \tparam VertexIndexMap a readable map from the vertices of `graph` onto 0, …, n-1
   */
   template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits&,
+  Insertion_order operator()(const std::vector<Point>& points, const GeomTraits& gt,
                              const Graph& graph, VertexIndexMap index_map) const
   {
     using namespace internal;
     const auto coordinates = rounded_coordinates(points);
     const Point_array array(coordinates.data(), points.size());
-    if constexpr (std::is_base_of<Lower_neighbor_graph, Graph>::value)
-      return surface_net_rounds(array, graph.lists(), m_seed, m_block);
-    else
-      return surface_net_rounds(array, lower_neighbors(graph, index_map, points.size()), m_seed,
-                                m_block);
+    const auto lower = lower_neighbors(graph, index_map, points.size());
+    if (lower.items.empty())
+      return spaced_rounds(array, Alone());
+    const Net_hierarchy nets(lower, array, m_seed, m_block);
+    return joins_near_points(array, nets) ? Rounds_of_nets(array, nets, m_seed).order()
+                                          : fallback_plan()(points, gt, graph, index_map);
   }
 
   /// returns the plan that is used when the budget is exceeded; the bound of \cgalCite{acr-icbr-03}
