@@ -14,8 +14,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Traits
 
-combines one model of each concept of the package into a traits class. Your own combination takes
-one line:
+combines a subgraph, a plan and a hint policy into a traits class. Your own combination takes one
+line:
 
 \code{.cpp}
 namespace DFS = CGAL::Delaunay_from_surface_3;

@@ -45,83 +45,15 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Conflict_test tells whether a point is in conflict with a cell, which may be destroyed: only its
-// vertices are needed. The answers agree with CGAL's find_conflicts(), perturbation included.
-
-enum class Conflict { NO, YES, AT_VERTEX };
-
-template <class Triangulation>
-class Conflict_test
+// Gives access to CGAL's perturbed predicates, protected members of a triangulation that use only
+// its traits: so they can be asked about cells that are destroyed.
+template <class Geom_traits>
+struct Exposed_predicates : Delaunay_triangulation_3<Geom_traits>
 {
-  using Geom_traits = typename Triangulation::Geom_traits;
-  using Point = typename Triangulation::Point;
-  using Vertex = typename Triangulation::Vertex_handle;
-
-  // Gives access to CGAL's perturbed predicates: protected members, which use only the traits of
-  // the triangulation.
-  struct Exposed : Delaunay_triangulation_3<Geom_traits>
-  {
-    using Base = Delaunay_triangulation_3<Geom_traits>;
-    using Base::Base;
-    using Base::coplanar_side_of_bounded_circle;
-    using Base::side_of_oriented_sphere;
-  };
-
-public:
-  using Vertices = std::array<Vertex, 4>; // in the orientation of the cell
-
-  explicit Conflict_test(const Triangulation& tr)
-    : m_tr(tr)
-    , m_exposed(tr.geom_traits())
-  {
-  }
-
-  // Of a finite cell the sphere counts, of an infinite one the finite facet: p is in conflict if it
-  // is beyond the facet, or in its plane and inside its circle.
-  Conflict operator()(const Vertices& v, const Point& p) const
-  {
-    std::array<const Point*, 4> q; // the points of the cell, with p in place of the infinite vertex
-    std::size_t infinite = 4;
-    for (std::size_t i = 0; i < 4; ++i)
-      if (m_tr.is_infinite(v[i]))
-        q[infinite = i] = &p;
-      else
-        q[i] = &v[i]->point();
-    const bool is_finite = infinite == 4;
-    const Sign side =
-        is_finite ? traits().side_of_oriented_sphere_3_object()(*q[0], *q[1], *q[2], *q[3], p)
-                  : traits().orientation_3_object()(*q[0], *q[1], *q[2], *q[3]);
-    if (side != ZERO)
-      return answer(side == POSITIVE);
-    if (vertex_at(v, p) != Vertex())
-      return Conflict::AT_VERTEX;
-    if (is_finite)
-      return answer(m_exposed.side_of_oriented_sphere(*q[0], *q[1], *q[2], *q[3], p, true) ==
-                    ON_POSITIVE_SIDE);
-    std::swap(q[infinite], q[3]);
-    return answer(m_exposed.coplanar_side_of_bounded_circle(*q[0], *q[1], *q[2], p, true) ==
-                  ON_BOUNDED_SIDE);
-  }
-
-  // Returns the finite vertex at p, or Vertex() if there is none.
-  Vertex vertex_at(const Vertices& v, const Point& p) const
-  {
-    for (const Vertex u : v)
-      if (!m_tr.is_infinite(u) && traits().compare_xyz_3_object()(u->point(), p) == EQUAL)
-        return u;
-    return Vertex();
-  }
-
-private:
-  static Conflict answer(bool is_in_conflict)
-  {
-    return is_in_conflict ? Conflict::YES : Conflict::NO;
-  }
-
-  const Geom_traits& traits() const { return m_tr.geom_traits(); }
-
-  const Triangulation& m_tr;
-  Exposed m_exposed;
+  using Base = Delaunay_triangulation_3<Geom_traits>;
+  using Base::Base;
+  using Base::coplanar_side_of_bounded_circle;
+  using Base::side_of_oriented_sphere;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
@@ -161,7 +93,7 @@ class Conflict_history_3
   using Vertex = typename Triangulation::Vertex_handle;
   using Cell = typename Triangulation::Cell_handle;
   using Point = typename Triangulation::Point;
-  using Conflict = internal::Conflict;
+  using Vertices = std::array<Vertex, 4>; // in the orientation of the cell
 
 public:
   /// the number of a node; nodes are numbered in the order of their creation.
@@ -184,7 +116,7 @@ public:
   /// begins the history with the current state of `tr`; keeps a reference to it.
   explicit Conflict_history_3(const Triangulation& tr)
     : m_tr(tr)
-    , m_test(tr)
+    , m_predicates(tr.geom_traits())
   {
     if (tr.dimension() == 3)
       make_root();
@@ -265,7 +197,7 @@ public:
   /// the finite facet of an infinite cell. If `p` is on one of these, %CGAL's perturbation decides.
   bool is_in_conflict(Node n, const Point& p) const
   {
-    return m_test(m_records[n].vertices, p) == Conflict::YES;
+    return side_of_sphere(m_records[n].vertices, p) == POSITIVE;
   }
 
   /// @}
@@ -299,7 +231,7 @@ public:
 private:
   struct Record
   {
-    std::array<Vertex, 4> vertices;
+    Vertices vertices;
     Cell cell; // Cell() once it is destroyed
     Node first_son = none;
     Node next_son = none; // the next of its father's sons
@@ -350,11 +282,11 @@ private:
     if (m_marks[n] / 2 == m_search)
       return m_marks[n] % 2 == 1;
     ++search.nodes_tested;
-    const Conflict conflict = m_test(m_records[n].vertices, p);
-    if (conflict == Conflict::AT_VERTEX)
-      search.vertex = m_test.vertex_at(m_records[n].vertices, p);
-    m_marks[n] = 2 * m_search + std::size_t(conflict == Conflict::YES);
-    if (conflict != Conflict::YES)
+    const Sign side = side_of_sphere(m_records[n].vertices, p);
+    if (side == ZERO)
+      search.vertex = vertex_at(m_records[n].vertices, p);
+    m_marks[n] = 2 * m_search + std::size_t(side == POSITIVE);
+    if (side != POSITIVE)
       return false;
     ++search.nodes_visited;
     m_stack.push_back(n);
@@ -378,12 +310,48 @@ private:
     return search;
   }
 
+  // Returns POSITIVE if p is in conflict with a cell, ZERO if it is at a vertex of the cell, and
+  // NEGATIVE otherwise, as CGAL's find_conflicts() does, perturbation included. The cell may be
+  // destroyed: only its vertices are needed. A finite cell has a sphere; in conflict with an infinite
+  // one are the points beyond its finite facet, or in its plane and inside its circle.
+  Sign side_of_sphere(const Vertices& v, const Point& p) const
+  {
+    std::array<const Point*, 4> q; // the points of the cell, with p in place of the infinite vertex
+    std::size_t infinite = 4;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (m_tr.is_infinite(v[i]))
+        q[infinite = i] = &p;
+      else
+        q[i] = &v[i]->point();
+    const auto& gt = m_tr.geom_traits();
+    const bool is_finite = infinite == 4;
+    const Sign side = is_finite
+                          ? gt.side_of_oriented_sphere_3_object()(*q[0], *q[1], *q[2], *q[3], p)
+                          : gt.orientation_3_object()(*q[0], *q[1], *q[2], *q[3]);
+    if (side != ZERO || vertex_at(v, p) != Vertex())
+      return side;
+    if (is_finite)
+      return m_predicates.side_of_oriented_sphere(*q[0], *q[1], *q[2], *q[3], p, true);
+    std::swap(q[infinite], q[3]);
+    return enum_cast<Sign>(
+        m_predicates.coplanar_side_of_bounded_circle(*q[0], *q[1], *q[2], p, true));
+  }
+
+  // Returns the finite vertex at p, or Vertex() if there is none.
+  Vertex vertex_at(const Vertices& v, const Point& p) const
+  {
+    for (const Vertex u : v)
+      if (!m_tr.is_infinite(u) && m_tr.geom_traits().compare_xyz_3_object()(u->point(), p) == EQUAL)
+        return u;
+    return Vertex();
+  }
+
   // Holds a facet of the boundary of a zone: the cell across, which survives, the number of the
   // facet in it, and the cell behind, which does not.
   using Facet = std::array<Node, 3>;
 
   const Triangulation& m_tr;
-  internal::Conflict_test<Triangulation> m_test;
+  internal::Exposed_predicates<typename Triangulation::Geom_traits> m_predicates;
   std::vector<Record> m_records;
   Unique_hash_map<Cell, Node> m_node_of_cell;
   Node m_root_end = 0;

@@ -84,33 +84,31 @@ private:
   template <class Record>
   std::size_t trace_component(std::size_t root, Cell start, const Record& record)
   {
-    if (m_is_traced[root])
-      return 0;
     std::size_t located = 0;
-    m_is_traced[root] = true;
-    m_stack.emplace_back(root, start);
+    reach(root, start);
     while (!m_stack.empty()) {
       const auto [i, neighbor_cell] = m_stack.back();
       m_stack.pop_back();
-      const Vertex v = m_target.vertex(i);
-      const Cell cell = v != Vertex() ? m_target.cell(v) : locate(i, neighbor_cell, record);
-      located += v == Vertex();
-      for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u) {
-        if (m_is_traced[*u])
-          continue;
-        m_is_traced[*u] = true;
-        m_stack.emplace_back(*u, cell);
+      Cell cell;
+      if (const Vertex v = m_target.vertex(i); v != Vertex()) {
+        cell = m_target.cell(v);
+      } else {
+        const typename Target::Location d_i = m_target.locate(i, neighbor_cell);
+        record(i, d_i);
+        cell = d_i.cell;
+        ++located;
       }
+      for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u)
+        reach(*u, cell);
     }
     return located;
   }
 
-  template <class Record>
-  Cell locate(std::size_t i, Cell start, const Record& record) const
+  void reach(std::size_t i, Cell start)
   {
-    const typename Target::Location location = m_target.locate(i, start);
-    record(i, location);
-    return location.cell;
+    if (!m_is_traced[i])
+      m_stack.emplace_back(i, start);
+    m_is_traced[i] = true;
   }
 
   const Target& m_target;

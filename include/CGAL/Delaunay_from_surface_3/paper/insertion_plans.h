@@ -79,7 +79,7 @@ inline std::vector<std::size_t> identity_order(std::size_t n)
   return order;
 }
 
-// Returns a uniformly random permutation of 0, …, n-1, the same for the same seed everywhere.
+// Returns a uniformly random permutation of 0, …, n-1, which CGAL's random numbers determine.
 inline std::vector<std::size_t> random_order(std::size_t n, unsigned int seed)
 {
   std::vector<std::size_t> order = identity_order(n);
