@@ -72,8 +72,8 @@ public:
   std::size_t trace() { return 0; }
 
 protected:
-  const Target& m_target;
-  typename Target::Vertex m_previous = {}; // none before the first insertion
+  const Target& m_target;                  ///< what the points are inserted into.
+  typename Target::Vertex m_previous = {}; ///< the vertex inserted last; none before the first.
 };
 
 // Neighbor_hints_3 goes beyond the paper: it needs no trace at all. When a point's turn comes, some

@@ -142,10 +142,11 @@ inline Large_vector<Net_index> random_net(const Net_graph& lower,
   return center;
 }
 
-// Makes the nearest net vertex beside a vertex its centre. If there are many vertices, only in the
-// clusters of hubs: a pass over all points would cost much, for a small gain. But a hub would keep
-// all vertices beside it, however far away, and its cluster the adjacent clusters on the next level,
-// until one cluster has half of all vertices. Vertex v is at the point names[v].
+// Makes the nearest net vertex beside a vertex its centre. If there are many vertices, this is done
+// for those in the clusters of hubs alone: a pass over all points would cost much, for a small gain.
+// But a hub would keep all vertices beside it, however far away, and its cluster the adjacent
+// clusters on the next level, until one cluster has half of all vertices. Vertex v is at the point
+// names[v].
 inline void choose_nearest_centers(const Net_graph& lower, const std::vector<Net_index>& hubs,
                                    const Point_array& points, const Net_index* names,
                                    Large_vector<Net_index>& center)
@@ -481,11 +482,11 @@ Lists<Net_index> lower_neighbors(const Graph& graph, VertexIndexMap index_map, s
 makes rounds and order from the surface graph. A net of the graph is a maximal independent set.
 Every other vertex joins the cluster of an adjacent net vertex: the nearest if there are at most
 32768 vertices, or if the first that was chosen has many edges; otherwise the first.
-Contracting the clusters gives a smaller graph, and so on, until at most 64 vertices are
-left. Rounds go from the coarsest net to the finest and grow four- to fivefold. Inside a round the
-points follow the clusters, children in the order of their parents. This order is local on the
-surface, and so in space. Each point starts at the net vertex of its cluster, which is inserted in
-an earlier round (`Insertion_order::starting_places`).
+Contracting the clusters gives a smaller graph, and so on, until at most 64 vertices are left. Rounds
+go from the coarsest net to the finest and grow four- to fivefold. Inside a round the points follow
+the clusters, children in the order of their parents. This order is local on the surface, and so in
+space. Each point starts at the net vertex of its cluster, which is inserted in an earlier round
+(`Insertion_order::starting_places`).
 
 A net is chosen greedily in a random order of the vertices, which the seed determines. With more
 than 32768 vertices, blocks of `block` successive vertices (1024 by default) follow each other, and
@@ -493,8 +494,8 @@ only the order inside each block is random. In the order of the indices a net wo
 the numbering. CAD programs number vertices along profiles and rings, and such nets destroyed 3.6
 times as many cells as random ones on an airfoil of 200,000 points (`nets_200k.json`). Vertices
 with more than three times as many edges as the average come first: it is better to insert the
-middle of a fan before the fan. The members of a cluster of more than 32 vertices come in the order of `Geometric_rounds`, and start at the previous point if that is nearer than the net
-vertex.
+middle of a fan before the fan. The members of a cluster of more than 32 vertices come in the order
+of `Geometric_rounds`, and start at the previous point if that is nearer than the net vertex.
 
 If there are no edges or more than \f$2^{32}\f$, the order is that of `Spaced_rounds`, within the
 budget of this plan, which a quadratic number of cells exceeds. If the edges join points that are

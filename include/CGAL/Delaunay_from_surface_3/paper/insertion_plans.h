@@ -58,13 +58,14 @@ void sort_indices(const std::vector<Point>& points, const GeomTraits& gt,
     *first++ = item.second;
 }
 
-// Sorts the first `number_of_rounds` rounds, each along a Hilbert curve through its points.
+// Sorts the first `number_of_rounds` rounds, or all if there are fewer, each along a Hilbert curve
+// through its points.
 template <class Point, class GeomTraits>
 void hilbert_sort_rounds(const std::vector<Point>& points, const GeomTraits& gt,
                          Insertion_order& plan, std::size_t number_of_rounds)
 {
   auto first = plan.order.begin();
-  for (std::size_t h = 0; h < number_of_rounds; ++h) {
+  for (std::size_t h = 0; h < (std::min)(number_of_rounds, plan.round_ends.size()); ++h) {
     const auto last = plan.order.begin() + std::ptrdiff_t(plan.round_ends[h]);
     sort_indices(points, gt, first, last,
                  [](auto b, auto e, const auto& traits) { hilbert_sort(b, e, traits); });
@@ -124,14 +125,14 @@ Build_options options_of(const Plan& plan)
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
 
-// Geometric_rounds is the public face of core/order/spaced_rounds.h.
+// Geometric_rounds and Spaced_rounds are the public faces of core/order/spaced_rounds.h.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
 
-draws a random order and cuts it into rounds that grow geometrically. Each round is then sorted by
-halves: it is split at the median across its longest extent, the half that is nearer to the
-preceding point comes first, and so on. This is a biased randomised insertion order
+draws a random order, without using a surface, and cuts it into rounds that grow geometrically. Each
+round is then sorted by halves: it is split at the median across its longest extent, the half that
+is nearer to the preceding point comes first, and so on. This is a biased randomised insertion order
 (\cgalCite{acr-icbr-03}): random enough for the expected size of the conflict zones, and coherent
 enough for short walks and good use of caches.
 
@@ -192,8 +193,6 @@ private:
   double m_ratio;
   std::size_t m_first_round;
 };
-
-// Spaced_rounds is the public face of core/order/spaced_rounds.h.
 
 /*!
 \ingroup PkgDelaunayFromSurface3Plans
@@ -326,11 +325,9 @@ public:
     Insertion_order plan;
     plan.order = internal::random_order(points.size(), m_seed);
     plan.round_ends = round_ends(points.size());
-    const std::size_t rounds = plan.round_ends.size();
+    const std::size_t all = plan.round_ends.size();
     internal::hilbert_sort_rounds(points, gt, plan,
-                                  m_sorted == NO_ROUND      ? 0
-                                  : m_sorted == FIRST_ROUND ? (std::min)(std::size_t(1), rounds)
-                                                            : rounds);
+                                  m_sorted == ALL_ROUNDS ? all : std::size_t(m_sorted));
     return plan;
   }
 
