@@ -5,7 +5,7 @@
 #ifndef CGAL_SURFACE_INSERTION_TRAITS_3_H
 #define CGAL_SURFACE_INSERTION_TRAITS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 

@@ -6,7 +6,7 @@
 #define CGAL_TRACING_TRAITS_3_H
 
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
 #include <CGAL/Surface_insertion_traits_3.h>

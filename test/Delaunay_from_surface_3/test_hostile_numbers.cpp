@@ -16,7 +16,7 @@
 #include "parallel_case.h"
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>

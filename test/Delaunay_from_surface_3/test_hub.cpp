@@ -13,7 +13,7 @@
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>

@@ -18,8 +18,8 @@
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>

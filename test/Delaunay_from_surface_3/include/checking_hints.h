@@ -8,9 +8,8 @@
 // Hint policies that check, while the package runs them, what the concepts promise.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -8,7 +8,7 @@
 // Traits that go through the core with ids of another size, or round it.
 
 #include <CGAL/Delaunay_from_surface_3/adapters/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 

@@ -5,7 +5,7 @@
 // Calls that must not compile: each gives one error, the message behind it. test_refused_code.py
 // compiles this file and looks for them.
 
-#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Winding_number_3.h>

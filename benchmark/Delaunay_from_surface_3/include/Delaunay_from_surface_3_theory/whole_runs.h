@@ -15,7 +15,7 @@
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>

@@ -13,7 +13,7 @@
 // to a star.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <Delaunay_from_surface_3_meters/History_dag_3.h>
 
 #include <cstddef>

@@ -194,7 +194,7 @@ public:
   {
   }
 
-  // Makes a graph with these edges: `lower` has for each vertex the neighbours with smaller numbers.
+  // Makes a graph whose edges `lower` lists: for each vertex its neighbours with smaller numbers.
   Graph_of_faces(const Lists<std::uint32_t>& lower, const FaceRange& faces)
     : Graph_of_faces(lower.size(), faces)
   {

@@ -19,8 +19,7 @@
 // cells in conflict. So they are tested from the youngest on until one is not in conflict.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Planned_hints_3.h>
-#include <CGAL/Delaunay_from_surface_3/paper/Traced_hints_3.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -312,8 +311,9 @@ private:
 
   // Returns POSITIVE if p is in conflict with a cell, ZERO if it is at a vertex of the cell, and
   // NEGATIVE otherwise, as CGAL's find_conflicts() does, perturbation included. The cell may be
-  // destroyed: only its vertices are needed. A finite cell has a sphere; in conflict with an infinite
-  // one are the points beyond its finite facet, or in its plane and inside its circle.
+  // destroyed: only its vertices are needed. A finite cell is in conflict with the points inside
+  // its sphere, an infinite one with those beyond its finite facet, or in the plane of this facet
+  // and inside its circle.
   Sign side_of_sphere(const Vertices& v, const Point& p) const
   {
     std::array<const Point*, 4> q; // the points of the cell, with p in place of the infinite vertex

@@ -52,10 +52,10 @@ constexpr std::size_t coarsest_net = 64;
 constexpr std::size_t large_cluster = 32;
 constexpr std::size_t largest_net_block = std::size_t(1) << 15;
 
-// Calls visit(v) for 0, …, n-1 in random order; if there are many, blocks of `block` numbers, rounded
-// up to a power of 2, follow each other, and the order is random inside each. The blocks share one
-// permutation, each with a shift and flip of its own. The part of a graph that belongs to one of
-// many blocks fits into the cache nearest to the processor.
+// Calls visit(v) for 0, …, n-1 in random order; if there are many, blocks of `block` numbers,
+// rounded up to a power of 2, follow each other, and the order is random inside each. The blocks
+// share one permutation, each with a shift and flip of its own. The part of a graph that belongs to
+// one of many blocks fits into the cache nearest to the processor.
 template <class Visit>
 void for_each_in_random_blocks(std::size_t n, std::uint64_t seed, std::size_t block,
                                const Visit& visit)
@@ -143,8 +143,8 @@ inline Large_vector<Net_index> random_net(const Net_graph& lower,
 }
 
 // Makes the nearest net vertex beside a vertex its centre. If there are many vertices, this is done
-// for those in the clusters of hubs alone: a pass over all points would cost much, for a small gain.
-// But a hub would keep all vertices beside it, however far away, and its cluster the adjacent
+// for those in the clusters of hubs alone: a pass over all points would cost much, for a small
+// gain. But a hub would keep all vertices beside it, however far away, and its cluster the adjacent
 // clusters on the next level, until one cluster has half of all vertices. Vertex v is at the point
 // names[v].
 inline void choose_nearest_centers(const Net_graph& lower, const std::vector<Net_index>& hubs,
@@ -268,16 +268,16 @@ inline Lists<Net_index> contracted(const Net_graph& lower,
   return lower_neighbors(edges, clusters.size());
 }
 
-// Holds nets of a graph, finest first, each a maximal independent set in the contracted graph of the
-// one before. clusters[l] lists the clusters of the vertices of level l; they are the vertices of
-// level l + 1. names[l] has the point of each vertex of level l.
+// Holds nets of a graph, finest first, each a maximal independent set in the contracted graph of
+// the one before. clusters[l] lists the clusters of the vertices of level l; they are the vertices
+// of level l + 1. names[l] has the point of each vertex of level l.
 //
 // Invariant: the vertices of a level are numbered in the order of the level below, so that a mesh
 // that is coherent in memory gives coherent levels. There is no search through the graph: if the
 // mesh is not coherent, it would miss the cache at every vertex.
-// Cost: on the surfaces measured the levels shrink by a constant factor (4 to 5) and their edges with
-// them: linear altogether. In other graphs a level may keep nearly all its vertices; such a level
-// ends the hierarchy.
+// Cost: on the surfaces measured the levels shrink by a constant factor (4 to 5) and their edges
+// with them: linear altogether. In other graphs a level may keep nearly all its vertices; such a
+// level ends the hierarchy.
 struct Net_hierarchy
 {
   std::vector<Lists<Net_index>> clusters;
@@ -482,11 +482,11 @@ Lists<Net_index> lower_neighbors(const Graph& graph, VertexIndexMap index_map, s
 makes rounds and order from the surface graph. A net of the graph is a maximal independent set.
 Every other vertex joins the cluster of an adjacent net vertex: the nearest if there are at most
 32768 vertices, or if the first that was chosen has many edges; otherwise the first.
-Contracting the clusters gives a smaller graph, and so on, until at most 64 vertices are left. Rounds
-go from the coarsest net to the finest and grow four- to fivefold. Inside a round the points follow
-the clusters, children in the order of their parents. This order is local on the surface, and so in
-space. Each point starts at the net vertex of its cluster, which is inserted in an earlier round
-(`Insertion_order::starting_places`).
+Contracting the clusters gives a smaller graph, and so on, until at most 64 vertices are left.
+Rounds go from the coarsest net to the finest and grow four- to fivefold. Inside a round the points
+follow the clusters, children in the order of their parents. This order is local on the surface, and
+so in space. Each point starts at the net vertex of its cluster, which is inserted in an earlier
+round (`Insertion_order::starting_places`).
 
 A net is chosen greedily in a random order of the vertices, which the seed determines. With more
 than 32768 vertices, blocks of `block` successive vertices (1024 by default) follow each other, and

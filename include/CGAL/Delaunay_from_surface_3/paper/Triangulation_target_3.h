@@ -186,8 +186,8 @@ public:
   }
 
   /// inserts point `i` where it was just located, and tells `hints`: any object with the members
-  /// `observes_conflict_zone`, `before_update()` and `after_update()` of `InsertionHints_3`. If there
-  /// is already a vertex at the point, the point gets this vertex.
+  /// `observes_conflict_zone`, `before_update()` and `after_update()` of `InsertionHints_3`. If
+  /// there is already a vertex at the point, the point gets this vertex.
   /// The time is linear in the number of cells destroyed and created, plus the time for the upper
   /// levels of `Fast_location`. After an exception of CGAL's insertion the triangulation may only
   /// be cleared or destroyed.

@@ -1,0 +1,377 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_INSERTION_HINTS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_INSERTION_HINTS_H
+
+// Provides the policies that say where the location of a point starts: at the point before, at a
+// neighbour, where the plan says, or, as in Choi 2002, where a trace has found the point. The one
+// that asks a history is in Conflict_history_3.h.
+
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/support/form.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+
+// Previous_hint_3 is the control: every point starts from the point inserted before it, as in
+// CGAL's own range insertion. The other policies are derived from it: they differ in what they know
+// of a point, and most do as it does where they know nothing.
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion from a cell of the vertex inserted last, as
+`Delaunay_triangulation_3::insert(first, last)` does. The surface is not used. Traits with this
+policy go through the core, which starts in the same way. Your own policy may be derived from this
+one, and then needs only the members in which it differs.
+
+<b>Complexity</b>: \f$O(1)\f$ per point. It needs no trace, no subgraph, and no memory of its own.
+
+\tparam Target a `Triangulation_target_3`
+\tparam Subgraph is not used
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Previous_hint_3
+{
+public:
+  /// `false`: no subgraph is needed.
+  static constexpr bool uses_subgraph = false;
+
+  /// `false`: the conflict zone is not needed, and the target may insert in the fastest way.
+  static constexpr bool observes_conflict_zone = false;
+
+  /// keeps a reference to `target`.
+  explicit Previous_hint_3(const Target& target, const Subgraph& = Subgraph(),
+                           const Insertion_order& = Insertion_order())
+    : m_target(target)
+  {
+  }
+
+  /// returns a cell of the vertex inserted last.
+  typename Target::Cell start(std::size_t) const { return m_target.cell(m_previous); }
+
+  /// does nothing.
+  template <class CellIterator>
+  void before_update(std::size_t, CellIterator, CellIterator)
+  {
+  }
+
+  /// remembers `v`.
+  void after_update(std::size_t, typename Target::Vertex v) { m_previous = v; }
+
+  /// does nothing, and returns 0: no point is located.
+  std::size_t trace() { return 0; }
+
+protected:
+  const Target& m_target;                  ///< what the points are inserted into.
+  typename Target::Vertex m_previous = {}; ///< the vertex inserted last; none before the first.
+};
+
+// Neighbor_hints_3 goes beyond the paper: it needs no trace at all. When a point's turn comes, some
+// of its neighbours on the surface are nearly always in the triangulation, except early on.
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion from a cell of the nearest already inserted neighbour in T, the subgraph of
+the traits. With `Full_graph` these are all neighbours on the surface. If no neighbour of a point is
+inserted yet, the start is a cell of the vertex inserted last. Early rounds are that sparse, so a
+plan should keep them coherent.
+
+<b>Complexity</b>: per point as many distance comparisons as it has neighbours in T. It needs no
+trace and no memory of its own.
+
+\tparam Target a `Triangulation_target_3`
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Neighbor_hints_3 : public Previous_hint_3<Target, Subgraph>
+{
+  using Base = Previous_hint_3<Target, Subgraph>;
+  using Base::m_target;
+  using Vertex = typename Target::Vertex;
+
+public:
+  /// `true`: the neighbours are those in the subgraph.
+  static constexpr bool uses_subgraph = true;
+
+  /// keeps references to target and subgraph. The plan is not used.
+  Neighbor_hints_3(const Target& target, const Subgraph& subgraph,
+                   const Insertion_order& = Insertion_order())
+    : Base(target, subgraph)
+    , m_subgraph(subgraph)
+  {
+  }
+
+  /// returns a cell of the nearest inserted neighbour of point `i`, or of the vertex inserted last.
+  typename Target::Cell start(std::size_t i) const
+  {
+    Vertex nearest = {};
+    for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u) {
+      const Vertex v = m_target.vertex(*u);
+      if (v != Vertex() && (nearest == Vertex() || m_target.is_closer(i, v, nearest)))
+        nearest = v;
+    }
+    return nearest == Vertex() ? Base::start(i) : m_target.cell(nearest);
+  }
+
+private:
+  const Subgraph& m_subgraph;
+};
+
+// Planned_hints_3 goes beyond the paper: the plan already knows where a point starts, so that
+// nothing need be searched or stored while points are inserted.
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion from a cell of the point that the plan names in
+`Insertion_order::starting_places`. If the plan names no point, the start is a cell of the vertex
+inserted last. Traits with this policy go through the core, which starts in the same way.
+
+<b>Complexity</b>: \f$O(1)\f$ per point. It needs no trace, no subgraph,
+and no memory of its own.
+
+\tparam Target a `Triangulation_target_3`
+\tparam Subgraph is not used
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Planned_hints_3 : public Previous_hint_3<Target, Subgraph>
+{
+  using Base = Previous_hint_3<Target, Subgraph>;
+  using Base::m_target;
+
+public:
+  /// keeps references to `target` and `plan`.
+  Planned_hints_3(const Target& target, const Subgraph& subgraph, const Insertion_order& plan)
+    : Base(target, subgraph)
+    , m_places(plan.starting_places)
+  {
+  }
+
+  /// returns a cell of the starting point that the plan names for point `i`, or of the vertex
+  /// inserted last.
+  typename Target::Cell start(std::size_t i) const
+  {
+    return i == 0 || m_places.empty() ? Base::start(i)
+                                      : m_target.cell(m_target.vertex(m_places[i]));
+  }
+
+private:
+  const std::vector<std::size_t>& m_places;
+};
+
+// The following implements Choi 2002, Fig. 1, line 2a: "trace T through D(S_{N_h}) to determine
+// d_{N_h}(s_k) for all k > N_h", and line 2b: s_i is then located "starting from d_{N_{h-1}}(s_i)".
+//
+// Invariant: after a trace, the record of every point not yet inserted is a finite vertex of the
+// cell that contains it. While points are only inserted, a vertex is never destroyed, but the cell
+// can be.
+// Cost: one walk per edge of a spanning forest of T; expected O(n) cells per trace if T consists of
+// Delaunay edges and has bounded degree (Lemma 2, Theorem 3).
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+is the trace (\cgalCite{choi-dtsm-02}, Fig.\ 1, line 2a), independent of what is recorded. It
+traverses T depth first from inserted vertices outwards, and locates every point not yet inserted
+from the cell of the neighbour that led to it. Your own hint policy may use it as `Traced_hints_3`
+does.
+
+<b>Complexity</b>: \f$O(n)\f$ time for the traversal, plus the cells that the locations enter. There
+is no recursion: T may be a path of millions of vertices.
+
+<b>Memory</b>: a byte per point, and during a trace at most an index and a cell handle per point.
+
+\tparam Target a `Triangulation_target_3`
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
+*/
+template <class Target, class Subgraph>
+class Trace_subgraph
+{
+  using Vertex = typename Target::Vertex;
+  using Cell = typename Target::Cell;
+
+public:
+  /// keeps references to target and subgraph.
+  Trace_subgraph(const Target& target, const Subgraph& subgraph)
+    : m_target(target)
+    , m_subgraph(subgraph)
+  {
+  }
+
+  /*!
+  locates the points that are not yet inserted.
+
+  \param start `start(i)` returns the cell from which point `i` is located, if it is the first of a
+  component of T without an inserted vertex
+  \param record `record(i, location)` is called for every point `i` that is located
+
+  \return how many points were located
+  */
+  template <class Start, class Record>
+  std::size_t operator()(const Start& start, const Record& record)
+  {
+    m_is_traced.assign(m_target.size(), false);
+    std::size_t located = 0;
+    for (std::size_t i = 0; i < m_target.size(); ++i) // components that touch the triangulation
+      if (m_target.vertex(i) != Vertex())
+        located += trace_component(i, Cell(), record);
+    for (std::size_t i = 0; i < m_target.size(); ++i) // the others
+      if (!m_is_traced[i])
+        located += trace_component(i, start(i), record);
+    return located;
+  }
+
+private:
+  // Traces a component depth first, without recursion.
+  template <class Record>
+  std::size_t trace_component(std::size_t root, Cell start, const Record& record)
+  {
+    std::size_t located = 0;
+    reach(root, start);
+    while (!m_stack.empty()) {
+      const auto [i, neighbor_cell] = m_stack.back();
+      m_stack.pop_back();
+      Cell cell;
+      if (const Vertex v = m_target.vertex(i); v != Vertex()) {
+        cell = m_target.cell(v);
+      } else {
+        const typename Target::Location d_i = m_target.locate(i, neighbor_cell);
+        record(i, d_i);
+        cell = d_i.cell;
+        ++located;
+      }
+      for (auto [u, end] = adjacent_vertices(i, m_subgraph); u != end; ++u)
+        reach(*u, cell);
+    }
+    return located;
+  }
+
+  void reach(std::size_t i, Cell start)
+  {
+    if (!m_is_traced[i])
+      m_stack.emplace_back(i, start);
+    m_is_traced[i] = true;
+  }
+
+  const Target& m_target;
+  const Subgraph& m_subgraph;
+  std::vector<char> m_is_traced;
+  std::vector<std::pair<std::size_t, Cell>> m_stack;
+};
+
+/*!
+\ingroup PkgDelaunayFromSurface3Hints
+
+starts every insertion where the last trace found the point (\cgalCite{choi-dtsm-02}, Fig.\ 1, lines
+2a and 2b), with a walk in place of the paper's location structure Q. A trace traverses T depth
+first from inserted vertices outwards. It locates every point not yet inserted from the cell of the
+neighbour in T that led to it. In a component without an inserted vertex, the first point is located
+from its last record, or, if it has none, from the vertex inserted last.
+
+After a trace the record of a point is a finite vertex of the cell that contains it. While points
+are only inserted, a vertex is never destroyed, but the cell can be.
+
+<b>Complexity</b>: the traversal of a trace takes \f$O(n)\f$ time. The whole trace takes expected
+\f$O(n)\f$ time if T has bounded degree and consists of Delaunay edges, and the triangulation has
+linear expected size (Theorem 3).
+
+<b>Memory</b>: a vertex handle and a byte per point, and during a trace at most an index and a cell
+handle per point.
+
+\tparam Target a `Triangulation_target_3`
+\tparam Subgraph a model of `boost::AdjacencyGraph` on the numbers of the points: T
+
+\cgalModels{InsertionHints_3}
+*/
+template <class Target, class Subgraph>
+class Traced_hints_3 : public Previous_hint_3<Target, Subgraph>
+{
+  using Base = Previous_hint_3<Target, Subgraph>;
+  using Base::m_target;
+  using Vertex = typename Target::Vertex;
+  using Cell = typename Target::Cell;
+
+public:
+  /// `true`: the subgraph is traced.
+  static constexpr bool uses_subgraph = true;
+
+  /// keeps references to target and subgraph. The plan is not used.
+  Traced_hints_3(const Target& target, const Subgraph& subgraph,
+                 const Insertion_order& = Insertion_order())
+    : Base(target, subgraph)
+    , m_trace(target, subgraph)
+    , m_record(target.size())
+  {
+  }
+
+  /// returns a cell of the vertex recorded for point `i`; before the first trace, of the vertex
+  /// inserted last.
+  Cell start(std::size_t i) const { return m_target.cell(recorded_vertex(i)); }
+
+  /// returns the vertex from which point `i` would start: finite, or none before the first
+  /// insertion.
+  Vertex recorded_vertex(std::size_t i) const
+  {
+    return m_record[i] == Vertex() ? this->m_previous : m_record[i];
+  }
+
+  /// locates every point that is not yet inserted and returns their number.
+  /// \pre A point is inserted.
+  std::size_t trace()
+  {
+    return m_trace([this](std::size_t i) { return start(i); },
+                   [this](std::size_t i, const typename Target::Location& location) {
+                     m_record[i] = m_target.nearest_vertex(i, location);
+                   });
+  }
+
+private:
+  Trace_subgraph<Target, Subgraph> m_trace;
+  std::vector<Vertex> m_record;
+};
+
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Tells whether a hint policy needs no trace and is built into the core.
+template <template <class Target, class Subgraph> class InsertionHints>
+struct Starts_in_core : std::false_type
+{
+  static constexpr bool uses_starting_places = true;
+};
+
+template <>
+struct Starts_in_core<Previous_hint_3> : std::true_type
+{
+  static constexpr bool uses_starting_places = false;
+};
+
+template <>
+struct Starts_in_core<Planned_hints_3> : std::true_type
+{
+  static constexpr bool uses_starting_places = true;
+};
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+} // namespace CGAL
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_PAPER_INSERTION_HINTS_H
