@@ -18,11 +18,10 @@ MOST_BYTES = 30000
 
 def figures():
     """For each the file, the name of the results, and what draws it, which needs Matplotlib."""
-    import paper_tables
-    import speed_plots
-    return [("times.svg", "calls_256k", speed_plots.draw_times),
-            ("where_time_goes.svg", "compare_64k", speed_plots.draw_where_time_goes),
-            ("paper_work.svg", "total_work", paper_tables.draw_work)]
+    import plots
+    return [("times.svg", "calls_256k", plots.draw_times),
+            ("where_time_goes.svg", "compare_64k", plots.draw_where_time_goes),
+            ("paper_work.svg", "total_work", plots.draw_work)]
 
 
 def main():

@@ -8,7 +8,7 @@ and bytes, per point, beside those of plain CGAL. Adds the record of one revisio
 to a file, and says where the package takes 2 % more instructions than in any revision before; then it ends with 1.
 
   history_of_counts.py meshes/refined_elephant.off --program ./insert_once --revision $(git rev-parse --short HEAD)
-      --output history.json [--plot history.svg]"""
+      --output history.json"""
 
 import argparse
 import json
@@ -45,18 +45,6 @@ def loss(history):
     return f"{now} instructions per point, {100 * (now / min(before) - 1):.1f} % more than the least before"
 
 
-def plot(history, path):
-    from plot_style import COLORS, Sheet
-    sheet = Sheet(height=220)
-    axes = sheet.axes(left=60, top=30, width=780, height=140)
-    axes.plot(range(len(history)), [record["package"]["instructions"] / 1000 for record in history], marker="o",
-              color=COLORS[0])
-    axes.set_xticks(range(len(history)), [record["revision"] for record in history])
-    axes.set_ylim(bottom=0)
-    axes.set_title("Thousands of instructions per point")
-    sheet.write(path)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mesh", metavar="MESH")
@@ -64,7 +52,6 @@ def main():
     parser.add_argument("--revision", required=True)
     parser.add_argument("--date", default="", help="of the revision")
     parser.add_argument("--output", type=Path, default=Path("history.json"), metavar="FILE")
-    parser.add_argument("--plot", type=Path, metavar="FILE")
     options = parser.parse_args()
     history = json.loads(options.output.read_text())["history"] if options.output.exists() else []
     mesh = Path(options.mesh).name
@@ -75,8 +62,6 @@ def main():
     report = {"command": "history_of_counts.py refined_elephant.off --program ./insert_once --revision REVISION",
               "history": history}
     options.output.write_text(text_of(report))
-    if options.plot:
-        plot(history, options.plot)
     lost = loss(history[:at + 1])
     print(lost or f"{record['package']['instructions']} instructions per point")
     return 1 if lost else 0

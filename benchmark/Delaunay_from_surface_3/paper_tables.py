@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """The tables of the manual's page on the paper, from what location_costs, measure_subgraphs, measure_uniform_samples,
-compare_with_plain and measure_single_calls.py wrote; and its plot, which needs Matplotlib."""
+compare_with_plain and measure_single_calls.py wrote."""
 
 import statistics
 
@@ -232,25 +232,3 @@ def near_minimum_files(meshes, parts):
         rows.append([title, str(len(files)), str(len(served)),
                      *(str(sum(r[key] > 3 for r in served)) for key in ("maximum_degree_of_tree", "maximum_degree"))])
     return table(["files", "all", "accepted", "tree of degree 4 or more", "after exchanges"], rows)
-
-
-# --- the plot ---
-
-def draw_work(report, file_name):
-    """Calls per point by parts, with T = EMST, and those of location from the root."""
-    from plot_style import Sheet, grid_height, line, lines_along, patch, size_ticks, ticks
-    found = {surface: sizes for (surface, T), sizes in by_seed(report).items() if T == EMST}
-    sheet = Sheet(grid_height(len(found), 4, 2, height=170))
-    for axes, (surface, records) in zip(sheet.grid(len(found), 4, height=170), found.items()):
-        sizes = sorted(records)
-        axes.stackplot(sizes, *([mean(records[n], part, "calls") for n in sizes] for part in PARTS),
-                       colors=[color for color, _ in PARTS.values()])
-        axes.plot(sizes, [mean(records[n], "location_from_root", "calls") + mean(records[n], "updates", "calls")
-                          for n in sizes], color="#000000", linestyle=":")
-        lines_along(axes, "y")
-        size_ticks(axes, sizes)
-        ticks(axes.yaxis, [0, 400, 800, 1200])
-        axes.set(title=surface, xlabel="points", ylim=(0, 1300))
-    sheet.legend([patch(color, part) for part, (color, _) in PARTS.items()] +
-                 [line("#000000", "location from the root, and updates", None, linestyle=":")], columns=5)
-    sheet.write(file_name)

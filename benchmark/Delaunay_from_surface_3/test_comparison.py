@@ -12,7 +12,6 @@ import sys
 import unittest
 from pathlib import Path
 
-import hard_tables
 import speed_tables
 from manual_tables import read
 from program_case import TORUS, ProgramCase
@@ -115,7 +114,7 @@ class Comparison(ProgramCase):
         ours = result["times"]["threads_2"]
         self.between(0, ours["median_until_export"], ours["median_wall"])
 
-        lines = hard_tables.peers({"name": "threads", **report}).splitlines()
+        lines = speed_tables.peers({"name": "threads", **report}).splitlines()
         self.assertIn("| program | threads | genus-3 | geometric mean |", lines)
         self.assertRegex("\n".join(lines), r"\n\| again \| 1 \| \d+\.\d\d \|")
         self.assertIn("Numbers of tetrahedra that differ from plain %CGAL's: none.", lines)
