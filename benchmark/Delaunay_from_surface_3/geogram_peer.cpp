@@ -18,40 +18,29 @@
 #include <Delaunay_psm.h>
 #endif
 
-#include <cstdlib>
-#include <exception>
-#include <iostream>
 #include <string>
 #include <vector>
 
 int main(int argc, char** argv)
 {
-  const unsigned threads =
-      argc == 3 ? static_cast<unsigned>(std::strtoul(argv[1], nullptr, 10)) : 0;
-  if (threads == 0) {
-    std::cerr << "usage: geogram_peer THREADS FILE-OF-POINTS\n";
-    return EXIT_FAILURE;
-  }
-  try {
-    const std::vector<double> coordinates = comparison::read_points_file(argv[2]);
-    GEO::initialize();
-    GEO::Logger::instance()->set_quiet(true);
-    GEO::CmdLine::import_arg_group("standard");
-    GEO::CmdLine::import_arg_group("algo");
-    GEO::Process::enable_multithreading(threads > 1);
-    GEO::Process::set_max_threads(threads);
-    GEO::Delaunay_var delaunay = GEO::Delaunay::create(3, threads > 1 ? "PDEL" : "BDEL");
-    comparison::Stopwatch watch;
-    delaunay->set_vertices(static_cast<GEO::index_t>(coordinates.size() / 3), coordinates.data());
-    watch.stop();
-    std::string version; // which that part does not tell
-    GEO::Environment::instance()->get_value("version", version);
-    comparison::print_answer(
-        watch, delaunay->nb_cells(), GEO::Process::maximum_concurrent_threads(),
-        version.empty() ? "Geogram" : "Geogram " + version, DELAUNAY_FROM_SURFACE_3_BUILT_AS);
-    return EXIT_SUCCESS;
-  } catch (const std::exception& error) {
-    std::cerr << "geogram_peer: " << error.what() << '\n';
-  }
-  return EXIT_FAILURE;
+  return comparison::run_peer(
+      "geogram_peer", true, argc, argv,
+      [](unsigned threads, const std::vector<double>& coordinates) {
+        GEO::initialize();
+        GEO::Logger::instance()->set_quiet(true);
+        GEO::CmdLine::import_arg_group("standard");
+        GEO::CmdLine::import_arg_group("algo");
+        GEO::Process::enable_multithreading(threads > 1);
+        GEO::Process::set_max_threads(threads);
+        GEO::Delaunay_var delaunay = GEO::Delaunay::create(3, threads > 1 ? "PDEL" : "BDEL");
+        comparison::Stopwatch watch;
+        delaunay->set_vertices(static_cast<GEO::index_t>(coordinates.size() / 3),
+                               coordinates.data());
+        watch.stop();
+        std::string version; // which that part does not tell
+        GEO::Environment::instance()->get_value("version", version);
+        comparison::print_answer(
+            watch, delaunay->nb_cells(), GEO::Process::maximum_concurrent_threads(),
+            version.empty() ? "Geogram" : "Geogram " + version, DELAUNAY_FROM_SURFACE_3_BUILT_AS);
+      });
 }

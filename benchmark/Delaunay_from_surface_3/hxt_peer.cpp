@@ -14,9 +14,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -54,28 +51,19 @@ std::size_t number_of_finite_tetrahedra(const HXTMesh& mesh)
 
 int main(int argc, char** argv)
 {
-  const int threads = argc == 3 ? std::atoi(argv[1]) : 0;
-  if (threads < 1) {
-    std::cerr << "usage: hxt_peer THREADS FILE-OF-POINTS\n";
-    return EXIT_FAILURE;
-  }
-  try {
-    omp_set_num_threads(threads); // of the sort, too
-    HXTMesh* mesh = nullptr;
-    check(hxtMeshCreate(&mesh));
-    give_points(*mesh, comparison::read_points_file(argv[2]));
-    HXTDelaunayOptions options = {};
-    options.perfectDelaunay = 1;
-    options.delaunayThreads = threads;
-    comparison::Stopwatch watch;
-    check(hxtDelaunay(mesh, &options));
-    watch.stop();
-    comparison::print_answer(watch, number_of_finite_tetrahedra(*mesh),
-                             static_cast<unsigned>(threads), "HXT",
-                             DELAUNAY_FROM_SURFACE_3_BUILT_AS);
-    return EXIT_SUCCESS;
-  } catch (const std::exception& error) {
-    std::cerr << "hxt_peer: " << error.what() << '\n';
-  }
-  return EXIT_FAILURE;
+  return comparison::run_peer(
+      "hxt_peer", true, argc, argv, [](unsigned threads, const std::vector<double>& coordinates) {
+        omp_set_num_threads(int(threads)); // of the sort, too
+        HXTMesh* mesh = nullptr;
+        check(hxtMeshCreate(&mesh));
+        give_points(*mesh, coordinates);
+        HXTDelaunayOptions options = {};
+        options.perfectDelaunay = 1;
+        options.delaunayThreads = int(threads);
+        comparison::Stopwatch watch;
+        check(hxtDelaunay(mesh, &options));
+        watch.stop();
+        comparison::print_answer(watch, number_of_finite_tetrahedra(*mesh), threads, "HXT",
+                                 DELAUNAY_FROM_SURFACE_3_BUILT_AS);
+      });
 }

@@ -8,7 +8,6 @@
 // With the name of a method it makes that call alone, and prints what it took: see
 // measure_single_calls.py.
 
-#include <Delaunay_from_surface_3_comparison/machine.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_files/Polygon_soup.h>
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>

@@ -6,30 +6,29 @@
 // the last trace and from elsewhere; how many triangles a trace crosses; what becomes of it when T
 // is not Delaunay; and the total work of the paper's Q.
 
-#include <Delaunay_from_surface_3_comparison/machine.h>
-#include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
+#include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/delaunay_marching_cubes.h>
+#include <Delaunay_from_surface_3_surfaces/genus_surface.h>
+#include <Delaunay_from_surface_3_surfaces/io.h>
 #include <Delaunay_from_surface_3_surfaces/jitter.h>
 #include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
+#include <Delaunay_from_surface_3_surfaces/restricted_delaunay.h>
+#include <Delaunay_from_surface_3_surfaces/simplify.h>
 #include <Delaunay_from_surface_3_surfaces/topology.h>
-#include <Delaunay_from_surface_3_theory/report.h>
-#include <Delaunay_from_surface_3_theory/surfaces.h>
-#include <Delaunay_from_surface_3_theory/total_work.h>
+#include <Delaunay_from_surface_3_theory/laboratory.h>
 #include <Delaunay_from_surface_3_theory/whole_runs.h>
 
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
-#include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <fstream>
 #include <functional>
 #include <future>
@@ -44,61 +43,96 @@
 namespace {
 
 using namespace theory;
-namespace po = boost::program_options;
 
 const char* const introduction =
     R"(Measures what it costs to locate points while a surface is inserted in the order of the paper.
 
   location_costs --data-dir meshes --cache-dir surfaces --output location_costs.json
 
-Cells entered and predicate calls are counted in runs that are not timed.
-
-Options)";
+Cells entered and predicate calls are counted in runs that are not timed.)";
 
 struct Options
 {
   std::vector<std::string> surfaces;
-  std::vector<std::size_t> sizes, time_sizes, subgraph_sizes, work_sizes;
+  std::vector<std::size_t> sizes, time_sizes = {16384, 131072, 1048576}, subgraph_sizes, work_sizes;
   std::size_t hypothesis_size = 32768, threads = 1, seeds = 5;
-  std::string output = "location_costs.json", data_dir, cache_dir, command;
+  std::string data_dir, cache_dir;
   unsigned int seed = 0;
 };
 
-po::options_description describe(Options& o)
+// --- The surfaces on which the theory is measured, by name ------------------------------------------
+
+struct Theory_surface
 {
-  po::options_description options(introduction);
-  auto add = options.add_options();
-  add("help,h", "say this and stop");
-  add("surfaces", po::value(&o.surfaces)->multitoken()->value_name("NAME..."),
-      "delaunay-sphere, delaunay-genus-3, bunny, armadillo, bunny-alike, delaunay-round-genus-3, "
-      "genus-50; default: all; for --subgraph-sizes also marching-cubes, delaunay-marching-cubes, "
-      "noise, delaunay-noise, room; for --work-sizes cube, torus, hub, genus-50");
-  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."),
-      "numbers of points to count at; default: the powers of 2 from 1024 to 1048576");
-  add("time-sizes", po::value(&o.time_sizes)->multitoken()->value_name("N..."),
-      "numbers of points to measure times at; default: 16384 131072 1048576");
-  add("hypothesis-size",
-      po::value(&o.hypothesis_size)->value_name("N")->default_value(o.hypothesis_size),
-      "number of points with which the hypothesis is made to fail; 0: not at all");
-  add("subgraph-sizes", po::value(&o.subgraph_sizes)->multitoken()->value_name("N..."),
-      "numbers of points to compare subgraphs T at, with both histories; then nothing else is "
-      "measured");
-  add("work-sizes", po::value(&o.work_sizes)->multitoken()->value_name("N..."),
-      "numbers of points to count the total work of the paper's Q at, with T = EMST and the "
-      "subgraph of bounded degree; then nothing else is measured");
-  add("seeds", po::value(&o.seeds)->value_name("N")->default_value(o.seeds),
-      "how many seeds for that, from --seed on");
-  add("output,o", po::value(&o.output)->value_name("FILE")->default_value(o.output),
-      "where the JSON goes");
-  add("data-dir,d", po::value(&o.data_dir)->value_name("FOLDER"),
-      "where bunny00.off and armadillo.off are (Debian: libcgal-demo)");
-  add("cache-dir", po::value(&o.cache_dir)->value_name("FOLDER"),
-      "where surfaces are kept that take minutes to make");
-  add("threads", po::value(&o.threads)->value_name("N")->default_value(o.threads),
-      "how many surfaces to count on at a time; times are measured one at a time");
-  add("seed", po::value(&o.seed)->value_name("N")->default_value(o.seed),
-      "of surfaces and insertion orders");
-  return options;
+  std::string name;
+  std::string description;
+  bool meets_assumptions;   // all triangles Delaunay, and D(S) of linear size as far as can be seen
+  std::size_t largest_size; // up to which it is measured
+  std::function<Indexed_surface(std::size_t n)> make;
+  std::size_t least_size = 0;
+};
+
+// `data_dir` holds bunny00.off and armadillo.off. What takes Mesh_3 minutes to make is kept in
+// `cache_dir`, unless that is empty.
+std::vector<Theory_surface> theory_surfaces(const std::string& data_dir,
+                                            const std::string& cache_dir, std::uint64_t seed)
+{
+  const auto cached = [cache_dir](const std::string& name, Indexed_surface (*make)(std::size_t)) {
+    return [=](std::size_t n) {
+      const std::string file = cache_dir + "/" + name + "_" + std::to_string(n) + ".ply";
+      if (!cache_dir.empty() && std::ifstream(file))
+        return surfaces::from_mesh(surfaces::read_mesh(file));
+      Indexed_surface surface = make(n);
+      if (!cache_dir.empty())
+        surfaces::write_surface(surface, file);
+      return surface;
+    };
+  };
+  const auto scan = [data_dir, seed](const std::string& file, double (*jitter)(std::size_t)) {
+    return [=](std::size_t n) {
+      return surfaces::resized(
+          surfaces::read_mesh((data_dir.empty() ? "." : data_dir) + "/" + file), n, jitter(n),
+          seed);
+    };
+  };
+  const auto same_jitter = [](std::size_t) { return 0.05; };
+  // The bend of a surface over an edge goes with the square of the length of the edge.
+  const auto jitter_as_bend = [](std::size_t n) { return 0.05 * std::sqrt(16384. / double(n)); };
+  const std::size_t any = std::size_t(1) << 30;
+  return {
+      {"delaunay-sphere", "restricted Delaunay triangulation of the unit sphere", true, any,
+       cached("delaunay-sphere", surfaces::delaunay_sphere)},
+      {"delaunay-genus-3", "restricted Delaunay triangulation of three joined tori with oval tubes",
+       true, any, cached("delaunay-genus-3", surfaces::delaunay_genus_3)},
+      {"bunny", "bunny00.off, simplified or densified, then with jitter of 5 % of the edge length",
+       false, any, scan("bunny00.off", same_jitter)},
+      {"armadillo",
+       "armadillo.off, simplified or densified, then with jitter of 5 % of the edge length", false,
+       any, scan("armadillo.off", same_jitter)},
+      {"bunny-alike",
+       "bunny00.off, simplified or densified, then with jitter in proportion to the square of the "
+       "edge length, "
+       "5 % of the edge length at 16384 points",
+       false, any, scan("bunny00.off", jitter_as_bend)},
+      {"delaunay-round-genus-3",
+       "restricted Delaunay triangulation of three joined tori with round tubes: D(S) is larger",
+       false, 131072, cached("delaunay-round-genus-3", surfaces::delaunay_round_genus_3)},
+      {"genus-50", "a chain of fifty tori", false, any,
+       [seed](std::size_t n) { return surfaces::genus_surface(50, n, 0, seed); }, 12000}};
+}
+
+// Those on which the total work is counted, other points for every seed.
+std::vector<Theory_surface> work_surfaces(std::uint64_t seed)
+{
+  const std::size_t any = std::size_t(1) << 30;
+  const auto cube = [seed](std::size_t n) { return comparison::points_in_box(n, 1, 1, 1, seed); };
+  return {{"cube", "random points in a cube, without a surface", true, any, cube},
+          {"torus", "a torus, jitter of 5 % of the edge length", true, any,
+           [seed](std::size_t n) { return surfaces::genus_surface(1, n, 0.05, seed); }},
+          {"hub", "six walls that bulge inwards, and a point in the middle, in no face", true, any,
+           [seed](std::size_t n) { return surfaces::room(n, seed); }},
+          {"genus-50", "a chain of fifty tori", false, any,
+           [seed](std::size_t n) { return surfaces::genus_surface(50, n, 0, seed); }, 12000}};
 }
 
 // Volumes of about so many points, and what they are.
@@ -159,13 +193,7 @@ std::vector<Theory_surface> chosen_surfaces(const Options& options)
   return chosen;
 }
 
-void write(const Json& report, const std::string& file_name)
-{
-  std::ofstream file(file_name);
-  file << report.dump(1) << '\n';
-  if (!file.flush())
-    throw std::runtime_error("cannot write '" + file_name + "'");
-}
+// --- What is measured ----------------------------------------------------------------------------------
 
 // Everything that is counted on one surface.
 Json counts_on(const Indexed_surface& surface, unsigned int seed)
@@ -208,7 +236,8 @@ Json time(const Theory_surface& surface, std::size_t size, unsigned int seed)
 }
 
 // T and the surface, changed so that T is no longer in D(S).
-void break_hypothesis(const Theory_surface& surface, const Options& options, Json& report)
+void break_hypothesis(const Theory_surface& surface, const Options& options,
+                      const comparison::Program& program, Json& report)
 {
   const Indexed_surface original = surface.make(options.hypothesis_size);
   const std::size_t n = original.points.size();
@@ -225,7 +254,7 @@ void break_hypothesis(const Theory_surface& surface, const Options& options, Jso
     result["locations"] = locations_as_json(rounds);
     result["traces"] = traces_as_json(rounds);
     report["hypothesis"].push_back(result);
-    write(report, options.output);
+    program.write(report);
   };
   measure("none", 0, original, subgraph);
   for (const double share : {0.05, 0.1, 0.2, 0.3, 0.45}) {
@@ -306,7 +335,7 @@ Json compare_subgraphs(const Theory_surface& surface, std::size_t size, unsigned
 
 // The total work of the paper's Q, with both T where there are faces: other points and another
 // order for every seed.
-void count_work(const Options& options, Json& report)
+void count_work(const Options& options, const comparison::Program& program, Json& report)
 {
   for (const std::size_t size : options.work_sizes)
     for (unsigned int seed = options.seed; seed < options.seed + options.seeds; ++seed)
@@ -329,60 +358,18 @@ void count_work(const Options& options, Json& report)
           result.update(Total_work(indexed.points, T, seed)());
           std::cerr << result.dump() << '\n';
           report["work"].push_back(result);
-          write(report, options.output);
+          program.write(report);
         }
       }
 }
 
-// a + b log2 n for every surface and way, without and with the cells that traces enter.
-Json fits(const Json& results)
-{
-  struct Series
-  {
-    std::vector<double> n, cells, with_traces;
-  };
-  std::map<std::string, std::map<std::string, Series>> all;
-  for (const Json& result : results)
-    for (const auto& [way, cost] : result["locations"].items()) {
-      Series& series = all[result["surface"]][way];
-      const double cells = cost["cells_entered"];
-      series.n.push_back(result["points"]);
-      series.cells.push_back(cells);
-      series.with_traces.push_back(cells + cost.value("trace_cells_entered", 0.));
-    }
-  Json report = Json::object();
-  for (const auto& [surface, ways] : all)
-    for (const auto& [way, series] : ways)
-      if (series.n.size() > 1) {
-        report[surface][way] = fit(series.n, series.cells);
-        if (series.with_traces != series.cells)
-          report[surface][way]["with_traces"] = fit(series.n, series.with_traces);
-      }
-  return report;
-}
-
-Json description_of(const Options& options, const std::vector<Theory_surface>& surfaces)
-{
-  Json names = Json::object();
-  for (const Theory_surface& surface : surfaces)
-    names[surface.name] = surface.description;
-  return {{"program", "location_costs"},
-          {"command", options.command},
-          {"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)},
-          {"surfaces", names},
-          {"fits", Json::object()},
-          {"results", Json::array()},
-          {"hypothesis", Json::array()},
-          {"subgraphs", Json::array()},
-          {"times", Json::array()}};
-}
-
-// Calls measure(surface, size) for all surfaces and sizes, smaller sizes first, and hands every
+// Calls measure(surface, size, seed) for all surfaces and sizes, smaller sizes first, and hands every
 // result to keep() as soon as it is there. Counts depend on nothing that other threads do; times
 // do.
-template <class Measure, class Keep>
+template <class Keep>
 void everywhere(const std::vector<Theory_surface>& surfaces, const std::vector<std::size_t>& sizes,
-                std::size_t number_of_threads, const Measure& measure, const Keep& keep)
+                unsigned int seed, std::size_t number_of_threads,
+                Json (*measure)(const Theory_surface&, std::size_t, unsigned int), const Keep& keep)
 {
   std::vector<std::pair<const Theory_surface*, std::size_t>> jobs;
   for (const std::size_t size : sizes)
@@ -393,7 +380,7 @@ void everywhere(const std::vector<Theory_surface>& surfaces, const std::vector<s
   std::mutex mutex;
   const auto work = [&] {
     for (std::size_t k = next++; k < jobs.size(); k = next++) {
-      const Json result = measure(*jobs[k].first, jobs[k].second);
+      const Json result = measure(*jobs[k].first, jobs[k].second, seed);
       const std::lock_guard<std::mutex> lock(mutex);
       std::cerr << result["surface"] << ' ' << result["points"] << '\n';
       keep(result);
@@ -406,71 +393,76 @@ void everywhere(const std::vector<Theory_surface>& surfaces, const std::vector<s
     worker.get(); // throws what the thread threw
 }
 
-// What is measured is written at once, should the rest be interrupted.
-void run(const Options& options)
+void describe(const std::vector<Theory_surface>& surfaces, Json& report)
 {
+  for (const Theory_surface& surface : surfaces)
+    report["surfaces"][surface.name] = surface.description;
+}
+
+// Writes what is measured at once, should the rest be interrupted.
+void measure_into(const Options& options, const comparison::Program& program, Json& report)
+{
+  if (options.threads == 0)
+    throw std::invalid_argument("--threads must be at least 1");
   if (!options.work_sizes.empty()) {
-    Json report = description_of(options, work_surfaces(options.seed));
-    for (const char* list : {"fits", "results", "hypothesis", "subgraphs", "times"})
-      report.erase(list);
-    count_work(options, report);
+    describe(work_surfaces(options.seed), report);
+    count_work(options, program, report);
     return;
   }
   const std::vector<Theory_surface> surfaces = chosen_surfaces(options);
-  Json report = description_of(options, surfaces);
+  describe(surfaces, report);
+  for (const char* list : {"results", "hypothesis", "subgraphs", "times"})
+    report[list] = Json::array();
   const auto keep_in = [&](const char* list) {
-    return [&report, &options, list](const Json& result) {
+    return [&report, &program, list](const Json& result) {
       report[list].push_back(result);
-      report["fits"] = fits(report["results"]);
-      write(report, options.output);
+      program.write(report);
     };
   };
   if (!options.subgraph_sizes.empty()) {
-    everywhere(
-        surfaces, options.subgraph_sizes, options.threads,
-        [&](const Theory_surface& surface, std::size_t size) {
-          return compare_subgraphs(surface, size, options.seed);
-        },
-        keep_in("subgraphs"));
+    everywhere(surfaces, options.subgraph_sizes, options.seed, options.threads, compare_subgraphs,
+               keep_in("subgraphs"));
     return;
   }
   for (const Theory_surface& surface : surfaces)
     if (options.hypothesis_size > 0 && surface.meets_assumptions)
-      break_hypothesis(surface, options, report);
-  everywhere(
-      surfaces, options.sizes, options.threads,
-      [&](const Theory_surface& surface, std::size_t size) {
-        return count(surface, size, options.seed);
-      },
-      keep_in("results"));
-  everywhere(
-      surfaces, options.time_sizes, 1,
-      [&](const Theory_surface& surface, std::size_t size) {
-        return time(surface, size, options.seed);
-      },
-      keep_in("times"));
+      break_hypothesis(surface, options, program, report);
+  everywhere(surfaces, options.sizes, options.seed, options.threads, count, keep_in("results"));
+  everywhere(surfaces, options.time_sizes, options.seed, 1, time, keep_in("times"));
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  try {
-    Options options;
-    const po::options_description description = describe(options);
-    comparison::read_command_line(argc, argv, description);
-    if (options.sizes.empty())
-      for (std::size_t size = 1024; size <= 1048576; size *= 2)
-        options.sizes.push_back(size);
-    if (options.time_sizes.empty())
-      options.time_sizes = {16384, 131072, 1048576};
-    options.command = comparison::command_line("location_costs", argc, argv);
-    if (options.threads == 0)
-      throw std::invalid_argument("--threads must be at least 1");
-    run(options);
-    return EXIT_SUCCESS;
-  } catch (const std::exception& error) {
-    std::cerr << "location_costs: " << error.what() << '\n';
-  }
-  return EXIT_FAILURE;
+  Options o;
+  for (std::size_t size = 1024; size <= 1048576; size *= 2)
+    o.sizes.push_back(size);
+  comparison::Program program("location_costs", introduction);
+  program.option("surfaces", o.surfaces, "NAME...",
+                 "delaunay-sphere, delaunay-genus-3, bunny, armadillo, bunny-alike, "
+                 "delaunay-round-genus-3, genus-50; default: all; for --subgraph-sizes also "
+                 "marching-cubes, delaunay-marching-cubes, noise, delaunay-noise, room; for "
+                 "--work-sizes cube, torus, hub, genus-50");
+  program.option("sizes", o.sizes, "N...",
+                 "numbers of points to count at; default: the powers of 2 from 1024 to 1048576");
+  program.option("time-sizes", o.time_sizes, "N...",
+                 "numbers of points to measure times at; default: 16384 131072 1048576");
+  program.option("hypothesis-size", o.hypothesis_size, "N",
+                 "number of points with which the hypothesis is made to fail; 0: not at all");
+  program.option("subgraph-sizes", o.subgraph_sizes, "N...",
+                 "numbers of points to compare subgraphs T at, with both histories; then nothing "
+                 "else is measured");
+  program.option("work-sizes", o.work_sizes, "N...",
+                 "numbers of points to count the total work of the paper's Q at, with T = EMST and "
+                 "the subgraph of bounded degree; then nothing else is measured");
+  program.option("seeds", o.seeds, "N", "how many seeds for that, from --seed on");
+  program.option("data-dir,d", o.data_dir, "FOLDER",
+                 "where bunny00.off and armadillo.off are (Debian: libcgal-demo)");
+  program.option("cache-dir", o.cache_dir, "FOLDER",
+                 "where surfaces are kept that take minutes to make");
+  program.option("threads", o.threads, "N",
+                 "how many surfaces to count on at a time; times are measured one at a time");
+  program.option("seed", o.seed, "N", "of surfaces and insertion orders");
+  return program.run(argc, argv, [&](Json& report) { measure_into(o, program, report); });
 }

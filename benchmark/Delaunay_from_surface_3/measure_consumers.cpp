@@ -5,8 +5,9 @@
 // What each kind of user gains, from the points to the end of what they do with the triangulation:
 // plain CGAL and this package in turn. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/gains.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
+#include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
@@ -35,15 +36,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <random>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace {
 
-using comparison::Json;
+using comparison::Gains;
 using surfaces::Indexed_surface;
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -66,28 +65,13 @@ using For_alpha =
     Triangulation_of<CGAL::Alpha_shape_vertex_base_3<K>, CGAL::Alpha_shape_cell_base_3<K>>;
 using Mesh = CGAL::Surface_mesh<Point>;
 
-class Table
+Numbered with_numbers(const std::vector<Point>& points)
 {
-public:
-  explicit Table(comparison::Gains& gains)
-    : m_gains(gains)
-  {
-  }
-
-  // plain() and ours() return something to compare.
-  template <class Plain, class Ours>
-  void line(const std::string& consumer, std::size_t n, const Plain& plain, const Ours& ours)
-  {
-    m_gains.line(consumer, n, plain, ours,
-                 [&](const Json&, const auto& expected, const auto& found) {
-                   if (expected != found)
-                     throw std::runtime_error(consumer + ": not equal to plain CGAL");
-                 });
-  }
-
-private:
-  comparison::Gains& m_gains;
-};
+  Numbered numbered;
+  for (const Point& p : points)
+    numbered.emplace_back(p, numbered.size());
+  return numbered;
+}
 
 template <class Tr>
 std::size_t cells(const Tr& tr)
@@ -95,21 +79,25 @@ std::size_t cells(const Tr& tr)
   return tr.number_of_cells();
 }
 
+template <class Tr, class Input>
+Tr by_package(const Input& input)
+{
+  Tr tr;
+  CGAL::insert_points_3(tr, input);
+  return tr;
+}
+
 template <class Tr>
-void measure_points(Table& table, const std::string& consumer,
+void measure_points(Gains& table, const std::string& consumer,
                     const std::vector<typename Tr::Point>& points)
 {
   table.line(
       consumer, points.size(), [&] { return cells(Tr(points.begin(), points.end())); },
-      [&] {
-        Tr tr;
-        CGAL::insert_points_3(tr, points);
-        return cells(tr);
-      });
+      [&] { return cells(by_package<Tr>(points)); });
 }
 
 template <class Kernel>
-void measure_kernel(Table& table, const std::string& consumer, const std::vector<Point>& points)
+void measure_kernel(Gains& table, const std::string& consumer, const std::vector<Point>& points)
 {
   using FT = typename Kernel::FT;
   std::vector<typename Kernel::Point_3> converted;
@@ -118,7 +106,7 @@ void measure_kernel(Table& table, const std::string& consumer, const std::vector
   measure_points<CGAL::Delaunay_triangulation_3<Kernel>>(table, consumer, converted);
 }
 
-void measure_input(Table& table, const Indexed_surface& surface)
+void measure_input(Gains& table, const Indexed_surface& surface)
 {
   const std::vector<Point>& points = surface.points;
   const std::size_t n = points.size();
@@ -139,26 +127,18 @@ void measure_input(Table& table, const Indexed_surface& surface)
     CGAL::insert_points_3(tr, points, CGAL::parameters::preserve_order(true));
     return cells(tr);
   });
-  Numbered numbered;
-  for (const Point& p : points)
-    numbered.emplace_back(p, numbered.size());
+  const Numbered numbered = with_numbers(points);
   table.line(
       "surface: pairs of points and infos", n,
       [&] { return cells(With_info(numbered.begin(), numbered.end())); },
-      [&] {
-        With_info tr;
-        CGAL::insert_points_3(tr, numbered);
-        return cells(tr);
-      });
+      [&] { return cells(by_package<With_info>(numbered)); });
 }
 
 // Plain CGAL: a triangulation whose vertices know their index, and a loop over its cells.
-void measure_arrays(Table& table, const Indexed_surface& surface)
+void measure_arrays(Gains& table, const Indexed_surface& surface)
 {
   const std::vector<Point>& points = surface.points;
-  Numbered numbered;
-  for (const Point& p : points)
-    numbered.emplace_back(p, numbered.size());
+  const Numbered numbered = with_numbers(points);
   const auto plain = [&] {
     const With_info tr(numbered.begin(), numbered.end());
     std::vector<std::array<std::int32_t, 4>> tetrahedra;
@@ -175,7 +155,7 @@ void measure_arrays(Table& table, const Indexed_surface& surface)
 }
 
 template <class Tr, class Shape>
-void measure_alpha_shape(Table& table, const std::string& consumer,
+void measure_alpha_shape(Gains& table, const std::string& consumer,
                          const std::vector<Point>& points, double alpha)
 {
   const auto interior = [](const Shape& shape) {
@@ -186,8 +166,7 @@ void measure_alpha_shape(Table& table, const std::string& consumer,
   table.line(
       consumer, points.size(), [&] { return interior(Shape(points.begin(), points.end(), alpha)); },
       [&] {
-        Tr tr;
-        CGAL::insert_points_3(tr, points);
+        Tr tr = by_package<Tr>(points);
         return interior(Shape(tr, alpha));
       });
 }
@@ -202,7 +181,7 @@ std::size_t voronoi_vertices(const With_circumcenters& tr)
 
 #if CGAL_VERSION_NR >= 1060000000 // from 6.0 on its class compiles with numbers of type float
 // What COLMAP (src/colmap/mvs/advancing_front_meshing.cc) makes of a block of points that no ray filters.
-void measure_front_of_colmap(Table& table, const std::vector<Point>& points)
+void measure_front_of_colmap(Gains& table, const std::vector<Point>& points)
 {
   using Kernel = CGAL::Filtered_kernel<CGAL::Simple_cartesian<float>>;
   using Tds = CGAL::Triangulation_data_structure_3<
@@ -227,16 +206,15 @@ void measure_front_of_colmap(Table& table, const std::vector<Point>& points)
         return facets_of(tr);
       },
       [&] {
-        Tr tr;
-        CGAL::insert_points_3(tr, numbered);
+        Tr tr = by_package<Tr>(numbered);
         return facets_of(tr);
       });
 }
 #else
-void measure_front_of_colmap(Table&, const std::vector<Point>&) {}
+void measure_front_of_colmap(Gains&, const std::vector<Point>&) {}
 #endif
 
-void measure_on_top(Table& table, const std::vector<Point>& points, double alpha)
+void measure_on_top(Gains& table, const std::vector<Point>& points, double alpha)
 {
   const std::size_t n = points.size();
   using Facets = std::vector<std::array<std::size_t, 3>>;
@@ -249,11 +227,7 @@ void measure_on_top(Table& table, const std::vector<Point>& points, double alpha
         return facets.size();
       },
       [&] {
-        Numbered numbered;
-        for (const Point& p : points)
-          numbered.emplace_back(p, numbered.size());
-        For_front tr;
-        CGAL::insert_points_3(tr, numbered);
+        For_front tr = by_package<For_front>(with_numbers(points));
         CGAL::Advancing_front_surface_reconstruction<For_front> front(tr);
         front.run();
         Facets facets;
@@ -267,30 +241,14 @@ void measure_on_top(Table& table, const std::vector<Point>& points, double alpha
   table.line(
       "Voronoi vertices", n,
       [&] { return voronoi_vertices(With_circumcenters(points.begin(), points.end())); },
-      [&] {
-        With_circumcenters tr;
-        CGAL::insert_points_3(tr, points);
-        return voronoi_vertices(tr);
-      });
+      [&] { return voronoi_vertices(by_package<With_circumcenters>(points)); });
 }
 
-std::vector<Point> points_in_cube(std::size_t n)
+void measure(std::size_t n, Gains& table)
 {
-  std::mt19937_64 random(2024);
-  std::uniform_real_distribution<double> coordinate(0, 1);
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
-    points.emplace_back(x, y, z);
-  }
-  return points;
-}
-
-void measure(std::size_t n, comparison::Gains& gains)
-{
-  Table table(gains);
   const Indexed_surface surface = surfaces::genus_surface(3, n, 0.05, 2024);
-  measure_points<Triangulation>(table, "points in a cube", points_in_cube(n));
+  measure_points<Triangulation>(table, "points in a cube",
+                                comparison::points_in_box(n, 1, 1, 1, 2024).points);
   measure_points<Triangulation>(table, "points on a height field", surfaces::terrain(n).points);
   measure_points<Triangulation>(table, "surface: points alone", surface.points);
   measure_input(table, surface);
@@ -309,6 +267,6 @@ void measure(std::size_t n, comparison::Gains& gains)
 
 int main(int argc, char** argv)
 {
-  return comparison::write_gains("measure_consumers", "Measures what each kind of user gains.",
-                                 argc, argv, measure);
+  comparison::Program program("measure_consumers", "Measures what each kind of user gains.");
+  return comparison::run_gains(program, argc, argv, measure);
 }

@@ -8,8 +8,7 @@
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_comparison/read_command_line.h>
-#include <Delaunay_from_surface_3_comparison/write_measured.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
 
@@ -17,8 +16,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_points_3.h>
 
-#include <boost/program_options.hpp>
-
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -29,10 +27,9 @@
 
 namespace {
 
-namespace po = boost::program_options;
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using comparison::Json;
-using comparison::rounded;
+using comparison::per_point;
 using surfaces::Indexed_surface;
 using Triangulation = CGAL::Delaunay_triangulation_3<CGAL::Epick>;
 
@@ -60,89 +57,55 @@ void insert_by_default(Triangulation& tr, const Indexed_surface& surface, bool h
     CGAL::insert_points_3(tr, surface.points, parameters...);
 }
 
-Json stages(const comparison::Take_counts& counts, std::size_t n)
-{
-  static const char* const names[] = {"half_digit",    "one_digit",  "balanced",
-                                      "double_double", "two_digits", "any_width"};
-  Json json;
-  for (int s = 0; s < DFS::NUMBER_OF_EXACT_STAGES; ++s)
-    json[names[s]] = rounded(
-        double(counts.kernel.sphere_tests_by_stage[s] + counts.kernel.facet_tests_by_stage[s]) /
-            double(n),
-        1e2);
-  return json;
-}
-
 Json measure_case(const surfaces::Flat_or_far_family& family, const Indexed_surface& surface,
                   bool has_faces, std::size_t repetitions)
 {
   const std::size_t n = surface.points.size();
-  std::vector<double> ratios, plain, by_default;
+  comparison::Turns turns;
   for (std::size_t r = 0; r < repetitions; ++r) {
     Triangulation expected, tr;
-    plain.push_back(comparison::time_of([&] {
-                      expected.insert(surface.points.begin(), surface.points.end());
-                    }).cpu);
-    by_default.push_back(
-        comparison::time_of([&] { insert_by_default(tr, surface, has_faces); }).cpu);
-    ratios.push_back(plain.back() / by_default.back());
+    turns.add([&] { expected.insert(surface.points.begin(), surface.points.end()); },
+              [&] { insert_by_default(tr, surface, has_faces); });
     if (r == 0 && !(tr == expected))
       throw std::runtime_error(family.name + ": not equal to plain CGAL");
   }
   Triangulation tr;
   comparison::Take_counts counts;
   insert_by_default(tr, surface, has_faces, CGAL::parameters::visitor(std::ref(counts)));
-  return {{"family", family.name},
-          {"kind", family.kind},
-          {"inserted", has_faces ? "faces" : "points"},
-          {"points", n},
-          {"median_plain_cpu", rounded(comparison::median(plain))},
-          {"median_default_cpu", rounded(comparison::median(by_default))},
-          {"median_ratio", rounded(comparison::median(ratios), 1e3)},
-          {"cells_tested_to_start",
-           rounded(double(counts.kernel.cells_tested_to_start) / double(n), 1e2)},
-          {"decided_by", stages(counts, n)}};
-}
-
-struct Options
-{
-  std::vector<std::size_t> sizes = {5000, 20000, 100000};
-  std::size_t repetitions = 3;
-  std::string output = "flat_and_far.json";
-};
-
-Options read_options(int argc, char** argv)
-{
-  Options o;
-  po::options_description options("Measures the default beside plain CGAL where coordinates are of "
-                                  "very different size.\n\nOptions");
-  auto add = options.add_options();
-  add("help,h", "say this and stop");
-  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."), "numbers of vertices");
-  add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn");
-  add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
-  comparison::read_command_line(argc, argv, options);
-  return o;
-}
-
-void measure_into(const Options& options, Json& report)
-{
-  report["flat_and_far_repetitions"] = options.repetitions;
-  report["results"] = Json::array();
-  for (const std::size_t n : options.sizes)
-    for (const surfaces::Flat_or_far_family& family : all_families()) {
-      const Indexed_surface surface = family.make(n, seed);
-      for (const bool has_faces : {true, false}) {
-        Json result = measure_case(family, surface, has_faces, options.repetitions);
-        std::cerr << result.dump() << "\n";
-        report["results"].push_back(std::move(result));
-      }
-    }
+  std::array<std::size_t, DFS::NUMBER_OF_EXACT_STAGES> decided;
+  for (std::size_t s = 0; s < decided.size(); ++s)
+    decided[s] = counts.kernel.sphere_tests_by_stage[s] + counts.kernel.facet_tests_by_stage[s];
+  Json result = {{"family", family.name},
+                 {"kind", family.kind},
+                 {"inserted", has_faces ? "faces" : "points"},
+                 {"points", n}};
+  turns.add_to(result, "default");
+  result["cells_tested_to_start"] = per_point(counts.kernel.cells_tested_to_start, n, 1e2);
+  result["decided_by"] = comparison::by_exact_stage(decided, n, 1e2);
+  return result;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  return comparison::write_measured("measure_flat_and_far", argc, argv, read_options, measure_into);
+  std::vector<std::size_t> sizes = {5000, 20000, 100000};
+  std::size_t repetitions = 3;
+  comparison::Program program(
+      "measure_flat_and_far",
+      "Measures the default beside plain CGAL where coordinates are of very different size.");
+  program.option("sizes", sizes, "N...", "numbers of vertices");
+  program.option("repetitions,r", repetitions, "N", "of each, in turn");
+  return program.run(argc, argv, [&](Json& report) {
+    report["flat_and_far_repetitions"] = repetitions;
+    report["results"] = Json::array();
+    for (const std::size_t n : sizes)
+      for (const surfaces::Flat_or_far_family& family : all_families()) {
+        const Indexed_surface surface = family.make(n, seed);
+        for (const bool has_faces : {true, false}) {
+          report["results"].push_back(measure_case(family, surface, has_faces, repetitions));
+          std::cerr << report["results"].back().dump() << "\n";
+        }
+      }
+  });
 }

@@ -6,8 +6,8 @@
 // coordinates to the indices of all tetrahedra, by the loop over plain CGAL that these programs have,
 // rebuilt from what Tetra-NeRF's src/triangulation.cpp does, and by this package. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/gains.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_surfaces/clusters.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -15,7 +15,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
@@ -89,7 +88,7 @@ void measure(std::size_t n, comparison::Gains& gains)
 
 int main(int argc, char** argv)
 {
-  return comparison::write_gains("measure_gaussians",
-                                 "Measures points of Gaussians, from coordinates to tetrahedra.",
-                                 argc, argv, measure);
+  comparison::Program program("measure_gaussians",
+                              "Measures points of Gaussians, from coordinates to tetrahedra.");
+  return comparison::run_gains(program, argc, argv, measure);
 }

@@ -6,10 +6,10 @@
 // scene: by plain CGAL, by other programs, and by this package into arrays, with an order made anew each
 // time and with that of the call before, in turn. Writes JSON; the times are medians of one rebuild.
 
-#include <Delaunay_from_surface_3_comparison/gains.h>
-#include <Delaunay_from_surface_3_comparison/launcher.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/peers.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
+#include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
@@ -33,18 +33,6 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangulation = CGAL::Delaunay_triangulation_3<K>;
 using Points = std::vector<K::Point_3>;
 using Peers = std::vector<std::string>; // NAME=COMMAND
-
-Points points_in_cube(std::size_t n)
-{
-  std::mt19937_64 random(2024);
-  std::uniform_real_distribution<double> uniform;
-  Points points;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = uniform(random), y = uniform(random), z = uniform(random);
-    points.emplace_back(x, y, z);
-  }
-  return points;
-}
 
 // Each step is `length` on average. The first build, of points that have not moved, is not counted.
 void compare(const std::string& name, Points points, double length, comparison::Gains& gains,
@@ -97,17 +85,14 @@ int main(int argc, char** argv)
 {
   comparison::Launcher launcher; // before anything large is in memory
   Peers peers;
-  boost::program_options::options_description options;
-  options.add_options()("peer", boost::program_options::value(&peers)->composing(),
-                        "NAME=COMMAND: another program, as README.md says");
+  comparison::Program program("measure_moved", "Measures rebuilds of points that move in between.");
+  program.option("peer", peers, "NAME=COMMAND", "another program, as README.md says");
   const auto measure = [&](std::size_t n, comparison::Gains& gains) {
     // Steps of a hundredth of the distance between neighbours.
-    compare("points in a cube", points_in_cube(n), .01 / std::cbrt(double(n)), gains, launcher,
-            peers);
+    compare("points in a cube", comparison::points_in_box(n, 1, 1, 1, 2024).points,
+            .01 / std::cbrt(double(n)), gains, launcher, peers);
     compare("points of a surface", surfaces::genus_surface(3, n, 0.05, 2024).points,
             .01 / std::sqrt(double(n)), gains, launcher, peers);
   };
-  return comparison::write_gains("measure_moved",
-                                 "Measures rebuilds of points that move in between.", argc, argv,
-                                 measure, options);
+  return comparison::run_gains(program, argc, argv, measure);
 }

@@ -8,37 +8,32 @@
 //
 //   mpirun -n 2 measure_mpi --data meshes --output mpi.json
 
-#include <Delaunay_from_surface_3_comparison/machine.h>
-#include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 
 #include <CGAL/Tiles_by_mpi_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace {
 
-namespace po = boost::program_options;
-using Json = nlohmann::ordered_json;
+using comparison::Json;
 using Points = std::vector<std::array<double, 3>>;
 
 double rounded(double seconds)
 {
-  return std::round(seconds * 1000) / 1000;
+  return comparison::rounded(seconds, 1e3);
 }
 
 Points points_of_elephant(std::size_t n, const std::string& data)
@@ -113,19 +108,15 @@ int main(int argc, char** argv)
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   try {
-    std::string data = ".", output = "mpi.json";
+    std::string data = ".";
     std::size_t strong = 2000000, weak = 1000000;
     unsigned runs = 5;
-    po::options_description all("Measures tiles by MPI");
-    all.add_options()("help", "print this text")("data", po::value(&data),
-                                                 "the folder with refined_elephant.off")(
-        "strong", po::value(&strong), "points, for any number of ranks (2000000)")(
-        "weak", po::value(&weak), "points for each rank (1000000)")(
-        "runs", po::value(&runs), "how many, of which the median is given (5)")(
-        "output", po::value(&output), "the file for the results (mpi.json)");
-    comparison::read_command_line(argc, argv, all);
-    Json report =
-        comparison::begin_report("measure_mpi", argc, argv, DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS);
+    comparison::Program program("measure_mpi", "Measures tiles by MPI");
+    program.option("data", data, "FOLDER", "the folder with refined_elephant.off");
+    program.option("strong", strong, "N", "points, for any number of ranks");
+    program.option("weak", weak, "N", "points for each rank");
+    program.option("runs", runs, "N", "how many, of which the median is given");
+    Json report = program.begin(argc, argv);
     report["command"] =
         "mpirun -n " + std::to_string(ranks) + " " + report["command"].get<std::string>();
     report["machine"]["mpi"] = version_of_mpi();
@@ -143,7 +134,7 @@ int main(int argc, char** argv)
           runs, [&] { return measure_tiles(n == strong ? points : more, MPI_COMM_WORLD); }));
     }
     if (rank == 0)
-      comparison::write_report(output, report);
+      program.write(report);
   } catch (const std::exception& e) {
     std::cerr << "measure_mpi: " << e.what() << "\n";
     MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);

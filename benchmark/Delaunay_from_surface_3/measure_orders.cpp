@@ -9,9 +9,8 @@
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_comparison/read_command_line.h>
-#include <Delaunay_from_surface_3_comparison/walk_cases.h>
-#include <Delaunay_from_surface_3_comparison/write_measured.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
+#include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
@@ -32,8 +31,6 @@
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -47,9 +44,9 @@
 
 namespace {
 
-namespace po = boost::program_options;
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using comparison::Json;
+using comparison::per_point;
 using comparison::rounded;
 using surfaces::Indexed_surface;
 using Triangulation = CGAL::Delaunay_triangulation_3<CGAL::Epick>;
@@ -160,33 +157,38 @@ double lower_limit(std::vector<double> values)
   return values[k == 0 ? 0 : k - 1];
 }
 
-Json measure_case(const Case& c, std::size_t repetitions)
+Json description_of(const Case& c)
 {
-  const Insertion insertion(c.surface);
-  std::vector<double> ratios, plain, by_default;
-  comparison::Take_counts counts;
-  bool is_equal = true;
-  for (std::size_t r = 0; r < repetitions; ++r) {
-    Triangulation expected, tr;
-    plain.push_back(comparison::time_of([&] { insertion.by_plain_cgal(expected); }).cpu);
-    by_default.push_back(comparison::time_of([&] { insertion.by_default(tr, counts); }).cpu);
-    ratios.push_back(plain.back() / by_default.back());
-    is_equal = is_equal && (r > 0 || tr == expected);
-  }
-  if (!is_equal)
-    throw std::runtime_error(c.family + ": not equal to plain CGAL");
-  const double n = double(c.surface.points.size());
   return {{"family", c.family},
           {"kind", c.kind},
           {"coordinates", c.coordinates},
-          {"points", c.surface.points.size()},
-          {"median_plain_cpu", rounded(comparison::median(plain))},
-          {"median_default_cpu", rounded(comparison::median(by_default))},
-          {"median_ratio", rounded(comparison::median(ratios), 1e3)},
-          {"lower_limit_of_ratio", rounded(lower_limit(ratios), 1e3)},
-          {"cells_destroyed", rounded(double(counts.kernel.cells_destroyed) / n, 1e2)},
-          {"cells_tested_to_start", rounded(double(counts.kernel.cells_tested_to_start) / n, 1e2)},
+          {"points", c.surface.points.size()}};
+}
+
+Json as_json(const comparison::Take_counts& counts, std::size_t n)
+{
+  return {{"cells_destroyed", per_point(counts.kernel.cells_destroyed, n, 1e2)},
+          {"cells_tested_to_start", per_point(counts.kernel.cells_tested_to_start, n, 1e2)},
           {"order_was_replaced", counts.order_was_replaced}};
+}
+
+Json measure_case(const Case& c, std::size_t repetitions)
+{
+  const Insertion insertion(c.surface);
+  comparison::Turns turns;
+  comparison::Take_counts counts;
+  for (std::size_t r = 0; r < repetitions; ++r) {
+    Triangulation expected, tr;
+    turns.add([&] { insertion.by_plain_cgal(expected); },
+              [&] { insertion.by_default(tr, counts); });
+    if (r == 0 && !(tr == expected))
+      throw std::runtime_error(c.family + ": not equal to plain CGAL");
+  }
+  Json result = description_of(c);
+  turns.add_to(result, "default");
+  result["lower_limit_of_ratio"] = rounded(lower_limit(turns.ratios), 1e3);
+  result.update(as_json(counts, c.surface.points.size()));
+  return result;
 }
 
 // Nets of the surface in blocks of another size; see Surface_net_rounds.
@@ -201,34 +203,24 @@ struct Nets_in_blocks
   }
 };
 
-template <class Traits>
-Json counts_of(const Insertion& insertion, const Traits& traits, std::size_t n)
-{
-  Triangulation tr;
-  comparison::Take_counts counts;
-  insertion.with(traits, tr, counts);
-  return {{"cells_destroyed", rounded(double(counts.kernel.cells_destroyed) / double(n), 1e2)},
-          {"cells_tested_to_start",
-           rounded(double(counts.kernel.cells_tested_to_start) / double(n), 1e2)},
-          {"order_was_replaced", counts.order_was_replaced}};
-}
-
 Json count_case(const Case& c, const std::vector<std::size_t>& blocks)
 {
   const Insertion insertion(c.surface);
-  const std::size_t n = c.surface.points.size();
-  Json counts = Json::array();
+  const auto counts_of = [&](const auto& traits) {
+    Triangulation tr;
+    comparison::Take_counts counts;
+    insertion.with(traits, tr, counts);
+    return as_json(counts, c.surface.points.size());
+  };
+  Json result = description_of(c);
+  result["nets"] = Json::array();
   for (const std::size_t block : blocks) {
     Nets_in_blocks traits;
     traits.block = block;
-    counts.push_back(counts_of(insertion, traits, n));
+    result["nets"].push_back(counts_of(traits));
   }
-  return {{"family", c.family},
-          {"kind", c.kind},
-          {"coordinates", c.coordinates},
-          {"points", n},
-          {"nets", counts},
-          {"spaced_rounds", counts_of(insertion, CGAL::Surface_insertion_traits_3(), n)}};
+  result["spaced_rounds"] = counts_of(CGAL::Surface_insertion_traits_3());
+  return result;
 }
 
 struct Options
@@ -236,28 +228,9 @@ struct Options
   std::vector<std::size_t> sizes = {3000, 20000, 200000};
   std::size_t repetitions = 9;
   std::vector<std::size_t> blocks;
-  std::string scan, output = "orders.json";
+  std::string scan;
   bool walks = false;
 };
-
-Options read_options(int argc, char** argv)
-{
-  Options o;
-  po::options_description options("Measures the default beside plain CGAL where an order of "
-                                  "insertion can go wrong.\n\nOptions");
-  auto add = options.add_options();
-  add("help,h", "say this and stop");
-  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."), "numbers of vertices");
-  add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn");
-  add("blocks", po::value(&o.blocks)->multitoken()->value_name("N..."),
-      "count only, with nets in blocks of so many vertices (1: by index)");
-  add("walks", po::bool_switch(&o.walks),
-      "where walks can go astray, in place of solids and other surfaces");
-  add("scan", po::value(&o.scan)->value_name("FILE"), "a mesh that is refined to these sizes, too");
-  add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
-  comparison::read_command_line(argc, argv, options);
-  return o;
-}
 
 void measure_into(const Options& options, Json& report)
 {
@@ -293,5 +266,16 @@ void measure_into(const Options& options, Json& report)
 
 int main(int argc, char** argv)
 {
-  return comparison::write_measured("measure_orders", argc, argv, read_options, measure_into);
+  Options o;
+  comparison::Program program(
+      "measure_orders",
+      "Measures the default beside plain CGAL where an order of insertion can go wrong.");
+  program.option("sizes", o.sizes, "N...", "numbers of vertices");
+  program.option("repetitions,r", o.repetitions, "N", "of each, in turn");
+  program.option("blocks", o.blocks, "N...",
+                 "count only, with nets in blocks of so many vertices (1: by index)");
+  program.option("walks", o.walks,
+                 "where walks can go astray, in place of solids and other surfaces");
+  program.option("scan", o.scan, "FILE", "a mesh that is refined to these sizes, too");
+  return program.run(argc, argv, [&](Json& report) { measure_into(o, report); });
 }

@@ -5,7 +5,7 @@
 // Measures the stages of the compact kernel's sphere test, each on points that it decides, next to
 // CGAL's predicates and to integers of Boost.Multiprecision. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/machine.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
@@ -18,12 +18,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
-#include <exception>
-#include <fstream>
 #include <functional>
-#include <iomanip>
 #include <iostream>
 #include <random>
 #include <stdexcept>
@@ -196,13 +192,7 @@ ordered_json measure(const Family& family, std::size_t repetitions)
   ordered_json json = {
       {"points", family.name},
       {"decided_by_first_filter", double(first) / 1000},
-      {"decided_by_stages_behind",
-       {{"half_digit", double(stages[HALF_DIGIT]) / 1000},
-        {"one_digit", double(stages[ONE_DIGIT]) / 1000},
-        {"balanced", double(stages[BALANCED]) / 1000},
-        {"double_double", double(stages[DOUBLE_DOUBLE]) / 1000},
-        {"two_digits", double(stages[TWO_DIGITS]) / 1000},
-        {"any_width", double(stages[ANY_WIDTH]) / 1000}}},
+      {"decided_by_stages_behind", comparison::by_exact_stage(stages, tests.size())},
       {"perturbed", double(perturbed) / 1000},
       {"ns_first_filter", nanoseconds(tests, repetitions, first_sign)},
       {"ns_double_double", nanoseconds(tests, repetitions,
@@ -237,22 +227,14 @@ ordered_json measure(const Family& family, std::size_t repetitions)
 
 int main(int argc, char** argv)
 {
-  try {
-    if (argc > 3)
-      throw std::runtime_error("usage: measure_predicates [OUTPUT.json [REPETITIONS]]");
-    const std::string output = argc > 1 ? argv[1] : "predicates.json";
-    const std::size_t repetitions = argc > 2 ? std::stoul(argv[2]) : 20;
-    ordered_json json = {
-        {"machine", comparison::describe_machine(DELAUNAY_FROM_SURFACE_3_COMPILER_FLAGS)}};
-    for (const Family& family : families)
-      json["sphere_tests"].push_back(measure(family, repetitions));
-    std::ofstream file(output);
-    file << std::setw(2) << json << '\n';
-    if (!file.flush())
-      throw std::runtime_error("cannot write " + output);
-    std::cout << std::setw(2) << json << '\n';
-  } catch (const std::exception& e) {
-    std::cerr << "measure_predicates: " << e.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  std::size_t repetitions = 20;
+  comparison::Program program("measure_predicates",
+                              "Measures the stages of the in-sphere test, against CGAL's.");
+  program.option("repetitions,r", repetitions, "N", "of each, of which the fastest counts");
+  return program.run(argc, argv, [&](ordered_json& report) {
+    for (const Family& family : families) {
+      report["sphere_tests"].push_back(measure(family, repetitions));
+      std::cerr << report["sphere_tests"].back().dump() << "\n";
+    }
+  });
 }

@@ -6,9 +6,8 @@
 // their vertices takes with plain CGAL and with this package, in turn. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
-#include <Delaunay_from_surface_3_comparison/gains.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_comparison/triangulations.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_sources/Source.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -24,7 +23,6 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -128,13 +126,13 @@ comparison::Take_counts counts_of(const Indexed_surface& surface)
 // For each point. They do not depend on the machine.
 Json cells_destroyed(const Indexed_surface& surface)
 {
-  const double n = double(surface.points.size());
+  const std::size_t n = surface.points.size();
   const auto plain =
       counts_of<comparison::Zone_counting_traits<CGAL::Plain_insertion_traits_3>>(surface);
   const auto ours = counts_of<CGAL::Surface_insertion_traits_3>(surface);
-  return {{"plain_destroyed", rounded(double(plain.cells_destroyed) / n, 1e4)},
-          {"ours_destroyed", rounded(double(ours.kernel.cells_destroyed) / n, 1e4)},
-          {"ours_tested_to_start", rounded(double(ours.kernel.cells_tested_to_start) / n, 1e4)}};
+  return {{"plain_destroyed", comparison::per_point(plain.cells_destroyed, n)},
+          {"ours_destroyed", comparison::per_point(ours.kernel.cells_destroyed, n)},
+          {"ours_tested_to_start", comparison::per_point(ours.kernel.cells_tested_to_start, n)}};
 }
 
 void measure(const sources::Source& source, comparison::Gains& gains)
@@ -187,17 +185,13 @@ void measure(const sources::Task& task, const std::string& word, comparison::Gai
 
 int main(int argc, char** argv)
 {
-  namespace po = boost::program_options;
   std::string data_dir, word;
-  po::options_description own_options;
-  auto add = own_options.add_options();
-  add("data-dir,d", po::value(&data_dir)->value_name("FOLDER"),
-      "where armadillo.off and others are (Debian: libcgal-demo)");
-  add("only", po::value(&word)->value_name("WORD"), "sources with this in their name alone");
-  return comparison::write_gains(
-      "measure_sources", "Measures surfaces as packages of CGAL's make them.", argc, argv,
-      [&](std::size_t n, comparison::Gains& gains) {
-        measure({n, data_dir}, word, gains);
-      },
-      own_options);
+  comparison::Program program("measure_sources",
+                              "Measures surfaces as packages of CGAL's make them.");
+  program.option("data-dir,d", data_dir, "FOLDER",
+                 "where armadillo.off and others are (Debian: libcgal-demo)");
+  program.option("only", word, "WORD", "sources with this in their name alone");
+  return comparison::run_gains(program, argc, argv, [&](std::size_t n, comparison::Gains& gains) {
+    measure({n, data_dir}, word, gains);
+  });
 }

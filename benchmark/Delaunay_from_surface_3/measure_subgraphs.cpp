@@ -6,39 +6,86 @@
 // kinds of cut, degrees beside their bounds on surfaces of all kinds, trees of nearly minimum degree,
 // and what a user would otherwise take. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/read_command_line.h>
-#include <Delaunay_from_surface_3_comparison/write_measured.h>
-#include <Delaunay_from_surface_3_subgraphs/heap_peak.h>
-#include <Delaunay_from_surface_3_subgraphs/measure_bounds.h>
-#include <Delaunay_from_surface_3_subgraphs/measure_near_minimum.h>
-#include <Delaunay_from_surface_3_subgraphs/other_trees.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
+#include <Delaunay_from_surface_3_meters/system_of_loops.h>
+#include <Delaunay_from_surface_3_subgraphs/degrees.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
-#include <Delaunay_from_surface_3_meters/system_of_loops.h>
 
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/certify_spanning_subgraph.h>
+#include <CGAL/squared_distance_3.h>
 #include <CGAL/surface_of.h>
 #include <CGAL/Delaunay_from_surface_3/surface/cut_graph.h>
 
-#include <boost/program_options.hpp>
+#include <boost/graph/depth_first_search.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 #include <ctime>
 #include <iostream>
 #include <iterator>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <malloc.h>
+
 namespace DFS = CGAL::Delaunay_from_surface_3;
+
+// What is allocated by `new` is counted.
+namespace {
+
+std::size_t heap_now = 0, heap_most = 0;
+
+// How much more than at its construction was allocated at the worst moment since.
+class Heap_peak
+{
+public:
+  Heap_peak()
+    : m_start(heap_now)
+  {
+    heap_most = heap_now;
+  }
+  std::size_t bytes() const { return heap_most - m_start; }
+
+private:
+  std::size_t m_start;
+};
+
+} // namespace
+
+void* operator new(std::size_t size)
+{
+  void* memory = std::malloc(size);
+  if (memory == nullptr)
+    throw std::bad_alloc();
+  heap_now += malloc_usable_size(memory);
+  heap_most = (std::max)(heap_most, heap_now);
+  return memory;
+}
+
+void operator delete(void* memory) noexcept
+{
+  if (memory != nullptr)
+    heap_now -= malloc_usable_size(memory);
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept
+{
+  operator delete(memory);
+}
 
 namespace {
 
-namespace po = boost::program_options;
 namespace internal = CGAL::Delaunay_from_surface_3::internal;
 using nlohmann::ordered_json;
 using surfaces::Indexed_surface;
@@ -53,8 +100,53 @@ struct Options
   int triangulations = 1000;
   std::vector<std::size_t> near_minimum_genera;
   std::string near_minimum_files;
-  std::string output = "subgraphs.json";
 };
+
+// --- What one would take from Boost.Graph to span a surface: no bound on the degree ----------------
+
+// The minimum spanning tree by edge length.
+template <class EdgeOutputIterator>
+void minimum_spanning_tree(const Mesh& mesh, EdgeOutputIterator out)
+{
+  std::vector<double> lengths(num_edges(mesh));
+  for (auto e : edges(mesh))
+    lengths[e.idx()] =
+        CGAL::squared_distance(mesh.point(source(e, mesh)), mesh.point(target(e, mesh)));
+  boost::kruskal_minimum_spanning_tree(
+      mesh, out,
+      boost::weight_map(
+          boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, mesh)))
+          .vertex_index_map(get(boost::vertex_index, mesh)));
+}
+
+template <class EdgeOutputIterator>
+struct Tree_edge_writer : boost::default_dfs_visitor
+{
+  EdgeOutputIterator out;
+
+  explicit Tree_edge_writer(EdgeOutputIterator o)
+    : out(o)
+  {
+  }
+
+  template <class HalfedgeDescriptor, class Mesh>
+  void tree_edge(HalfedgeDescriptor h, const Mesh& mesh)
+  {
+    *out++ = edge(halfedge(h, mesh), mesh);
+  }
+};
+
+// A depth-first tree of every component.
+template <class EdgeOutputIterator>
+void depth_first_tree(const Mesh& mesh, EdgeOutputIterator out)
+{
+  std::vector<boost::default_color_type> colors(num_vertices(mesh));
+  boost::depth_first_search(
+      mesh, Tree_edge_writer<EdgeOutputIterator>(out),
+      boost::make_iterator_property_map(colors.begin(), get(boost::vertex_index, mesh)));
+}
+
+// --- Times, memory, degrees --------------------------------------------------------------------------
 
 // The function is called with a vector to write edges to; returns the smallest processor time of
 // all calls.
@@ -78,7 +170,7 @@ double bytes_per_vertex(const Mesh& mesh, const Function& function)
 {
   Edges edges;
   edges.reserve(2 * num_vertices(mesh));
-  const subgraphs::Heap_peak peak;
+  const Heap_peak peak;
   function(std::back_inserter(edges));
   return double(peak.bytes()) / double(num_vertices(mesh));
 }
@@ -116,9 +208,9 @@ ordered_json measure_times(const std::string& name, const std::string& order,
   if (num_vertices(mesh) > options.largest_for_others)
     return result;
   result["minimum_spanning_tree"] =
-      measured(mesh, repetitions, [&](auto out) { subgraphs::minimum_spanning_tree(mesh, out); });
+      measured(mesh, repetitions, [&](auto out) { minimum_spanning_tree(mesh, out); });
   result["depth_first_tree"] =
-      measured(mesh, repetitions, [&](auto out) { subgraphs::depth_first_tree(mesh, out); });
+      measured(mesh, repetitions, [&](auto out) { depth_first_tree(mesh, out); });
   return result;
 }
 
@@ -237,41 +329,24 @@ ordered_json measure_all(const Options& options)
   return result;
 }
 
-Options read_options(int argc, char** argv)
-{
-  Options o;
-  po::options_description options(
-      "Measures subgraphs of bounded degree on generated surfaces.\n\nOptions");
-  auto add = options.add_options();
-  add("help,h", "say this and stop");
-  add("sizes", po::value(&o.sizes)->multitoken()->zero_tokens()->value_name("N..."),
-      "numbers of vertices, for times");
-  add("genera", po::value(&o.genera)->multitoken()->zero_tokens()->value_name("G..."),
-      "for degrees");
-  add("vertices,n", po::value(&o.vertices_by_genus)->value_name("N"),
-      "of each surface, for degrees");
-  add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "the fastest counts");
-  add("others-up-to", po::value(&o.largest_for_others)->value_name("N"),
-      "minimum spanning trees and depth-first trees up to so many vertices");
-  add("triangulations,t", po::value(&o.triangulations)->value_name("N"),
-      "of each kind of surface, for degrees beside their bounds");
-  add("near-minimum", po::value(&o.near_minimum_genera)->multitoken()->value_name("G..."),
-      "trees of nearly minimum degree: families, and times for these genera");
-  add("near-minimum-files", po::value(&o.near_minimum_files)->value_name("FOLDER"),
-      "degrees for all .off, .obj, .stl and .ply of a folder, and of those in it");
-  add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
-  comparison::read_command_line(argc, argv, options);
-  return o;
-}
-
-void measure_into(const Options& options, ordered_json& report)
-{
-  report.update(measure_all(options));
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-  return comparison::write_measured("measure_subgraphs", argc, argv, read_options, measure_into);
+  Options o;
+  comparison::Program program("measure_subgraphs",
+                              "Measures subgraphs of bounded degree on generated surfaces.");
+  program.option("sizes", o.sizes, "N...", "numbers of vertices, for times")->zero_tokens();
+  program.option("genera", o.genera, "G...", "for degrees")->zero_tokens();
+  program.option("vertices,n", o.vertices_by_genus, "N", "of each surface, for degrees");
+  program.option("repetitions,r", o.repetitions, "N", "the fastest counts");
+  program.option("others-up-to", o.largest_for_others, "N",
+                 "minimum spanning trees and depth-first trees up to so many vertices");
+  program.option("triangulations,t", o.triangulations, "N",
+                 "of each kind of surface, for degrees beside their bounds");
+  program.option("near-minimum", o.near_minimum_genera, "G...",
+                 "trees of nearly minimum degree: families, and times for these genera");
+  program.option("near-minimum-files", o.near_minimum_files, "FOLDER",
+                 "degrees for all .off, .obj, .stl and .ply of a folder, and of those in it");
+  return program.run(argc, argv, [&](ordered_json& report) { report.update(measure_all(o)); });
 }

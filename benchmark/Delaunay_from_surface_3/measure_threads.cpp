@@ -6,14 +6,10 @@
 // more, beside plain CGAL and its Parallel_tag, in turn; and, by simulation, how often up to 64
 // workers would get into each other's way. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/launcher.h>
-#include <Delaunay_from_surface_3_comparison/machine.h>
-#include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_comparison/memory.h>
 #include <Delaunay_from_surface_3_comparison/peers.h>
-#include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
-#include <Delaunay_from_surface_3_comparison/write_measured.h>
 #include <Delaunay_from_surface_3_surfaces/clusters.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_threads/simulate_workers.h>
@@ -25,8 +21,6 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_points_3.h>
-
-#include <boost/program_options.hpp>
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -44,7 +38,6 @@
 
 namespace {
 
-namespace po = boost::program_options;
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using CGAL::Epick;
 using comparison::Json;
@@ -115,7 +108,7 @@ struct Options
   std::vector<unsigned> simulated;
   std::size_t repetitions = 5;
   bool parts = false, memory = false;
-  std::string data_dir = "build/data/meshes", output = "threads.json";
+  std::string data_dir = "build/data/meshes";
 };
 
 template <class F>
@@ -293,28 +286,6 @@ std::vector<comparison::Named_surface> chosen_surfaces(const Options& options)
   return result;
 }
 
-Options read_options(int argc, char** argv)
-{
-  Options o;
-  po::options_description options("Measures what threads gain.\n\nOptions");
-  auto add = options.add_options();
-  add("help,h", "say this and stop");
-  add("surfaces", po::value(&o.names)->multitoken()->value_name("NAME..."), "default: all");
-  add("sizes", po::value(&o.sizes)->multitoken()->value_name("N..."), "numbers of vertices");
-  add("threads", po::value(&o.threads)->multitoken()->value_name("N..."), "numbers of threads");
-  add("simulate", po::value(&o.simulated)->multitoken()->value_name("N..."),
-      "numbers of workers that one thread plays, to count rollbacks");
-  add("peer", po::value(&o.peers)->composing()->value_name("NAME=COMMAND"),
-      "one more program, as for compare_with_plain; may be repeated");
-  add("parts", po::bool_switch(&o.parts), "the times of the parts of a call instead of whole ones");
-  add("memory", po::bool_switch(&o.memory), "memory instead of times");
-  add("repetitions,r", po::value(&o.repetitions)->value_name("N"), "of each, in turn; 0: no times");
-  add("data-dir", po::value(&o.data_dir)->value_name("DIR"), "the meshes of libcgal-demo");
-  add("output,o", po::value(&o.output)->value_name("FILE"), "where the JSON goes");
-  comparison::read_command_line(argc, argv, options);
-  return o;
-}
-
 void measure_into(const Options& options, Json& report)
 {
   std::optional<comparison::Launcher> launcher;
@@ -346,5 +317,18 @@ void measure_into(const Options& options, Json& report)
 
 int main(int argc, char** argv)
 {
-  return comparison::write_measured("measure_threads", argc, argv, read_options, measure_into);
+  Options o;
+  comparison::Program program("measure_threads", "Measures what threads gain.");
+  program.option("surfaces", o.names, "NAME...", "default: all");
+  program.option("sizes", o.sizes, "N...", "numbers of vertices");
+  program.option("threads", o.threads, "N...", "numbers of threads");
+  program.option("simulate", o.simulated, "N...",
+                 "numbers of workers that one thread plays, to count rollbacks");
+  program.option("peer", o.peers, "NAME=COMMAND",
+                 "one more program, as for compare_with_plain; may be repeated");
+  program.option("parts", o.parts, "the times of the parts of a call instead of whole ones");
+  program.option("memory", o.memory, "memory instead of times");
+  program.option("repetitions,r", o.repetitions, "N", "of each, in turn; 0: no times");
+  program.option("data-dir", o.data_dir, "DIR", "the meshes of libcgal-demo");
+  return program.run(argc, argv, [&](Json& report) { measure_into(o, report); });
 }

@@ -5,16 +5,12 @@
 // Counts what tiles tell each other and keep, on surfaces, solids, spheres, planes and cubes; and takes
 // the time of the sequential call of arrays beside it. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/read_command_line.h>
+#include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
-#include <Delaunay_from_surface_3_comparison/walk_cases.h>
-#include <Delaunay_from_surface_3_comparison/write_measured.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/delaunay_3_tiles.h>
-
-#include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <array>
@@ -30,9 +26,8 @@
 
 namespace {
 
-namespace po = boost::program_options;
 namespace core = CGAL::Delaunay_from_surface_3::internal;
-using Json = nlohmann::ordered_json;
+using comparison::Json;
 using Points = std::vector<std::array<double, 3>>;
 
 constexpr std::uint64_t seed = 2024;
@@ -41,22 +36,8 @@ struct Options
 {
   std::vector<std::size_t> sizes = {300000}, tiles = {16, 64, 256};
   std::vector<std::string> only;
-  std::string data = ".", output = "tiles.json";
+  std::string data = ".";
 };
-
-Options read_options(int argc, char** argv)
-{
-  Options o;
-  po::options_description all("Counts what tiles tell each other and keep");
-  all.add_options()("help", "print this text")("sizes", po::value(&o.sizes)->multitoken(),
-                                               "numbers of points (300000)")(
-      "tiles", po::value(&o.tiles)->multitoken(), "numbers of tiles (16 64 256)")(
-      "only", po::value(&o.only)->multitoken(), "names of inputs; all if not given")(
-      "data", po::value(&o.data), "the folder with bunny00.off, refined_elephant.off and others")(
-      "output", po::value(&o.output), "the file for the results (tiles.json)");
-  comparison::read_command_line(argc, argv, all);
-  return o;
-}
 
 double seconds_since(std::clock_t start)
 {
@@ -65,7 +46,7 @@ double seconds_since(std::clock_t start)
 
 double rounded(double x)
 {
-  return std::round(x * 1000) / 1000;
+  return comparison::rounded(x, 1e3);
 }
 
 // Of something that each tile has so much of, for each of its own points.
@@ -255,5 +236,12 @@ void measure_into(const Options& options, Json& report)
 
 int main(int argc, char** argv)
 {
-  return comparison::write_measured("measure_tiles", argc, argv, read_options, measure_into);
+  Options o;
+  comparison::Program program("measure_tiles", "Counts what tiles tell each other and keep");
+  program.option("sizes", o.sizes, "N...", "numbers of points (300000)");
+  program.option("tiles", o.tiles, "N...", "numbers of tiles (16 64 256)");
+  program.option("only", o.only, "NAME...", "names of inputs; all if not given");
+  program.option("data", o.data, "FOLDER",
+                 "the folder with bunny00.off, refined_elephant.off and others");
+  return program.run(argc, argv, [&](Json& report) { measure_into(o, report); });
 }

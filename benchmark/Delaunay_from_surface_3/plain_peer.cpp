@@ -12,31 +12,20 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
-#include <cstdlib>
-#include <exception>
-#include <iostream>
 #include <vector>
 
 int main(int argc, char** argv)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  if (argc != 2) {
-    std::cerr << "usage: plain_peer FILE-OF-POINTS\n";
-    return EXIT_FAILURE;
-  }
-  try {
-    const std::vector<double> coordinates = comparison::read_points_file(argv[1]);
-    std::vector<Kernel::Point_3> points;
-    for (std::size_t i = 0; i < coordinates.size(); i += 3)
-      points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
-    CGAL::Delaunay_triangulation_3<Kernel> tr;
-    comparison::Stopwatch watch;
-    tr.insert(points.begin(), points.end());
-    watch.stop();
-    comparison::print_answer(watch, tr.number_of_finite_cells());
-    return EXIT_SUCCESS;
-  } catch (const std::exception& error) {
-    std::cerr << "plain_peer: " << error.what() << '\n';
-  }
-  return EXIT_FAILURE;
+  return comparison::run_peer(
+      "plain_peer", false, argc, argv, [](unsigned, const std::vector<double>& coordinates) {
+        std::vector<Kernel::Point_3> points;
+        for (std::size_t i = 0; i < coordinates.size(); i += 3)
+          points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+        CGAL::Delaunay_triangulation_3<Kernel> tr;
+        comparison::Stopwatch watch;
+        tr.insert(points.begin(), points.end());
+        watch.stop();
+        comparison::print_answer(watch, tr.number_of_finite_cells());
+      });
 }

@@ -7,6 +7,7 @@
 
 #include <Delaunay_from_surface_3_comparison/mpi_peer.h>
 
+#define DIY_NO_THREADS // as tess2 has it if nothing else is said
 #include <tess/tess.h>
 #include <tess/tess.hpp>
 

@@ -12,9 +12,7 @@
 #include <Delaunay_from_surface_3_surfaces/random.h>
 #include <Delaunay_from_surface_3_surfaces/restricted_delaunay.h>
 #include <Delaunay_from_surface_3_surfaces/topology.h>
-#include <Delaunay_from_surface_3_theory/count_locations.h>
-#include <Delaunay_from_surface_3_theory/fractions.h>
-#include <Delaunay_from_surface_3_theory/total_work.h>
+#include <Delaunay_from_surface_3_theory/laboratory.h>
 #include <Delaunay_from_surface_3_theory/trees.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>

@@ -7,6 +7,7 @@ measure_python.py, measure_tiles_peers.py and measure_compile_time.py wrote; and
 inside_of_parts.py."""
 
 from manual_tables import cell, measured, range_of, table, thousands
+from speed_tables import two
 
 USES = {  # as measure_consumers calls them, and as the page does
     "points in a cube": "points in a cube",
@@ -22,13 +23,9 @@ USES = {  # as measure_consumers calls them, and as the page does
     "advancing front of COLMAP": "advancing front of COLMAP, coordinates of type float"}
 
 
-def seconds(value):
-    return f"{value:.2f}"
-
-
 def uses(report):
     found = {r["consumer"]: r for r in report["results"]}
-    rows = [[title, seconds(found[name]["median_plain_cpu"]), f'{found[name]["median_ratio"]:.2f}']
+    rows = [[title, two(found[name]["median_plain_cpu"]), f'{found[name]["median_ratio"]:.2f}']
             for name, title in USES.items() if name in found]
     return "\n\n".join([measured(report), table(["use", "plain %CGAL, s", "gain"], rows)])
 
@@ -140,11 +137,11 @@ def tiles_peers(report, large):
 
 
 def python(report):
-    rows = [[f'{r["consumer"]}, {thousands(r["points"])}', "SciPy", seconds(r["median_scipy_cpu"]), seconds(r["median_ours_cpu"]),
+    rows = [[f'{r["consumer"]}, {thousands(r["points"])}', "SciPy", two(r["median_scipy_cpu"]), two(r["median_ours_cpu"]),
              f'{r["median_ratio"]:.0f}', cell(r.get("median_speedup"), "{:.2f}")]
             for r in report["results"] + report["queries"]]
-    rows += [[f'a bumpy sphere, {thousands(r["points"])}', "VTK", seconds(r["median_vtk_cpu"]),
-              seconds(r["median_ours_cpu"]), f'{r["median_vtk_cpu"] / r["median_ours_cpu"]:.0f}', "–"]
+    rows += [[f'a bumpy sphere, {thousands(r["points"])}', "VTK", two(r["median_vtk_cpu"]),
+              two(r["median_ours_cpu"]), f'{r["median_vtk_cpu"] / r["median_ours_cpu"]:.0f}', "–"]
              for r in report["vtk"]]
     lost = ", ".join(f'{r["tetrahedra"] - r["tetrahedra_of_vtk"]:,} of {r["tetrahedra"]:,}' for r in report["vtk"])
     return "\n\n".join([f'Python {report["python"]}, NumPy {report["numpy"]}, SciPy {report["scipy"]}: `{report["name"]}`.',
@@ -169,10 +166,10 @@ def gaussians(in_python, *reports):
 
 
 def moved(report, in_python):
-    rows = [[f'{r["consumer"]}, C++', seconds(r["median_plain_cpu"]), seconds(r["peers"][0]["median_cpu"]),
-             seconds(r["median_new_order_cpu"]), seconds(r["median_kept_order_cpu"])] for r in report["results"]]
+    rows = [[f'{r["consumer"]}, C++', two(r["median_plain_cpu"]), two(r["peers"][0]["median_cpu"]),
+             two(r["median_new_order_cpu"]), two(r["median_kept_order_cpu"])] for r in report["results"]]
     names = ("geogram_binding", "new_order", "kept_order")
-    rows += [[f'{r["what"]}, Python', "–", *(seconds(r["median_wall"][name]) for name in names)]
+    rows += [[f'{r["what"]}, Python', "–", *(two(r["median_wall"][name]) for name in names)]
              for r in in_python["rebuilds"]]
     titles = ["one rebuild, s", "plain %CGAL", "Geogram", "new order", "order kept"]
     return "\n\n".join([measured(report, in_python), table(titles, rows)])
@@ -191,7 +188,7 @@ def python_peers(report):
     cube, surface = (r["ways"] for r in report["results"])
     rows = [named(way) + [text for ways in (cube, surface) for text in
                           ((ways[way]["left_out"], "") if "left_out" in ways[way] else
-                           (seconds(ways[way]["median_wall"]), f'{ways[way]["peak_megabytes"]:,}'))] for way in cube]
+                           (two(ways[way]["median_wall"]), f'{ways[way]["peak_megabytes"]:,}'))] for way in cube]
     points = thousands(max(r["points"] for r in report["results"]))
     return "\n\n".join([f"{points} points, wall-clock seconds and peak megabytes. {measured(report)}",
                         table(["", "threads", "in a cube, s", "MB", "of a surface, s", "MB"], rows)])
@@ -202,7 +199,7 @@ def faults(report):
     def texts(result):
         found = result.get("tetrahedra")
         return [result["left_out"], ""] if found is None else [
-            seconds(result["median_wall"]),
+            two(result["median_wall"]),
             " / ".join(f'{found[key]:,}' for key in ("flat", "facets_of_overlapping", "facets_without_neighbor"))]
 
     rows = [[named(way)[0]] + [text for r in report["faults"] for text in texts(r["ways"][way])]

@@ -2,18 +2,41 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surfaces from other surfaces, and from balls.
+// Surfaces from files, from values on a lattice, from other surfaces, and from balls.
 
 #include <Delaunay_from_surface_3_sources/Source.h>
+#include <Delaunay_from_surface_3_surfaces/delaunay_marching_cubes.h>
+#include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Skin_surface_3.h>
 #include <CGAL/make_skin_surface_mesh_3.h>
 
+#include <cmath>
+#include <fstream>
+#include <utility>
+
 namespace sources {
+
+Mesh Task::read(const std::string& file) const
+{
+  const std::string path = (data_dir.empty() ? "." : data_dir) + "/" + file;
+  if (!std::ifstream(path))
+    throw Missing(file + " (Debian: libcgal-demo) was not found");
+  return surfaces::read_mesh(path);
+}
+
+double even_edge_length(const Mesh& mesh, std::size_t n)
+{
+  // Two triangles for each vertex.
+  const double area = CGAL::to_double(CGAL::Polygon_mesh_processing::area(mesh));
+  return std::sqrt(area / double(2 * n) * 4 / std::sqrt(3.));
+}
+
 namespace {
 
 Made remeshed(const Task& task)
@@ -59,7 +82,37 @@ Made skin(const Task& task)
   return {surfaces::from_mesh(surface), std::nullopt};
 }
 
+// As many lattice points on a side as give about `n` vertices.
+surfaces::Volume waves(std::size_t n)
+{
+  return surfaces::random_waves(std::size_t(std::lround(std::sqrt(double(n) / 8.2))), 6, 1);
+}
+
 } // namespace
+
+std::vector<Source> scans(const Task& task)
+{
+  std::vector<Source> sources;
+  for (const auto& [kind, file] :
+       {std::pair("scan", "armadillo.off"), std::pair("scan", "bunny00.off"),
+        std::pair("subdivided model", "refined_elephant.off")})
+    sources.push_back({kind, file, [task, name = std::string(file)] {
+                         return Made{surfaces::from_mesh(task.read(name)), std::nullopt};
+                       }});
+  return sources;
+}
+
+std::vector<Source> iso_surfaces(const Task& task)
+{
+  return {
+      {"marching cubes", "smooth sum of waves",
+       [task] {
+         return Made{surfaces::marching_cubes(waves(task.points)), std::nullopt};
+       }},
+      {"delaunay_marching_cubes()", "smooth sum of waves", [task] {
+         return Made{surfaces::delaunay_marching_cubes(waves(task.points)).surface, std::nullopt};
+       }}};
+}
 
 std::vector<Source> processing(const Task& task)
 {

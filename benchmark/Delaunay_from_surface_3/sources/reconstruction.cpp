@@ -9,12 +9,16 @@
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Scale_space_surface_reconstruction_3.h>
 
+#ifdef CGAL_EIGEN3_ENABLED
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/poisson_surface_reconstruction.h>
+#include <CGAL/property_map.h>
+#endif
+
 #include <iterator>
 #include <utility>
 
 namespace sources {
-
-Made poisson(const Task& task); // a unit of its own, as it needs Eigen
 
 namespace {
 
@@ -50,6 +54,31 @@ Made scale_space(const Task& task)
     made.surface.faces.push_back({(*f)[0], (*f)[1], (*f)[2]});
   return made;
 }
+
+// Needs Eigen.
+#ifdef CGAL_EIGEN3_ENABLED
+Made poisson(const Task& task)
+{
+  using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+  const Mesh mesh = task.model();
+  std::vector<Oriented> points;
+  for (const auto v : mesh.vertices())
+    points.emplace_back(mesh.point(v),
+                        CGAL::Polygon_mesh_processing::compute_vertex_normal(v, mesh));
+  Mesh result;
+  const double spacing = even_edge_length(mesh, task.points);
+  if (!CGAL::poisson_surface_reconstruction_delaunay(
+          points.begin(), points.end(), CGAL::First_of_pair_property_map<Oriented>(),
+          CGAL::Second_of_pair_property_map<Oriented>(), result, spacing, 25, 0.87))
+    throw std::runtime_error("Poisson reconstruction failed");
+  return {surfaces::from_mesh(result), std::nullopt};
+}
+#else
+Made poisson(const Task&)
+{
+  throw Missing("Eigen (Debian: libeigen3-dev) was not found");
+}
+#endif
 
 } // namespace
 

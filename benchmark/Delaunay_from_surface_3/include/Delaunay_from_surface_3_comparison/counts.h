@@ -5,24 +5,113 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_COUNTS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_COUNTS_H
 
-// What the insertions of a method do, counted in a run of its own. They do not depend on the
-// machine.
+// The types that are compared. Where the time of an insertion goes: its three stages, which cost nothing
+// to tell apart, and its phases, for which the clock is read twice per point. And what the insertions of
+// a method do, counted in a run of its own: these counts do not depend on the machine.
 
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_comparison/phases.h>
-#include <Delaunay_from_surface_3_comparison/triangulations.h>
-
 #include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
-#include <CGAL/insert_surface_vertices_3.h>
 #include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/insert_surface_vertices_3.h>
+
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <iterator>
 #include <numeric>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace comparison {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Counting_kernel = meters::Predicate_counting_traits_3<Kernel>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
+using Fast_triangulation = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Fast_location>;
+using Counted_triangulation = CGAL::Delaunay_triangulation_3<Counting_kernel>;
+
+// Looks at a triangulation of one of the types that are timed.
+using Look = std::function<void(std::variant<const Triangulation*, const Fast_triangulation*>)>;
+
+// CGAL's own insertion of a range of points, in the order of the mesh.
+template <class Tr>
+void insert_plain(Tr& tr, const Mesh& mesh)
+{
+  tr.insert(mesh.points().begin(), mesh.points().end());
+}
+
+template <class Traits, class Tr, class Visitor>
+void insert_by_package(Tr& tr, const Mesh& mesh, unsigned int seed, Visitor& visitor)
+{
+  CGAL::insert_surface_vertices_3(tr, mesh, Traits(),
+                                  CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
+}
+
+using Phase = CGAL::Surface_insertion_phase;
+using Timing_visitor = meters::Metering_visitor_3<Steady_seconds>;
+
+inline const std::vector<std::pair<const char*, Phase>>& phases()
+{
+  static const std::vector<std::pair<const char*, Phase>> all = {
+      {"plan", Phase::PLAN},         {"subgraph", Phase::SUBGRAPH}, {"trace", Phase::TRACE},
+      {"location", Phase::LOCATION}, {"update", Phase::UPDATE},     {"finish", Phase::FINISH}};
+  return all;
+}
+
+inline constexpr std::array<const char*, 3> stage_names = {"plan", "build", "export"};
+
+// CPU seconds of the plan; of all that comes then, subgraph and traces too; and of the export.
+class Stage_visitor : public CGAL::Default_surface_insertion_visitor_3
+{
+public:
+  void phase_begins(Phase phase, std::size_t)
+  {
+    // Where points are inserted, a few comparisons are left of this.
+    if (phase == Phase::PLAN)
+      begin(0);
+    else if (phase == Phase::SUBGRAPH)
+      begin(1);
+    else if (phase == Phase::FINISH)
+      begin(2);
+    else if (phase == Phase::DONE)
+      begin(3);
+  }
+
+  std::array<double, 3> seconds() const
+  {
+    return {m_begins[1] - m_begins[0], m_begins[2] - m_begins[1], m_begins[3] - m_begins[2]};
+  }
+
+private:
+  void begin(std::size_t stage) { m_begins[stage] = cpu_seconds(); }
+
+  std::array<double, 4> m_begins = {};
+};
+
+// Of one metered run. The clock runs while other processes do; so the shares count, and
+// `scale_to_cpu` turns them into CPU time.
+inline Json phases_as_json(const Time& total, const Timing_visitor& visitor)
+{
+  Json seconds;
+  double rest = total.wall;
+  for (const auto& [name, phase] : phases()) {
+    seconds[name] = rounded(visitor.total(phase));
+    rest -= visitor.total(phase);
+  }
+  seconds["input_and_output"] = rounded(rest);
+  return {{"wall", rounded(total.wall)},
+          {"cpu", rounded(total.cpu)},
+          {"scale_to_cpu", rounded(total.cpu / total.wall)},
+          {"seconds", seconds}};
+}
 
 struct Counted_calls
 {
@@ -95,16 +184,16 @@ struct Zone_counting_traits : Traits
       Zone_counting_hints<typename Traits::template Insertion_hints_3<Target, Subgraph>>;
 };
 
-inline Json calls_per_point(const meters::Predicate_counts& counts, double n)
+inline Json calls_per_point(const meters::Predicate_counts& counts, std::size_t n)
 {
-  return {{"cells_entered", rounded(double(counts.cells_entered()) / n, 1e4)},
-          {"orientation", rounded(double(counts.orientation) / n, 1e4)},
-          {"in_sphere", rounded(double(counts.in_sphere) / n, 1e4)},
-          {"other", rounded(double(counts.other) / n, 1e4)}};
+  return {{"cells_entered", per_point(counts.cells_entered(), n)},
+          {"orientation", per_point(counts.orientation, n)},
+          {"in_sphere", per_point(counts.in_sphere, n)},
+          {"other", per_point(counts.other, n)}};
 }
 
 // In the phase UPDATE a negative orientation is no step of a walk.
-inline Json predicates_as_json(const Counting_visitor& visitor, double n)
+inline Json predicates_as_json(const Counting_visitor& visitor, std::size_t n)
 {
   Json result;
   for (const auto& [name, phase] : {phases()[2], phases()[3], phases()[4]})
@@ -117,14 +206,13 @@ inline Json predicates_as_json(const Counting_visitor& visitor, double n)
   result["traced_points"] = traced;
   if (traced > 0)
     result["cells_entered_per_traced_point"] =
-        rounded(double(visitor.total(Phase::TRACE).cells_entered()) / double(traced), 1e4);
+        per_point(visitor.total(Phase::TRACE).cells_entered(), traced);
   return result;
 }
 
-inline Json cells_as_json(std::size_t destroyed, std::size_t created, double n)
+inline Json cells_as_json(std::size_t destroyed, std::size_t created, std::size_t n)
 {
-  return {{"destroyed", rounded(double(destroyed) / n, 1e4)},
-          {"created", rounded(double(created) / n, 1e4)}};
+  return {{"destroyed", per_point(destroyed, n)}, {"created", per_point(created, n)}};
 }
 
 // CGAL's insertion of a range: all that can be seen from outside.
@@ -132,9 +220,8 @@ inline Json counts_of_plain(const Mesh& mesh)
 {
   Counted_triangulation tr;
   insert_plain(tr, mesh);
-  const double all = double(tr.geom_traits().counts().all());
-  return {{"predicates",
-           {{"all_calls_per_point", rounded(all / double(mesh.number_of_vertices()), 1e4)}}}};
+  const std::size_t all = tr.geom_traits().counts().all();
+  return {{"predicates", {{"all_calls_per_point", per_point(all, mesh.number_of_vertices())}}}};
 }
 
 // This package through CGAL's insertion: predicate calls, and in a run of its own cells, since
@@ -144,11 +231,9 @@ Json predicates_of_insertion(const Mesh& mesh, unsigned int seed)
 {
   Counted_triangulation tr;
   Counting_visitor visitor(Counted_calls{&tr.geom_traits().counts()});
-  CGAL::insert_surface_vertices_3(tr, mesh, Traits(),
-                                  CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
-  const double n = double(mesh.number_of_vertices());
-  Json predicates = {
-      {"all_calls_per_point", rounded(double(tr.geom_traits().counts().all()) / n, 1e4)}};
+  insert_by_package<Traits>(tr, mesh, seed, visitor);
+  const std::size_t n = mesh.number_of_vertices();
+  Json predicates = {{"all_calls_per_point", per_point(tr.geom_traits().counts().all(), n)}};
   predicates.update(predicates_as_json(visitor, n));
   return predicates;
 }
@@ -158,12 +243,11 @@ Json counts_of_insertion(const Mesh& mesh, unsigned int seed)
 {
   Take_counts counts;
   Triangulation tr;
-  CGAL::insert_surface_vertices_3(tr, mesh, Zone_counting_traits<Traits>(),
-                                  CGAL::parameters::random_seed(seed).visitor(std::ref(counts)));
+  insert_by_package<Zone_counting_traits<Traits>>(tr, mesh, seed, counts);
   const std::size_t destroyed = counts.cells_destroyed;
   return {{"predicates", predicates_of_insertion<Traits>(mesh, seed)},
-          {"cells", cells_as_json(destroyed, destroyed + tr.number_of_cells(),
-                                  double(mesh.number_of_vertices()))}};
+          {"cells",
+           cells_as_json(destroyed, destroyed + tr.number_of_cells(), mesh.number_of_vertices())}};
 }
 
 // This package through the core: its own counts.
@@ -172,32 +256,21 @@ Json counts_of_kernel(const Mesh& mesh, unsigned int seed)
 {
   Take_counts visitor;
   Triangulation tr;
-  CGAL::insert_surface_vertices_3(tr, mesh, Traits(),
-                                  CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
+  insert_by_package<Traits>(tr, mesh, seed, visitor);
   const auto& counts = visitor.kernel;
-  const double n = double(mesh.number_of_vertices());
-  const auto per_point = [n](std::size_t count) { return rounded(double(count) / n, 1e4); };
-  const auto by_stage = [&](const std::size_t* decided) {
-    using namespace CGAL::Delaunay_from_surface_3;
-    return Json{{"half_digit", per_point(decided[HALF_DIGIT])},
-                {"one_digit", per_point(decided[ONE_DIGIT])},
-                {"balanced", per_point(decided[BALANCED])},
-                {"double_double", per_point(decided[DOUBLE_DOUBLE])},
-                {"two_digits", per_point(decided[TWO_DIGITS])},
-                {"any_width", per_point(decided[ANY_WIDTH])}};
-  };
+  const std::size_t n = mesh.number_of_vertices();
   // What the first filter left open, and what all of them did.
   const auto& decided = counts.sphere_tests_by_stage;
   const std::size_t open = std::accumulate(std::begin(decided), std::end(decided), std::size_t(0));
   const std::size_t last = decided[CGAL::Delaunay_from_surface_3::ANY_WIDTH];
   return {{"kernel",
-           {{"cells_tested_to_start", per_point(counts.cells_tested_to_start)},
-            {"sphere_tests", per_point(counts.sphere_tests)},
-            {"first_filter_failures", per_point(open)},
-            {"second_filter_failures", per_point(last)},
-            {"sphere_tests_by_stage", by_stage(counts.sphere_tests_by_stage)},
-            {"facet_tests_by_stage", by_stage(counts.facet_tests_by_stage)},
-            {"perturbed", per_point(counts.perturbed)}}},
+           {{"cells_tested_to_start", per_point(counts.cells_tested_to_start, n)},
+            {"sphere_tests", per_point(counts.sphere_tests, n)},
+            {"first_filter_failures", per_point(open, n)},
+            {"second_filter_failures", per_point(last, n)},
+            {"sphere_tests_by_stage", by_exact_stage(counts.sphere_tests_by_stage, n)},
+            {"facet_tests_by_stage", by_exact_stage(counts.facet_tests_by_stage, n)},
+            {"perturbed", per_point(counts.perturbed, n)}}},
           {"cells", cells_as_json(counts.cells_destroyed, counts.cells_created, n)}};
 }
 

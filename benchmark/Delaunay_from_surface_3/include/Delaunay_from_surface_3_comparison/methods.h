@@ -6,12 +6,11 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_METHODS_H
 
 // The ways to build the triangulation, each in three forms: bare (for the time), with a clock read
-// at every change of phase (for the shares of the phases), and counting.
+// at every change of phase (for the shares of the phases), and counting. And plain CGAL's triangulation,
+// which the others must equal, and which is verified.
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_comparison/phases.h>
-#include <Delaunay_from_surface_3_comparison/triangulations.h>
 #include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
 #include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 
@@ -22,9 +21,11 @@
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
+#include <CGAL/enum.h>
 #include <CGAL/insert_surface_vertices_3.h>
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -66,10 +67,7 @@ Build build_by_package(const Mesh& mesh, unsigned int seed, const Look& look)
 {
   Tr tr;
   Stage_visitor visitor;
-  const Time time = time_of([&] {
-    CGAL::insert_surface_vertices_3(tr, mesh, Traits(),
-                                    CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
-  });
+  const Time time = time_of([&] { insert_by_package<Traits>(tr, mesh, seed, visitor); });
   look(&tr);
   return {time, visitor.seconds()};
 }
@@ -79,10 +77,7 @@ Json phases_of_package(const Mesh& mesh, unsigned int seed)
 {
   Tr tr;
   Timing_visitor visitor;
-  const Time total = time_of([&] {
-    CGAL::insert_surface_vertices_3(tr, mesh, Traits(),
-                                    CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
-  });
+  const Time total = time_of([&] { insert_by_package<Traits>(tr, mesh, seed, visitor); });
   return phases_as_json(total, visitor);
 }
 
@@ -147,6 +142,64 @@ inline std::vector<Method> all_methods()
                                        "Tracing_traits_3: the paper's random order and traces"),
   };
 }
+
+// Two triangulations of one set of points with exact predicates that agree in all these are hardly
+// different; it is what is checked where operator== would take longer than the measurement.
+template <class Tr1, class Tr2>
+bool have_same_counts(const Tr1& a, const Tr2& b)
+{
+  return a.number_of_vertices() == b.number_of_vertices() &&
+         a.number_of_cells() == b.number_of_cells() &&
+         a.number_of_finite_cells() == b.number_of_finite_cells() &&
+         a.number_of_finite_facets() == b.number_of_finite_facets() &&
+         a.number_of_finite_edges() == b.number_of_finite_edges();
+}
+
+class Reference
+{
+public:
+  // Compares with == if the mesh has at most `largest_compared` vertices.
+  Reference(const Mesh& mesh, std::size_t largest_compared)
+    : m_compares_exactly(mesh.number_of_vertices() <= largest_compared)
+  {
+    insert_plain(m_plain, mesh);
+    m_number_of_tetrahedra = m_plain.number_of_finite_cells();
+  }
+
+  template <class Tr>
+  bool is_equal(const Tr& tr) const
+  {
+    return m_compares_exactly ? tr == m_plain : have_same_counts(tr, m_plain);
+  }
+
+  const char* how_compared() const
+  {
+    return m_compares_exactly ? "==" : "numbers of vertices, cells, finite cells, facets and edges";
+  }
+
+  std::size_t number_of_tetrahedra() const { return m_number_of_tetrahedra; }
+
+  // One in-sphere test for every facet between two finite cells: whether all are locally Delaunay.
+  bool is_locally_delaunay() const
+  {
+    const auto in_sphere = m_plain.geom_traits().side_of_oriented_sphere_3_object();
+    std::size_t violations = 0;
+    for (const auto c : m_plain.finite_cell_handles())
+      for (int i = 0; i < 4; ++i) {
+        const auto d = c->neighbor(i);
+        if (d < c && !m_plain.is_infinite(d))
+          violations += in_sphere(c->vertex(0)->point(), c->vertex(1)->point(),
+                                  c->vertex(2)->point(), c->vertex(3)->point(),
+                                  d->vertex(d->index(c))->point()) == CGAL::ON_POSITIVE_SIDE;
+      }
+    return violations == 0;
+  }
+
+private:
+  Triangulation m_plain;
+  bool m_compares_exactly;
+  std::size_t m_number_of_tetrahedra;
+};
 
 } // namespace comparison
 

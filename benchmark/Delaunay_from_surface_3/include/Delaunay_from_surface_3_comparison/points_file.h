@@ -12,7 +12,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <exception>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -79,6 +81,22 @@ inline void print_answer(const Stopwatch& watch, std::size_t tetrahedra, unsigne
               watch.cpu_seconds(), watch.wall_seconds(), tetrahedra, threads);
   if (!library.empty())
     std::printf("library %s%s%s\n", library.c_str(), built_as.empty() ? "" : " ", built_as.c_str());
+}
+
+// The whole program, which is called with the number of threads, where it takes one, and the file of
+// points: run(threads, coordinates). Returns the exit status.
+template <class Run>
+int run_peer(const std::string& name, bool has_threads, int argc, char** argv, const Run& run)
+try {
+  const int threads = has_threads && argc == 3 ? std::atoi(argv[1]) : 1;
+  if (argc != 2 + has_threads || threads < 1)
+    throw std::runtime_error("usage: " + name + (has_threads ? " THREADS" : "") +
+                             " FILE-OF-POINTS");
+  run(unsigned(threads), read_points_file(argv[argc - 1]));
+  return EXIT_SUCCESS;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+  return EXIT_FAILURE;
 }
 
 } // namespace comparison

@@ -64,7 +64,7 @@ struct Task
 /// The length of the edges of `n` vertices that are spread evenly over the surface.
 double even_edge_length(const Mesh& mesh, std::size_t n);
 
-/// One function for each room of CGAL's, each in a unit of its own, as their headers are heavy.
+/// One function for each room of CGAL's, in several units, as their headers are heavy.
 std::vector<Source> scans(const Task& task);
 std::vector<Source> meshing(const Task& task);
 std::vector<Source> reconstruction(const Task& task);

@@ -10,8 +10,6 @@
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_comparison/phases.h>
-#include <Delaunay_from_surface_3_comparison/triangulations.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
@@ -33,6 +31,7 @@ namespace theory {
 
 using comparison::Json;
 using comparison::Mesh;
+using comparison::per_point;
 using comparison::Phase;
 using comparison::rounded;
 
@@ -47,15 +46,15 @@ struct Root_hints_3 : meters::History_hints_3<Target, Subgraph>
 
 // None: where a triangulation can do without, as with Fast_location.
 template <class Target, class Subgraph>
-struct No_hint_3 : CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>
+struct No_hint_3 : DFS::Previous_hint_3<Target, Subgraph>
 {
-  using CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>::Previous_hint_3;
+  using DFS::Previous_hint_3<Target, Subgraph>::Previous_hint_3;
   typename Target::Cell start(std::size_t) const { return {}; }
 };
 
 // From any of the points inserted.
 template <class Target, class Subgraph>
-class Random_hint_3 : public CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>
+class Random_hint_3 : public DFS::Previous_hint_3<Target, Subgraph>
 {
   using Base = CGAL::Delaunay_from_surface_3::Previous_hint_3<Target, Subgraph>;
   using Base::m_target;
@@ -71,17 +70,9 @@ private:
   surfaces::Random m_random{0};
 };
 
-template <template <class, class> class Hints,
-          class Subgraph = CGAL::Delaunay_from_surface_3::Full_graph>
+template <template <class, class> class Hints, class Subgraph = DFS::Full_graph>
 using Random_order_traits =
     CGAL::Surface_insertion_policies_3<Subgraph, meters::Random_log_star_rounds, Hints>;
-
-template <class Traits, class Triangulation, class Visitor>
-void insert(Triangulation& tr, const Mesh& mesh, unsigned int seed, Visitor& visitor)
-{
-  CGAL::insert_surface_vertices_3(tr, mesh, Traits(),
-                                  CGAL::parameters::random_seed(seed).visitor(std::ref(visitor)));
-}
 
 // Cells entered and calls per point, and the same for the traces.
 template <class Traits, class Triangulation>
@@ -89,15 +80,15 @@ Json counts_of_run(const Mesh& mesh, unsigned int seed)
 {
   Triangulation tr;
   comparison::Counting_visitor visitor(comparison::Counted_calls{&tr.geom_traits().counts()});
-  insert<Traits>(tr, mesh, seed, visitor);
-  const double n = double(mesh.number_of_vertices());
+  comparison::insert_by_package<Traits>(tr, mesh, seed, visitor);
+  const std::size_t n = mesh.number_of_vertices();
   const meters::Predicate_counts location = visitor.total(Phase::LOCATION),
                                  trace = visitor.total(Phase::TRACE);
-  Json result = {{"cells_entered", rounded(double(location.cells_entered()) / n, 1e4)},
-                 {"calls", rounded(double(location.all()) / n, 1e4)}};
+  Json result = {{"cells_entered", per_point(location.cells_entered(), n)},
+                 {"calls", per_point(location.all(), n)}};
   if (trace.all() > 0) {
-    result["trace_cells_entered"] = rounded(double(trace.cells_entered()) / n, 1e4);
-    result["trace_calls"] = rounded(double(trace.all()) / n, 1e4);
+    result["trace_cells_entered"] = per_point(trace.cells_entered(), n);
+    result["trace_calls"] = per_point(trace.all(), n);
   }
   return result;
 }
@@ -109,7 +100,7 @@ Json times_of_run(const Mesh& mesh, unsigned int seed)
   Triangulation tr;
   comparison::Timing_visitor visitor;
   const comparison::Time total =
-      comparison::time_of([&] { insert<Traits>(tr, mesh, seed, visitor); });
+      comparison::time_of([&] { comparison::insert_by_package<Traits>(tr, mesh, seed, visitor); });
   Json result = {{"cpu", rounded(total.cpu, 1e3)}, {"wall", rounded(total.wall, 1e3)}};
   for (const auto& [name, phase] : comparison::phases())
     result[name] = rounded(visitor.total(phase) * total.cpu / total.wall, 1e3);
@@ -138,8 +129,7 @@ inline std::vector<Whole_run> whole_runs()
       {"walk-trace", counts_of_run<Tracing, Counted_triangulation>,
        times_of_run<Tracing, Triangulation>},
       {"walk-neighbor", nullptr,
-       times_of_run<Random_order_traits<CGAL::Delaunay_from_surface_3::Neighbor_hints_3>,
-                    Triangulation>},
+       times_of_run<Random_order_traits<DFS::Neighbor_hints_3>, Triangulation>},
       {"walk-random", nullptr, times_of_run<Random_order_traits<Random_hint_3>, Triangulation>},
       {"fast-location", counts_of_run<Fast, Counted_fast_triangulation>,
        times_of_run<Fast, Fast_triangulation>},
