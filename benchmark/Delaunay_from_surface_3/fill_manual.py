@@ -43,7 +43,6 @@ SHOWS = {  # in the table of the benchmark's README
     "threads_256k": "the same",
     "threads_1M": "the same",
     "threads_4M": "the same",
-    "threads_parts": "the parts of a call, by one thread and by two",
     "threads_memory": "peak memory with 1, 2 and 16 threads",
     "threads_simulated": "insertions withdrawn with 2 to 64 simulated workers",
     "compare_peers": "Geogram, HXT and TetGen against one thread and two",

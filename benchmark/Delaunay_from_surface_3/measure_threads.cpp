@@ -6,16 +6,18 @@
 // more, beside plain CGAL and its Parallel_tag, in turn; and, by simulation, how often up to 64
 // workers would get into each other's way. Writes JSON.
 
-#include <Delaunay_from_surface_3_comparison/peers.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/peers.h>
 #include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/clusters.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
-#include <Delaunay_from_surface_3_threads/simulate_workers.h>
-#include <Delaunay_from_surface_3_threads/time_parts.h>
 
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
+#include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -26,10 +28,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -107,7 +112,7 @@ struct Options
   std::vector<std::size_t> threads = {1, 2};
   std::vector<unsigned> simulated;
   std::size_t repetitions = 5;
-  bool parts = false, memory = false;
+  bool memory = false;
   std::string data_dir = "build/data/meshes";
 };
 
@@ -219,23 +224,6 @@ private:
   std::size_t m_tetrahedra = 0;
 };
 
-// The seconds of the parts of a call: medians, each for itself.
-Json measure_parts(const Indexed_surface& surface, const Options& options)
-{
-  std::map<std::string, std::map<std::string, std::vector<double>>> seconds;
-  for (std::size_t r = 0; r < options.repetitions; ++r)
-    for (const std::size_t number : options.threads)
-      with_threads(number, [&] {
-        for (const auto& [part, s] : threads::seconds_of_parts(surface, number))
-          seconds["threads_" + std::to_string(number)][part].push_back(s);
-      });
-  Json result;
-  for (const auto& [number, parts] : seconds)
-    for (const auto& [part, values] : parts)
-      result[number][part] = rounded(comparison::median(values));
-  return result;
-}
-
 // Of processes that do nothing else, each with its own number of threads.
 Json measure_memory(const Indexed_surface& surface, const Options& options)
 {
@@ -254,6 +242,137 @@ Json measure_memory(const Indexed_surface& surface, const Options& options)
   return result;
 }
 
+// How often many workers get into each other's way, found by one thread that plays them all: in
+// turn each writes the star whose zone it announced before, and announces the next, so that every
+// zone stays announced while all others act. Wherever many cores can be had they clash less: their
+// insertions overlap for a part of the time only.
+class Simulation
+{
+  using Id = DFS::internal::Id;
+  using Vertex = DFS::internal::Compact_vertex;
+  using Point = Epick::Point_3;
+  using Complex = DFS::internal::Compact_complex<Vertex>;
+  using Worker = DFS::internal::Insertion_worker<Vertex>;
+  using Try = DFS::internal::Insertion_try;
+
+public:
+  // Of a plan's points; `points` are in its order.
+  Simulation(const std::vector<Point>& points, const DFS::Insertion_order& plan, unsigned workers)
+    : m_plan(plan)
+    , m_complex(points.size(),
+                [&](std::size_t i) {
+                  return std::array<double, 3>{points[i].x(), points[i].y(), points[i].z()};
+                })
+    , m_shared(m_complex, workers)
+    , m_vertex_of(points.size(), 0)
+  {
+    m_any_vertex = DFS::internal::start_complex(
+        DFS::internal::starting_simplex(m_vertex_of.size(),
+                                        [&](std::size_t i) {
+                                          return m_complex.exact_coordinates(
+                                              Complex::vertex_of_point(i));
+                                        }),
+        m_complex, m_vertex_of);
+    m_shared.make_room(24 * points.size()); // it cannot grow while zones are announced
+    for (unsigned t = 0; t < workers; ++t)
+      m_workers.push_back(std::make_unique<Worker>(m_shared, t));
+  }
+
+  // Inserts all points; returns for each round the number of insertions that were rolled back.
+  std::vector<std::size_t> run()
+  {
+    std::vector<std::size_t> rolled_back;
+    std::size_t first = 0;
+    for (const std::size_t last : m_plan.round_ends) {
+      rolled_back.push_back(round(first, last));
+      first = last;
+    }
+    return rolled_back;
+  }
+
+private:
+  // Deals out a round as Parallel_triangulation does a chunk.
+  std::size_t round(std::size_t first, std::size_t last)
+  {
+    namespace internal = DFS::internal;
+    const internal::Parallel_rules rules;
+    std::size_t number = (std::min)(m_workers.size(), (last - first) / rules.points_per_worker);
+    number = first < rules.first_points || number == 0 ? 1 : number;
+    internal::Shares shares(first, last, number);
+    std::vector<std::size_t> announced(number, none), put_off;
+    std::vector<internal::Shares::Range> batches(number, {0, 0});
+    std::size_t rolled_back = 0;
+    for (bool is_active = true; is_active;) {
+      is_active = false;
+      for (std::size_t t = 0; t < number; ++t) {
+        const auto clash = [&](std::size_t i) {
+          ++rolled_back;
+          put_off.push_back(i);
+        };
+        if (announced[t] != none) {
+          if (finish(t, announced[t]) == Try::CLASH)
+            clash(announced[t]);
+          announced[t] = none;
+        }
+        if (batches[t].first == batches[t].second)
+          batches[t] = shares.take(t, rules.batch);
+        if (batches[t].first == batches[t].second)
+          continue;
+        is_active = true;
+        const std::size_t i = batches[t].first++;
+        if (const Try outcome = announce(t, i); outcome == Try::CLASH)
+          clash(i);
+        else if (outcome == Try::DONE)
+          announced[t] = i;
+      }
+    }
+    for (const std::size_t i : put_off)
+      if (announce(0, i) == Try::DONE)
+        finish(0, i);
+    return rolled_back;
+  }
+
+  Try announce(std::size_t t, std::size_t i)
+  {
+    if (m_vertex_of[i] != 0)
+      return Try::PRESENT;
+    Id present = Complex::vertex_of_point(i);
+    const Try outcome = m_workers[t]->announce(present, start(i), present,
+                                               (std::numeric_limits<std::size_t>::max)());
+    if (outcome == Try::PRESENT)
+      m_vertex_of[i] = present;
+    if (outcome == Try::NO_CELLS)
+      throw std::length_error("the simulation has too few cells");
+    return outcome;
+  }
+
+  Try finish(std::size_t t, std::size_t i)
+  {
+    const Try outcome = m_workers[t]->write(Complex::vertex_of_point(i));
+    if (outcome == Try::DONE)
+      m_vertex_of[i] = Complex::vertex_of_point(i);
+    return outcome;
+  }
+
+  Id start(std::size_t i) const
+  {
+    std::size_t place = m_plan.starting_places[i];
+    while (m_vertex_of[place] == 0 && place != 0)
+      place = m_plan.starting_places[place];
+    const Id v = m_vertex_of[place];
+    return m_complex.vertex(v != 0 ? v : m_any_vertex).cell;
+  }
+
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  const DFS::Insertion_order& m_plan;
+  Complex m_complex;
+  DFS::internal::Shared_complex<Vertex> m_shared;
+  std::vector<Id> m_vertex_of;
+  Id m_any_vertex = 0;
+  std::vector<std::unique_ptr<Worker>> m_workers;
+};
+
 // Per number of workers the insertions rolled back, by round.
 Json simulate(const Indexed_surface& surface, const std::vector<unsigned>& numbers)
 {
@@ -264,7 +383,7 @@ Json simulate(const Indexed_surface& surface, const std::vector<unsigned>& numbe
   const auto points = internal::permuted(surface.points, plan.order);
   Json result = {{"round_ends", plan.round_ends}};
   for (const unsigned number : numbers)
-    result["workers_" + std::to_string(number)] = threads::Simulation(points, plan, number).run();
+    result["workers_" + std::to_string(number)] = Simulation(points, plan, number).run();
   return result;
 }
 
@@ -301,8 +420,6 @@ void measure_into(const Options& options, Json& report)
       Json result = {{"surface", named.name}, {"points", surface.points.size()}};
       if (options.memory) // threads that were started would be missing in a child
         result["memory"] = measure_memory(surface, options);
-      else if (options.parts)
-        result["parts"] = measure_parts(surface, options);
       else if (options.repetitions > 0)
         Turns(surface, options, launcher ? &*launcher : nullptr).run(result);
       if (!options.simulated.empty())
@@ -326,7 +443,6 @@ int main(int argc, char** argv)
                  "numbers of workers that one thread plays, to count rollbacks");
   program.option("peer", o.peers, "NAME=COMMAND",
                  "one more program, as for compare_with_plain; may be repeated");
-  program.option("parts", o.parts, "the times of the parts of a call instead of whole ones");
   program.option("memory", o.memory, "memory instead of times");
   program.option("repetitions,r", o.repetitions, "N", "of each, in turn; 0: no times");
   program.option("data-dir", o.data_dir, "DIR", "the meshes of libcgal-demo");
