@@ -66,8 +66,9 @@ struct Watch : CGAL::Default_surface_insertion_visitor_3
   void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
   {
     using Phase = CGAL::Surface_insertion_phase;
-    if (phase == Phase::LOCATION || phase == Phase::UPDATE || phase == Phase::TRACE)
-      return;
+    if (phase != Phase::PLAN && phase != Phase::SUBGRAPH && phase != Phase::FINISH &&
+        phase != Phase::DONE)
+      return; // within the insertion
     const double now = comparison::Steady_seconds()();
     (phase == Phase::SUBGRAPH ? plan
      : phase == Phase::FINISH ? insertion
