@@ -9,7 +9,7 @@
 // measure_single_calls.py.
 
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_files/Polygon_soup.h>
+#include <Delaunay_from_surface_3_files/parse_text.h>
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>

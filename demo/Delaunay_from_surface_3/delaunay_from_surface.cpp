@@ -5,29 +5,33 @@
 // The program delaunay_from_surface reads a surface from a file, and writes the Delaunay
 // triangulation of its vertices to another. help.txt says what it can do.
 
-#include "Messages.h"
 #include "Options.h"
-#include "Progress_visitor.h"
 #include "Report.h"
-#include "Stopwatch.h"
 #include "Surface.h"
-#include "Threads.h"
-#include "compare_with_plain.h"
-#include "insertion_statistics.h"
-#include "read_surface.h"
-#include "surface_statistics.h"
+#include "statistics.h"
 #include "tiles_command.h"
 #include "write_output.h"
 #include "write_view.h"
 
-#include <Delaunay_from_surface_3_files/Remove_on_signal.h>
+#include <Delaunay_from_surface_3_files/Output_file.h>
 #include <Delaunay_from_surface_3_files/one_line.h>
 
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+#endif
+
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -35,10 +39,105 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <type_traits>
 #include <vector>
 
 const int exit_different = 2;
+
+// Shows how many points are inserted, and notes if the surface is odd.
+class Progress_visitor : public CGAL::Default_surface_insertion_visitor_3
+{
+public:
+  Progress_visitor(std::size_t number_of_points, Messages& messages)
+    : m_messages(messages)
+    , m_number_of_points(number_of_points)
+  {
+  }
+
+  void notice(CGAL::Surface_insertion_notice what, const std::string& reason)
+  {
+    using Notice = CGAL::Surface_insertion_notice;
+    if (what == Notice::SUBGRAPH_IS_REPLACED) {
+      m_messages.note(reason + "; a spanning forest serves instead");
+    } else if (what == Notice::CORE_IS_REPLACED) {
+      m_messages.note(reason + ": CGAL's own insertion takes the compact triangulation's place");
+    } else if (what == Notice::ORDER_IS_REPLACED) {
+      m_messages.note("another order of the points is tried: " + reason);
+      m_next_shown = 0;
+      m_order_is_replaced = true;
+    } else {
+      m_messages.note(reason);
+    }
+  }
+
+  bool has_replaced_order() const { return m_order_is_replaced; }
+
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
+  {
+    using Phase = CGAL::Surface_insertion_phase;
+    if (phase == Phase::PLAN)
+      m_messages.step("ordering the points");
+    else if (phase == Phase::INSERTION)
+      m_messages.step("inserting");
+    else if (phase == Phase::FINISH)
+      m_messages.step("handing the triangulation over");
+  }
+
+  bool go_further(std::size_t inserted)
+  {
+    if (inserted >= m_next_shown) {
+      m_messages.show("inserting: " + std::to_string(100 * inserted / m_number_of_points) + " %");
+      m_next_shown = inserted + 4096;
+    }
+    return true;
+  }
+
+private:
+  Messages& m_messages;
+  std::size_t m_number_of_points, m_next_shown = 0;
+  bool m_order_is_replaced = false;
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+// Has as many threads as asked for, even more than the machine has. TBB makes them when there is
+// work, and ends the process if it cannot; so there is some work at once, before files are opened.
+class Threads
+{
+public:
+  explicit Threads(unsigned number)
+    : m_limit(tbb::global_control::max_allowed_parallelism, number)
+    , m_arena(int(number))
+  {
+    m_arena.execute([number] { meet(number); });
+  }
+
+  template <class F>
+  auto execute(const F& f)
+  {
+    return m_arena.execute(f);
+  }
+
+private:
+  // Each thread waits for all, but not for long.
+  static void meet(unsigned number)
+  {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
+    std::atomic<unsigned> here(0);
+    const auto wait = [&](unsigned) {
+      ++here;
+      while (here < number && std::chrono::steady_clock::now() < end)
+        std::this_thread::yield();
+    };
+    tbb::parallel_for(0u, number, wait, tbb::simple_partitioner());
+  }
+
+  const tbb::global_control m_limit;
+  tbb::task_arena m_arena;
+};
+
+#endif // CGAL_LINKED_WITH_TBB
 
 std::string kind_of(const Surface& surface)
 {

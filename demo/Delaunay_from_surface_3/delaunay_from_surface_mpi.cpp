@@ -5,7 +5,6 @@
 // Builds the Delaunay triangulation of points in files by the processes that mpirun or srun has
 // started, and writes it tile by tile. The first process speaks for all.
 
-#include "Messages.h"
 #include "Report.h"
 #include "report_tiles.h"
 #include "tiles_command.h"

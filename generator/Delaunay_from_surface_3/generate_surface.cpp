@@ -4,20 +4,18 @@
 // Makes a triangle surface for tests and benchmarks and writes it to a file.
 
 #include <Delaunay_from_surface_3_files/one_line.h>
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
-#include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
 #include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
 #include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>
-#include <Delaunay_from_surface_3_surfaces/renumber.h>
 #include <Delaunay_from_surface_3_surfaces/sphere.h>
-#include <Delaunay_from_surface_3_surfaces/topology.h>
 
 #include <CGAL/Real_timer.h>
 

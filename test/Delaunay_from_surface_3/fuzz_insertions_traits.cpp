@@ -8,8 +8,7 @@
 #include "check_insertion.h"
 #include "insertion_ways.h"
 
-#include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
-#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
+#include <Delaunay_from_surface_3_meters/orders.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>

@@ -6,7 +6,7 @@
 // given; and what it does where it cannot serve.
 
 #define BOOST_TEST_MODULE test_compact_kernel
-#include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
+#include <Delaunay_from_surface_3_meters/orders.h>
 
 #include <boost/test/included/unit_test.hpp>
 

@@ -9,6 +9,9 @@
 #define BOOST_TEST_MODULE test_flat_and_far
 #include <boost/test/included/unit_test.hpp>
 
+#include <Delaunay_from_surface_3_surfaces/degenerate.h>
+#include <Delaunay_from_surface_3_surfaces/edit.h>
+#include <Delaunay_from_surface_3_surfaces/sphere.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
@@ -19,10 +22,6 @@
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <Delaunay_from_surface_3_surfaces/degenerate.h>
-#include <Delaunay_from_surface_3_surfaces/edit.h>
-#include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include "build_in_order.h"
 #include "points_and_graphs.h"

@@ -12,6 +12,8 @@
 #include "history_cases.h"
 #include "named_surfaces.h"
 
+#include <Delaunay_from_surface_3_meters/History_hints_3.h>
+#include <Delaunay_from_surface_3_meters/orders.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>
@@ -20,9 +22,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <Delaunay_from_surface_3_meters/History_dag_3.h>
-#include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

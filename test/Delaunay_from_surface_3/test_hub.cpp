@@ -12,6 +12,10 @@
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
+#include <Delaunay_from_surface_3_meters/History_hints_3.h>
+#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/orders.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
@@ -19,10 +23,6 @@
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/euclidean_minimum_spanning_tree_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
-#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

@@ -10,7 +10,6 @@
 #define BOOST_TEST_MODULE test_marching_cubes
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_surfaces/Marching_cubes_table.h>
 #include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 
 #if __has_include(<CGAL/Isosurfacing_3/internal/tables.h>)

@@ -12,8 +12,8 @@
 #include "check_equal.h"
 #include "history_cases.h"
 
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
-#include <Delaunay_from_surface_3_surfaces/topology.h>
 
 #include <Delaunay_from_surface_3_meters/delaunay_share.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>

@@ -9,11 +9,10 @@
 #define BOOST_TEST_MODULE near_minimum_degree
 #include <boost/test/included/unit_test.hpp>
 
+#include "include/halfedge_mesh.h"
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 #include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
-#include <Delaunay_from_surface_3_triangle_lists/stacked_complete_graph.h>
-#include "include/halfedge_mesh.h"
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Reduce_degrees.h>

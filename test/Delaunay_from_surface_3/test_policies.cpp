@@ -5,8 +5,7 @@
 // Plans, subgraphs, hints and observers, one by one, with CGAL's expensive checks compiled in.
 
 #define BOOST_TEST_MODULE test_policies
-#include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
-#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
+#include <Delaunay_from_surface_3_meters/orders.h>
 
 #include <boost/test/included/unit_test.hpp>
 

@@ -24,7 +24,6 @@
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/degenerate.h>
-#include <Delaunay_from_surface_3_surfaces/flat_and_far.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
 #include <tbb/global_control.h>

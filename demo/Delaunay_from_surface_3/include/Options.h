@@ -5,9 +5,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OPTIONS_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_OPTIONS_H
 
-#include "checked_number.h"
+#include "Report.h"
 
-#include <Delaunay_from_surface_3_files/file_extension.h>
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>
 
 #include <CGAL/version.h>

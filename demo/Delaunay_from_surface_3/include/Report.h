@@ -5,15 +5,130 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_REPORT_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_REPORT_H
 
+#include <Delaunay_from_surface_3_files/one_line.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <ctime>
 #include <iomanip>
+#include <iostream>
+#include <limits>
 #include <ostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
+
+// Returns a number in [lowest, highest]; Boost alone would take -1 for 4294967295.
+inline unsigned int checked_number(const std::string& option, long long value, long long lowest,
+                                   long long highest = (std::numeric_limits<unsigned int>::max)())
+{
+  if (value < lowest || value > highest)
+    throw std::runtime_error("option '--" + option + "' needs a whole number from " +
+                             std::to_string(lowest) + " to " + std::to_string(highest));
+  return static_cast<unsigned int>(value);
+}
+
+// More threads would not insert, and TBB does not bear any number.
+constexpr long long most_threads = 64;
+
+// Seconds of the process on all processors, and seconds of wall-clock time.
+struct Seconds
+{
+  double cpu, wall;
+};
+
+// Returns how long `work` takes.
+template <class Work>
+Seconds time_of(const Work& work)
+{
+  const auto wall = std::chrono::steady_clock::now();
+  const std::clock_t cpu = std::clock();
+  work();
+  return {double(std::clock() - cpu) / CLOCKS_PER_SEC,
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count()};
+}
+
+#if defined(_WIN32)
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+inline bool standard_error_is_terminal()
+{
+#if defined(_WIN32)
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+// Writes messages beside the results to the standard error: notes, and the work that is being done.
+// The latter is a line that is overwritten again and again on a terminal, and separate lines with
+// --verbose.
+class Messages
+{
+public:
+  enum class Volume { QUIET, NORMAL, VERBOSE };
+
+  explicit Messages(Volume volume)
+    : m_volume(volume)
+  {
+  }
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
+  ~Messages() { clear(); }
+
+  // Notes something odd that is no error.
+  void note(const std::string& text)
+  {
+    clear();
+    if (m_volume != Volume::QUIET)
+      std::cerr << "note: " << files::one_line(text) << '\n';
+  }
+
+  // Warns that the result may not be as wanted, even with --quiet.
+  void warn(const std::string& text)
+  {
+    clear();
+    std::cerr << "warning: " << files::one_line(text) << '\n';
+  }
+
+  // Says that something begins that may take a while.
+  void step(const std::string& text)
+  {
+    show(text);
+    if (m_volume == Volume::VERBOSE)
+      std::cerr << files::one_line(text) << '\n';
+  }
+
+  // Shows how far the work is.
+  void show(const std::string& text)
+  {
+    if (!m_has_line)
+      return;
+    std::cerr << "\r\033[K" << files::one_line(text) << std::flush;
+    m_is_empty = false;
+  }
+
+  // Clears the line. To be called before anything else is printed.
+  void clear()
+  {
+    if (!m_is_empty)
+      std::cerr << "\r\033[K" << std::flush;
+    m_is_empty = true;
+  }
+
+private:
+  const Volume m_volume;
+  const bool m_has_line = m_volume == Volume::NORMAL && standard_error_is_terminal();
+  bool m_is_empty = true;
+};
 
 inline std::string decimals(double value, int digits)
 {

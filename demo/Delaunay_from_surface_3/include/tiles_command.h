@@ -5,9 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_COMMAND_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_COMMAND_H
 
-#include "Messages.h"
 #include "Report.h"
-#include "checked_number.h"
 #include "report_tiles.h"
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>

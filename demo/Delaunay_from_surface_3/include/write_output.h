@@ -8,21 +8,23 @@
 #include "Options.h"
 #include "Report.h"
 #include "Surface.h"
-#include "arrays_of_triangulation.h"
-#include "inside_of.h"
 
 #include <Delaunay_from_surface_3_files/Output_file.h>
-#include <Delaunay_from_surface_3_files/same_file.h>
+#include <Delaunay_from_surface_3_files/write_simplices.h>
 
-#include <Delaunay_from_surface_3_files/write_gmsh.h>
-#include <Delaunay_from_surface_3_files/write_medit.h>
-#include <Delaunay_from_surface_3_files/write_tetgen.h>
-#include <Delaunay_from_surface_3_files/write_vtk.h>
-#include <Delaunay_from_surface_3_files/write_vtu.h>
-
+#include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
+#include <CGAL/Delaunay_from_surface_3/Inside_3.h>
+#include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/IO/io.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/inside_of_surface_3.h>
 
+#include <boost/unordered_map.hpp>
+
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <list>
@@ -31,6 +33,182 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+// Writes the triangulation, or what of it is inside the surface.
+
+// Changes the order of a cell's entries such that entry k of d + 1 comes last, but the orientation
+// stays.
+template <class Entry>
+void rotate_to_end(std::array<Entry, 4>& entries, int k, int dimension)
+{
+  if (k == dimension)
+    return;
+  std::swap(entries[std::size_t(k)], entries[std::size_t(dimension)]);
+  if (dimension > 1) { // two before it, too, so that the permutation is even
+    const std::size_t i = k == 0 ? 1 : 0,
+                      j = dimension == 2 ? std::size_t(k) : 3 - std::size_t(k) - i;
+    std::swap(entries[i], entries[j]);
+  }
+}
+
+// Calls f with every cell of a triangulation of any dimension, infinite ones included. Below
+// dimension 3 its iterator of cells is empty: there cells are facets, edges, or vertices.
+template <class Triangulation, class F>
+void for_each_cell(const Triangulation& tr, const F& f)
+{
+  if (tr.dimension() == 3)
+    for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
+      f(typename Triangulation::Cell_handle(c));
+  else if (tr.dimension() == 2)
+    for (auto facet = tr.all_facets_begin(); facet != tr.all_facets_end(); ++facet)
+      f(facet->first);
+  else if (tr.dimension() == 1)
+    for (auto edge = tr.all_edges_begin(); edge != tr.all_edges_end(); ++edge)
+      f(edge->first);
+  else
+    for (auto v = tr.all_vertices_begin(); v != tr.all_vertices_end(); ++v)
+      f(v->cell());
+}
+
+// The numbers of a triangulation's vertices and cells.
+template <class Triangulation, class Index>
+class Numbered_triangulation
+{
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Cell_handle = typename Triangulation::Cell_handle;
+  using Arrays = CGAL::Delaunay_3_arrays<Index>;
+
+public:
+  // `vertices` has the vertices of all points.
+  Numbered_triangulation(const Triangulation& tr, const std::vector<Vertex_handle>& vertices,
+                         bool has_neighbors)
+    : m_tr(tr)
+    , m_vertices(vertices)
+  {
+    m_vertex_numbers.reserve(tr.number_of_vertices() + 1);
+    m_vertex_numbers.emplace(tr.infinite_vertex(), Arrays::none);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      m_vertex_numbers.emplace(vertices[i], Index(i)); // unless an equal point has one
+    for (const bool is_infinite : {false, true}) {
+      for_each_cell(tr, [&](Cell_handle c) {
+        if (has_infinite_vertex(c) == is_infinite)
+          m_cells.push_back(c);
+      });
+      m_number_of_simplices = is_infinite ? m_number_of_simplices : m_cells.size();
+    }
+    m_cell_numbers.reserve(has_neighbors ? m_cells.size() : 0);
+    for (std::size_t c = 0; has_neighbors && c < m_cells.size(); ++c)
+      m_cell_numbers.emplace(m_cells[c], Index(c));
+  }
+
+  Arrays arrays() const
+  {
+    typename Arrays::Entries cells;
+    cells.allocate(8 * m_cells.size());
+    for (std::size_t c = 0; c < m_cells.size(); ++c)
+      write_cell(m_cells[c], cells.data() + 8 * c);
+    std::vector<Index> vertices_of_points(m_vertices.size());
+    for (std::size_t i = 0; i < m_vertices.size(); ++i)
+      vertices_of_points[i] = m_vertex_numbers.at(m_vertices[i]);
+    return Arrays(m_tr.dimension(), m_number_of_simplices, m_cells.size(), std::move(cells),
+                  std::move(vertices_of_points));
+  }
+
+private:
+  bool has_infinite_vertex(Cell_handle c) const
+  {
+    for (int i = 0; i <= m_tr.dimension(); ++i)
+      if (m_tr.is_infinite(c->vertex(i)))
+        return true;
+    return false;
+  }
+
+  void write_cell(Cell_handle c, Index* out) const
+  {
+    const int d = m_tr.dimension();
+    std::array<std::pair<Index, Index>, 4> entries; // a vertex and the neighbour opposite to it
+    entries.fill({Arrays::none, Arrays::none});
+    for (int i = 0; i <= d; ++i)
+      entries[std::size_t(i)] = {m_vertex_numbers.at(c->vertex(i)),
+                                 m_cell_numbers.empty() ? Arrays::none
+                                                        : m_cell_numbers.at(c->neighbor(i))};
+    if (has_infinite_vertex(c))
+      rotate_to_end(entries, c->index(m_tr.infinite_vertex()), d);
+    for (std::size_t i = 0; i < 4; ++i) {
+      out[i] = entries[i].first;
+      out[4 + i] = entries[i].second;
+    }
+  }
+
+  const Triangulation& m_tr;
+  const std::vector<Vertex_handle>& m_vertices;
+  boost::unordered_map<Vertex_handle, Index> m_vertex_numbers;
+  std::vector<Cell_handle> m_cells;
+  std::size_t m_number_of_simplices = 0;
+  boost::unordered_map<Cell_handle, Index> m_cell_numbers;
+};
+
+// Returns the arrays of a triangulation of any dimension; vertices[i] is the vertex of point i.
+// Neighbours take most of the time, and can be left out. Expected linear time: handles are hashed.
+template <class Index, class Triangulation>
+CGAL::Delaunay_3_arrays<Index>
+arrays_of_triangulation(const Triangulation& tr,
+                        const std::vector<typename Triangulation::Vertex_handle>& vertices,
+                        bool has_neighbors = true)
+{
+  CGAL::Delaunay_3_arrays<Index> arrays;
+  if (!vertices.empty())
+    arrays = Numbered_triangulation<Triangulation, Index>(tr, vertices, has_neighbors).arrays();
+  if (!has_neighbors)
+    arrays.drop_neighbors();
+  return arrays;
+}
+
+// Finds which tetrahedra are inside the surface, and how sure that is.
+
+using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
+
+inline bool is_closed_mesh(const Surface& surface)
+{
+  return surface.is_manifold && is_triangle_mesh(surface.mesh) && is_closed(surface.mesh);
+}
+
+// The arrays must have tetrahedra. Throws one line if the surface has no inside.
+inline CGAL::Inside_3 inside_of(const Surface& surface, const Arrays& arrays, bool has_threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  using Many = CGAL::Parallel_tag;
+#else
+  using Many = CGAL::Sequential_tag; // more threads have been refused
+#endif
+  try {
+    return has_threads ? CGAL::inside_of_surface_3<Many>(surface.points, surface.faces, arrays)
+                       : CGAL::inside_of_surface_3(surface.points, surface.faces, arrays);
+  } catch (const CGAL::Surface_input_error& error) {
+    throw std::runtime_error(error.what() + (is_closed_mesh(surface)
+                                                 ? std::string()
+                                                 : "; " + why_not_closed(surface, arrays)));
+  }
+}
+
+// Reports in figures how sure the winding numbers are, and warns if they are not.
+inline void report_inside(const std::string& input, const Surface& surface, const Arrays& arrays,
+                          const CGAL::Inside_3& inside, Report& report, Messages& messages)
+{
+  if (!is_closed_mesh(surface))
+    report("not closed", why_not_closed(surface, arrays));
+  report("faces turned", inside.number_of_turned);
+  report("tetrahedra in doubt", fraction(inside.number_of_doubtful, inside.winding_numbers.size()));
+  report("volume in doubt", decimals(100 * inside.doubtful_volume, 4) + " % of that inside");
+  report("openings", decimals(100 * inside.share_of_openings, 4) + " % of the surface's area");
+  report("faces not in it", decimals(100 * inside.missing_area, 4) + " % of the surface's area");
+  report("volume they cross",
+         decimals(100 * inside.crossed_volume, 4) + " % of that crossed or inside");
+  report("in several parts", inside.number_of_multiple);
+  const std::string warning = CGAL::Delaunay_from_surface_3::internal::warning_of(inside);
+  if (!warning.empty())
+    messages.warn(input + ": " + warning);
+}
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
 using Vertices = std::vector<Triangulation::Vertex_handle>;

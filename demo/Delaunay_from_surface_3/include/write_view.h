@@ -11,7 +11,6 @@
 #include "Options.h"
 #include "Report.h"
 #include "Surface.h"
-#include "inside_of.h"
 #include "write_output.h"
 
 #include <Delaunay_from_surface_3_files/Output_file.h>

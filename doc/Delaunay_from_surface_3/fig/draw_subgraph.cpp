@@ -9,7 +9,7 @@
 
 #include "Svg.h"
 
-#include <Delaunay_from_surface_3_triangle_lists/stacked_complete_graph.h>
+#include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
 
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_marks.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Peel_discs.h>

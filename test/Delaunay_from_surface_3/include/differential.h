@@ -11,7 +11,7 @@
 #include "core_traits.h"
 #include "check_equal.h"
 
-#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
+#include <Delaunay_from_surface_3_meters/orders.h>
 
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>

@@ -15,7 +15,6 @@
 #include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 #include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
-#include <Delaunay_from_surface_3_triangle_lists/stacked_complete_graph.h>
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>

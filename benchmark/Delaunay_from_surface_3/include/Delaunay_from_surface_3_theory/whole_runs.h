@@ -12,15 +12,15 @@
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
 
+#include <Delaunay_from_surface_3_meters/History_hints_3.h>
+#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/orders.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/surface/No_subgraph.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
-#include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
-#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
 
 #include <cstddef>
 #include <functional>

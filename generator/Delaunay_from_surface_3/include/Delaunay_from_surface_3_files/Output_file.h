@@ -5,10 +5,12 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_FILES_OUTPUT_FILE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_OUTPUT_FILE_H
 
-#include <Delaunay_from_surface_3_files/Remove_on_signal.h>
-#include <Delaunay_from_surface_3_files/same_file.h>
-
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +20,97 @@
 #include <system_error>
 
 namespace files {
+
+// The file that a name means, by way of all links, also if there is no such file yet: a link may
+// lead to nothing.
+inline std::filesystem::path place_of(const std::string& name, std::error_code& error)
+{
+  namespace fs = std::filesystem;
+  const bool is_there = fs::exists(name, error);
+  if (error)
+    return name;
+  if (is_there)
+    return fs::canonical(name, error);
+  fs::path place = fs::absolute(name, error);
+  constexpr int most_links = 40; // more would have been an error
+  for (int k = 0; k < most_links && !error && fs::is_symlink(fs::symlink_status(place, error)); ++k)
+    place = place.parent_path() / fs::read_symlink(place, error); // which may be absolute
+  return fs::weakly_canonical(place, error);
+}
+
+// Do two names mean the same file, there or not? If that cannot be found out, they do not.
+inline bool are_same_file(const std::string& a, const std::string& b)
+{
+  std::error_code error, other_error;
+  if (std::filesystem::equivalent(a, b, error)) // hard links, too
+    return true;
+  const std::filesystem::path place = place_of(a, error);
+  return place == place_of(b, other_error) && !error && !other_error;
+}
+
+// Names of unfinished files, where a signal handler can read them: it may allocate nothing.
+struct Files_to_remove
+{
+  struct Name
+  {
+    std::atomic<bool> is_taken{false};
+    std::array<char, 4096> text; // a longer name stays behind
+  };
+  std::array<Name, 8> names;
+};
+
+inline Files_to_remove& files_to_remove()
+{
+  static Files_to_remove instance;
+  return instance;
+}
+
+extern "C" inline void remove_files_and_die(int signal)
+{
+  for (auto& name : files_to_remove().names)
+    if (name.is_taken)
+      std::remove(name.text.data()); // where it matters, a call of unlink()
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+// From now on, SIGINT and SIGTERM remove unfinished files before they end the program.
+inline void remove_files_on_signal()
+{
+  files_to_remove(); // made before a handler can need it
+  for (const int signal : {SIGINT, SIGTERM})
+    if (std::signal(signal, remove_files_and_die) == SIG_IGN)
+      std::signal(signal, SIG_IGN); // as nohup and shells' background jobs have it
+}
+
+// Is one of these files as long as it lives.
+class Remove_on_signal
+{
+public:
+  Remove_on_signal() = default;
+  Remove_on_signal(const Remove_on_signal&) = delete;
+  Remove_on_signal& operator=(const Remove_on_signal&) = delete;
+  ~Remove_on_signal() { forget(); }
+
+  void watch(const std::string& name)
+  {
+    for (auto& entry : files_to_remove().names)
+      if (m_entry == nullptr && !entry.is_taken && name.size() < entry.text.size()) {
+        std::copy_n(name.c_str(), name.size() + 1, entry.text.begin());
+        entry.is_taken = true;
+        m_entry = &entry;
+      }
+  }
+  void forget()
+  {
+    if (m_entry != nullptr)
+      m_entry->is_taken = false;
+    m_entry = nullptr;
+  }
+
+private:
+  Files_to_remove::Name* m_entry = nullptr;
+};
 
 // A file that appears, or replaces an older one, only when it is complete. The constructor finds
 // out whether it can be written, so that nobody waits for a result that has nowhere to go. Until

@@ -5,14 +5,13 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_FILES_READ_POLYGON_SOUP_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_READ_POLYGON_SOUP_H
 
-#include <Delaunay_from_surface_3_files/Polygon_soup.h>
-#include <Delaunay_from_surface_3_files/file_extension.h>
-#include <Delaunay_from_surface_3_files/read_obj.h>
-#include <Delaunay_from_surface_3_files/read_off.h>
+#include <Delaunay_from_surface_3_files/parse_text.h>
 #include <Delaunay_from_surface_3_files/read_ply.h>
-#include <Delaunay_from_surface_3_files/read_points.h>
 #include <Delaunay_from_surface_3_files/read_stl.h>
+#include <Delaunay_from_surface_3_files/read_texts.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstddef>
 #include <filesystem>
@@ -24,6 +23,16 @@
 #include <system_error>
 
 namespace files {
+
+// "off" for "a/b.OFF"; empty if there is none.
+inline std::string file_extension(const std::string& file_name)
+{
+  std::string extension = std::filesystem::path(file_name).extension().string();
+  extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
 
 // What is read, by extension.
 inline const char* const formats_read = "off, ply, obj, stl, xyz and pts";

@@ -5,9 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_FILES_READ_STL_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_FILES_READ_STL_H
 
-#include <Delaunay_from_surface_3_files/Lines.h>
-#include <Delaunay_from_surface_3_files/Polygon_soup.h>
-#include <Delaunay_from_surface_3_files/parse_number.h>
+#include <Delaunay_from_surface_3_files/parse_text.h>
 
 #include <algorithm>
 #include <array>

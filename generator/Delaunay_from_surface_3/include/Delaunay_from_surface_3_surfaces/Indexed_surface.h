@@ -4,13 +4,16 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_INDEXED_SURFACE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_INDEXED_SURFACE_H
 
+#include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 /// Makers of test and benchmark surfaces. Every maker is deterministic: the same arguments give the
@@ -52,6 +55,37 @@ Indexed_surface from_mesh(const Mesh& mesh)
   Indexed_surface surface;
   CGAL::Polygon_mesh_processing::polygon_mesh_to_polygon_soup(mesh, surface.points, surface.faces);
   return surface;
+}
+
+/// The edges of the faces, each once, as sorted pairs of indices in ascending order. O(n log n).
+inline std::vector<std::pair<std::size_t, std::size_t>> edges(const Indexed_surface& surface)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  result.reserve(3 * surface.faces.size());
+  for (const Indexed_surface::Face& face : surface.faces)
+    for (int i = 0; i < 3; ++i)
+      result.push_back(std::minmax<std::size_t>(face[i], face[(i + 1) % 3]));
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// Vertices - edges + faces.
+inline std::ptrdiff_t euler_characteristic(const Indexed_surface& surface)
+{
+  return static_cast<std::ptrdiff_t>(surface.points.size() + surface.faces.size()) -
+         static_cast<std::ptrdiff_t>(edges(surface).size());
+}
+
+/// The number of pieces that hang together through faces; a point on no face is a piece.
+inline std::size_t number_of_components(const Indexed_surface& surface)
+{
+  std::size_t count = surface.points.size();
+  CGAL::Delaunay_from_surface_3::internal::Disjoint_sets<std::size_t> pieces(count);
+  for (const Indexed_surface::Face& face : surface.faces)
+    for (int i = 1; i < 3; ++i)
+      count -= pieces.unite(face[0], face[i]);
+  return count;
 }
 
 } // namespace surfaces

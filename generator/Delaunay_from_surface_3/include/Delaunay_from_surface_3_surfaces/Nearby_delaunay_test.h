@@ -4,8 +4,8 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_NEARBY_DELAUNAY_TEST_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_NEARBY_DELAUNAY_TEST_H
 
-#include <Delaunay_from_surface_3_surfaces/Crossed_lattice.h>
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
+#include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/enum.h>

@@ -8,8 +8,6 @@
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/profiles.h>
 #include <Delaunay_from_surface_3_surfaces/random.h>
-#include <Delaunay_from_surface_3_surfaces/renumber.h>
-#include <Delaunay_from_surface_3_surfaces/solids.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_IO_H
 
 #include <Delaunay_from_surface_3_files/Output_file.h>
-#include <Delaunay_from_surface_3_files/file_extension.h>
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>

@@ -5,16 +5,165 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_POLYGONISE_H
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
-#include <Delaunay_from_surface_3_surfaces/Marching_table.h>
-#include <Delaunay_from_surface_3_surfaces/Sparse_lattice.h>
+#include <Delaunay_from_surface_3_surfaces/random.h>
+
+#include <boost/functional/hash.hpp>
+#include <boost/unordered_map.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace surfaces {
+
+/// The triangles of marching tetrahedra for each of the 256 ways in which the corners of a lattice
+/// cell can lie inside or outside. A cell is cut into six tetrahedra around its diagonal from
+/// corner 0 to corner 7 (bit b of a corner's number is its coordinate b). Neighbouring cells cut
+/// their common square alike, so the triangles of all cells form a closed 2-manifold.
+class Marching_table
+{
+public:
+  /// An edge of the cut cell: its lower corner, and the bits in which the upper corner differs.
+  struct Edge
+  {
+    int corner;
+    int direction;
+  };
+  using Triangle = std::array<Edge, 3>; // counterclockwise, seen from outside
+
+  Marching_table()
+  {
+    for (int inside = 0; inside < 256; ++inside) {
+      std::array<int, 3> axes = {0, 1, 2};
+      do {
+        const int a = 1 << axes[0], b = a | 1 << axes[1];
+        add_tetrahedron(inside, {0, a, b, 7}, is_odd(axes));
+      } while (std::next_permutation(axes.begin(), axes.end()));
+    }
+  }
+
+  /// Bit c of `inside` says whether corner c lies inside.
+  const std::vector<Triangle>& triangles(int inside) const { return cases[inside]; }
+
+private:
+  using Tetrahedron = std::array<int, 4>;
+
+  template <class Range>
+  static bool is_odd(const Range& permutation)
+  {
+    bool odd = false;
+    for (auto i = permutation.begin(); i != permutation.end(); ++i)
+      for (auto j = permutation.begin(); j != i; ++j)
+        odd ^= *j > *i;
+    return odd;
+  }
+
+  static Edge edge(int u, int v) { return {u & v, u ^ v}; }
+
+  // Corners in a tetrahedron come in ascending order, so `is_odd` of a reordering is its parity.
+  void add_tetrahedron(int inside, Tetrahedron t, bool negative)
+  {
+    const auto is_inside = [inside](int corner) { return (inside >> corner & 1) != 0; };
+    const auto middle = std::stable_partition(t.begin(), t.end(), is_inside);
+    const auto count = middle - t.begin();
+    // From here on t is positively oriented, inside corners first.
+    if (is_odd(t) != negative)
+      std::swap(t[count == 1 ? 2 : 0], t[count == 1 ? 3 : 1]);
+    std::vector<Triangle>& out = cases[inside];
+    if (count == 1)
+      out.push_back({edge(t[0], t[1]), edge(t[0], t[2]), edge(t[0], t[3])});
+    else if (count == 3)
+      out.push_back({edge(t[3], t[0]), edge(t[3], t[1]), edge(t[3], t[2])});
+    else if (count == 2) {
+      const Edge ac = edge(t[0], t[2]), ad = edge(t[0], t[3]), bd = edge(t[1], t[3]),
+                 bc = edge(t[1], t[2]);
+      out.push_back({ac, ad, bd});
+      out.push_back({ac, bd, bc});
+    }
+  }
+
+  std::array<std::vector<Triangle>, 256> cases;
+};
+
+/// A cubic lattice of a given spacing, in blocks of 8 x 8 x 8 cells, of which only those that an
+/// implicit surface may pass through exist. They are found by descending an octree and leaving out
+/// every cube whose centre is farther from the surface than its corners: the cost is linear in the
+/// number of blocks kept.
+class Sparse_lattice
+{
+public:
+  using Point_3 = Indexed_surface::Point_3;
+  using Vector_3 = Indexed_surface::Vector_3;
+  using Index = std::array<int, 3>;
+  static constexpr int block_size = 8;
+
+  template <class Shape>
+  Sparse_lattice(const Shape& shape, double spacing, std::uint64_t seed)
+    : spacing(spacing)
+  {
+    int side = block_size;
+    while (side * spacing < 2 * shape.radius() + 4 * spacing)
+      side *= 2;
+    place(side, seed);
+    collect(shape, {0, 0, 0}, side);
+  }
+
+  /// The lower corners of the blocks, as lattice points.
+  const std::vector<Index>& blocks() const { return corners; }
+
+  /// The number of the block with the lower corner `corner`.
+  /// \pre the surface passes through that block
+  std::size_t block(const Index& corner) const { return numbers.at(corner); }
+
+  Point_3 position(int i, int j, int k) const
+  {
+    return origin + (i * axes[0] + j * axes[1] + k * axes[2]);
+  }
+
+private:
+  // The lattice is turned by fixed angles and shifted at random: symmetries of the shape do not
+  // fall together with those of the lattice, and no four points become cocircular by design.
+  void place(int side, std::uint64_t seed)
+  {
+    const double c1 = std::cos(0.7), s1 = std::sin(0.7), c2 = std::cos(0.4), s2 = std::sin(0.4);
+    axes[0] = spacing * Vector_3(c1, s1, 0);
+    axes[1] = spacing * Vector_3(-s1 * c2, c1 * c2, s2);
+    axes[2] = spacing * Vector_3(s1 * s2, -c1 * s2, c2);
+    Random random(seed);
+    origin = CGAL::ORIGIN;
+    for (const Vector_3& axis : axes)
+      origin = origin + (random.uniform(-0.5, 0.5) - 0.5 * side) * axis;
+  }
+
+  template <class Shape>
+  void collect(const Shape& shape, const Index& low, int side)
+  {
+    const int half = side / 2;
+    const double to_corner = 0.8661 * side * spacing; // a little more than sqrt(3) / 2
+    if (std::abs(shape(position(low[0] + half, low[1] + half, low[2] + half))) > to_corner)
+      return;
+    if (side == block_size) {
+      numbers.emplace(low, corners.size());
+      corners.push_back(low);
+      return;
+    }
+    for (int octant = 0; octant < 8; ++octant)
+      collect(shape,
+              {low[0] + half * (octant & 1), low[1] + half * (octant >> 1 & 1),
+               low[2] + half * (octant >> 2)},
+              half);
+  }
+
+  double spacing;
+  std::array<Vector_3, 3> axes;
+  Point_3 origin;
+  std::vector<Index> corners;
+  boost::unordered_map<Index, std::size_t, boost::hash<Index>> numbers;
+};
+
 namespace internal {
 
 // Marching tetrahedra over the blocks of a sparse lattice, in two passes: the first puts a vertex

@@ -4,14 +4,90 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_PROFILES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_PROFILES_H
 
-#include <Delaunay_from_surface_3_surfaces/Profile.h>
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace surfaces {
+
+/// A planar domain that CAD would extrude: an outer loop, counterclockwise, and holes, clockwise,
+/// one after the other in `points`. No two loops meet.
+struct Profile
+{
+  using Point_2 = Indexed_surface::Kernel::Point_2;
+
+  std::vector<Point_2> points;
+  std::vector<std::size_t> loop_ends;
+
+  /// Ends the loop of the points added since the last one ended.
+  void end_loop() { loop_ends.push_back(points.size()); }
+
+  /// The edges of the loops, the domain on their left.
+  std::vector<std::pair<std::size_t, std::size_t>> edges() const
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> result;
+    std::size_t first = 0;
+    for (const std::size_t end : loop_ends) {
+      for (std::size_t k = first; k < end; ++k)
+        result.emplace_back(k, k + 1 == end ? first : k + 1);
+      first = end;
+    }
+    return result;
+  }
+};
+
+/// The counterclockwise triangles of the constrained Delaunay triangulation of a profile, with no
+/// points but those of its loops: fans and needles, as CAD kernels give planar faces.
+inline std::vector<Indexed_surface::Face> planar_face(const Profile& profile)
+{
+  using Kernel = Indexed_surface::Kernel;
+  using Vb = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
+  using Fb = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+  using Tds = CGAL::Triangulation_data_structure_2<Vb, Fb>;
+  using Triangulation =
+      CGAL::Constrained_Delaunay_triangulation_2<Kernel, Tds, CGAL::No_constraint_intersection_tag>;
+  std::vector<std::pair<Profile::Point_2, std::size_t>> numbered;
+  for (std::size_t k = 0; k < profile.points.size(); ++k)
+    numbered.emplace_back(profile.points[k], k);
+  Triangulation tr;
+  tr.insert(numbered.begin(), numbered.end());
+  std::vector<Triangulation::Vertex_handle> vertex(numbered.size());
+  for (const auto v : tr.finite_vertex_handles())
+    vertex[v->info()] = v;
+
+  std::vector<Triangulation::Face_handle> inside;
+  for (const auto& [s, t] : profile.edges())
+    tr.insert_constraint(vertex[s], vertex[t]);
+  CGAL::Unique_hash_map<Triangulation::Face_handle, bool> is_inside(false);
+  const auto enter = [&](Triangulation::Face_handle f) {
+    if (!is_inside[f])
+      inside.push_back(f);
+    is_inside[f] = true;
+  };
+  for (const auto& [s, t] : profile.edges()) {
+    Triangulation::Face_handle f;
+    int i;
+    if (tr.is_edge(vertex[s], vertex[t], f, i)) // f is on one side: the domain is on the left
+      enter(f->vertex(Triangulation::ccw(i)) == vertex[s] ? f : f->neighbor(i));
+  }
+  for (std::size_t k = 0; k < inside.size(); ++k)
+    for (int i = 0; i < 3; ++i)
+      if (const auto f = inside[k]; !f->is_constrained(i))
+        enter(f->neighbor(i));
+
+  std::vector<Indexed_surface::Face> faces;
+  for (const auto f : inside)
+    faces.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  return faces;
+}
 
 namespace internal {
 
@@ -160,6 +236,58 @@ inline Profile annulus(std::size_t n, double bore)
   profile.end_loop();
   add_hole(profile, 0, 0, bore, n);
   return profile;
+}
+
+/// A closed solid with `layers` copies of a profile, the walls of quadrangles cut in two, and
+/// planar faces at both ends. `position(k, layer)` is where the k-th point of the profile is; a map
+/// that keeps its orientation when looked at against the direction of the layers. The points are
+/// numbered layer by layer. \pre `layers >= 2`
+template <class Position>
+Indexed_surface swept(const Profile& profile, std::size_t layers, const Position& position)
+{
+  const std::size_t n = profile.points.size(), top = (layers - 1) * n;
+  Indexed_surface surface;
+  for (std::size_t layer = 0; layer < layers; ++layer)
+    for (std::size_t k = 0; k < n; ++k)
+      surface.points.push_back(position(k, layer));
+  for (const Indexed_surface::Face& f : planar_face(profile)) {
+    surface.faces.push_back({f[0], f[2], f[1]});
+    surface.faces.push_back({top + f[0], top + f[1], top + f[2]});
+  }
+  const auto edges = profile.edges();
+  for (std::size_t first = 0; first < top; first += n)
+    for (const auto& [s, t] : edges) {
+      surface.faces.push_back({first + s, first + t, first + n + t});
+      surface.faces.push_back({first + s, first + n + t, first + n + s});
+    }
+  return surface;
+}
+
+/// A closed solid with `rings` rings of `segments` points and a hub at each end that a fan of
+/// triangles joins to the last ring. `position(segment, ring)`; the points are numbered ring by
+/// ring, then the two hubs. \pre `segments >= 3`, `rings >= 1`
+template <class Position>
+Indexed_surface turned(std::size_t segments, std::size_t rings, const Position& position,
+                       const Indexed_surface::Point_3& first_hub,
+                       const Indexed_surface::Point_3& last_hub)
+{
+  const std::size_t n = segments * rings;
+  Indexed_surface surface;
+  for (std::size_t r = 0; r < rings; ++r)
+    for (std::size_t s = 0; s < segments; ++s)
+      surface.points.push_back(position(s, r));
+  surface.points.push_back(first_hub);
+  surface.points.push_back(last_hub);
+  for (std::size_t s = 0; s < segments; ++s) {
+    const std::size_t t = (s + 1) % segments;
+    surface.faces.push_back({n, t, s});
+    for (std::size_t first = 0; first + segments < n; first += segments) {
+      surface.faces.push_back({first + s, first + t, first + segments + t});
+      surface.faces.push_back({first + s, first + segments + t, first + segments + s});
+    }
+    surface.faces.push_back({n + 1, n - segments + s, n - segments + t});
+  }
+  return surface;
 }
 
 } // namespace surfaces

@@ -5,10 +5,11 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_REFINE_H
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
-#include <Delaunay_from_surface_3_surfaces/jitter.h>
+#include <Delaunay_from_surface_3_surfaces/edit.h>
 
 #include <CGAL/Subdivision_method_3/subdivision_methods_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -113,6 +114,32 @@ inline Indexed_surface densified(Mesh mesh, std::size_t n, double fraction = 0.0
     internal::loop_rounds(mesh, 1);
   internal::split_longest_edges(mesh, n);
   Indexed_surface surface = from_mesh(mesh);
+  jitter(surface, fraction, seed);
+  return surface;
+}
+
+/// A closed triangle mesh with about `n` vertices, fewer than it has: edges are collapsed.
+inline Indexed_surface simplified(Mesh mesh, std::size_t n)
+{
+  internal::require_triangles(mesh);
+  // Three edges per vertex, which is what is counted.
+  const auto stop = [n](const auto&, const auto&, std::size_t, std::size_t edges) {
+    return edges <= 3 * n;
+  };
+  CGAL::Surface_mesh_simplification::edge_collapse(mesh, stop);
+  mesh.collect_garbage();
+  return from_mesh(mesh);
+}
+
+/// A closed triangle mesh with `n` vertices, exactly if it has no more of them, else about:
+/// `simplified()` or `densified()`, with jitter in both cases, so that the surfaces of all sizes
+/// are equally rough.
+inline Indexed_surface resized(const Mesh& mesh, std::size_t n, double fraction = 0.05,
+                               std::uint64_t seed = 0)
+{
+  if (mesh.number_of_vertices() <= n)
+    return densified(mesh, n, fraction, seed);
+  Indexed_surface surface = simplified(mesh, n);
   jitter(surface, fraction, seed);
   return surface;
 }

@@ -2,24 +2,48 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H
-#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H
-
-// Reports what the insertion does, phase by phase and round by round, as visitors see it.
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_STATISTICS_H
+#define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_STATISTICS_H
 
 #include "Report.h"
 #include "Surface.h"
 
-#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
-#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
 #include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/delaunay_share.h>
 
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
+
+// What --stats and --compare report.
+
+// Reports how much of the surface is in the triangulation.
+inline void report_surface(const Surface& surface, const Triangulation& tr,
+                           const std::vector<Triangulation::Vertex_handle>& vertices,
+                           Report& report)
+{
+  report.title("The surface in the triangulation");
+  if (tr.dimension() < 2) {
+    report("Delaunay edges", "not counted in dimension " + std::to_string(tr.dimension()));
+    return;
+  }
+  const auto share = meters::delaunay_share(tr, vertices, surface.faces);
+  report("Delaunay edges", fraction(share.delaunay_edges, share.edges));
+  report("other edges", fraction(share.edges - share.delaunay_edges, share.edges));
+  report("Delaunay triangles", fraction(share.delaunay_triangles, share.triangles));
+  report("other triangles", fraction(share.triangles - share.delaunay_triangles, share.triangles));
+  if (share.polygons > 0)
+    report("polygons", std::to_string(share.polygons) + " (not counted as triangles)");
+}
+
+// Reports what the insertion does, phase by phase and round by round, as visitors see it.
 
 using Phase = CGAL::Surface_insertion_phase;
 using CGAL::Delaunay_from_surface_3::Insertion_counts;
@@ -134,4 +158,80 @@ void report_seconds(const Surface& surface, const Traits& traits, unsigned int s
     report(name, visitor.total(phase), 6);
 }
 
-#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_INSERTION_STATISTICS_H
+// Times the package on the surface, from nothing; destruction is not timed.
+template <class Traits>
+Seconds time_package(const Surface& surface, const Traits& traits, unsigned int seed)
+{
+  Triangulation tr;
+  return time_of([&] { insert_surface(tr, surface, traits, CGAL::parameters::random_seed(seed)); });
+}
+
+// Times CGAL's own insertion of the points in the order of the file, from nothing into `tr`.
+inline Seconds time_plain(const Surface& surface, Triangulation& tr)
+{
+  return time_of([&] { tr.insert(surface.points.begin(), surface.points.end()); });
+}
+
+inline double median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+struct Timings
+{
+  std::vector<double> cpu, wall;
+
+  void add(const Seconds& seconds)
+  {
+    cpu.push_back(seconds.cpu);
+    wall.push_back(seconds.wall);
+  }
+};
+
+inline void report_timings(Report& report, const Timings& package, const Timings& plain)
+{
+  const double package_cpu = median(package.cpu), package_wall = median(package.wall);
+  const double plain_cpu = median(plain.cpu), plain_wall = median(plain.wall);
+  report("repetitions", package.cpu.size());
+  report("package CPU seconds", package_cpu, 6);
+  report("plain CPU seconds", plain_cpu, 6);
+  report("package wall seconds", package_wall, 6);
+  report("plain wall seconds", plain_wall, 6);
+  report("CPU ratio", plain_cpu / package_cpu, 3);
+  report("wall ratio", plain_wall / package_wall, 3);
+}
+
+// Runs the package and plain CGAL alternately, beginning now with one, now with the other. Prints
+// the medians and returns whether plain CGAL's triangulation equals `result`.
+template <class Traits>
+bool compare_with_plain(const Surface& surface, const Traits& traits, unsigned int seed,
+                        unsigned int repetitions, const Triangulation& result, Report& report,
+                        Messages& messages)
+{
+  report.title("Comparison with CGAL's own insert(first, last)"
+               "\n(medians; ratio = plain CGAL / package, above 1 the package is faster)");
+  Timings package, plain;
+  bool is_equal = true;
+  for (unsigned int r = 0; r < repetitions; ++r) {
+    messages.step("comparing: repetition " + std::to_string(r + 1) + " of " +
+                  std::to_string(repetitions));
+    if (r % 2 == 0)
+      package.add(time_package(surface, traits, seed));
+    {
+      Triangulation tr;
+      plain.add(time_plain(surface, tr));
+      if (r + 1 == repetitions)
+        is_equal = result == tr;
+    }
+    if (r % 2 == 1)
+      package.add(time_package(surface, traits, seed));
+  }
+  messages.clear();
+  report_timings(report, package, plain);
+  report("equal", is_equal ? "yes" : "no");
+  return is_equal;
+}
+
+#endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_STATISTICS_H

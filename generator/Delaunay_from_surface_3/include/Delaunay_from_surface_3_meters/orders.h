@@ -2,20 +2,36 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DELAUNAY_FROM_SURFACE_3_METERS_NEIGHBOR_STARTED_ROUNDS_H
-#define DELAUNAY_FROM_SURFACE_3_METERS_NEIGHBOR_STARTED_ROUNDS_H
-
-// Beyond the paper: once the order is known, so is which surface neighbour of a point will have
-// been inserted last when its turn comes. One pass over the edges of F finds it for all points.
+#ifndef DELAUNAY_FROM_SURFACE_3_METERS_ORDERS_H
+#define DELAUNAY_FROM_SURFACE_3_METERS_ORDERS_H
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+// Log_star_rounds that are a type for each way to sort them, as Surface_insertion_policies_3 asks.
 namespace meters {
+
+template <CGAL::Delaunay_from_surface_3::Log_star_rounds::Sorted_rounds sorted>
+struct Sorted_log_star_rounds : CGAL::Delaunay_from_surface_3::Log_star_rounds
+{
+  explicit Sorted_log_star_rounds(unsigned int seed = 0)
+    : Log_star_rounds(seed, sorted)
+  {
+  }
+};
+
+using Random_log_star_rounds =
+    Sorted_log_star_rounds<CGAL::Delaunay_from_surface_3::Log_star_rounds::NO_ROUND>;
+using Hilbert_log_star_rounds =
+    Sorted_log_star_rounds<CGAL::Delaunay_from_surface_3::Log_star_rounds::ALL_ROUNDS>;
+
+// Beyond the paper: once the order is known, so is which surface neighbour of a point will have
+// been inserted last when its turn comes. One pass over the edges of F finds it for all points.
 
 // Takes the order of Plan and names for every point a starting place: the neighbour in the graph
 // that was inserted last before it, or, if none was, the point inserted just before. In a coherent
@@ -62,4 +78,4 @@ private:
 
 } // namespace meters
 
-#endif // DELAUNAY_FROM_SURFACE_3_METERS_NEIGHBOR_STARTED_ROUNDS_H
+#endif // DELAUNAY_FROM_SURFACE_3_METERS_ORDERS_H
