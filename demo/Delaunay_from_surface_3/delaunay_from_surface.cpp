@@ -259,12 +259,8 @@ int run(const Options& options, Report& report, Messages& messages)
 int run(const Options& options)
 {
   std::ostream& out = options.output == "-" ? std::cerr : std::cout;
-  Report report(out, options.json    ? Report::Style::JSON
-                     : options.quiet ? Report::Style::NONE
-                                     : Report::Style::TEXT);
-  Messages messages(options.quiet     ? Messages::Volume::QUIET
-                    : options.verbose ? Messages::Volume::VERBOSE
-                                      : Messages::Volume::NORMAL);
+  Report report(out, options.style());
+  Messages messages(options.volume());
   files::remove_files_on_signal();
   const int exit_code = run(options, report, messages);
   report.finish();

@@ -6,7 +6,6 @@
 // started, and writes it tile by tile. The first process speaks for all.
 
 #include "Report.h"
-#include "report_tiles.h"
 #include "tiles_command.h"
 
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>

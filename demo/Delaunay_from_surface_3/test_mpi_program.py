@@ -10,21 +10,18 @@ import json
 import os
 import struct
 import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 
+from program_case import ProgramCase
 from test_tiles_program import read_npy, write_points
 
 PROGRAM, BY_MPI, MPIEXEC = (os.environ[name] for name in ("DELAUNAY_FROM_SURFACE", "DELAUNAY_FROM_SURFACE_MPI",
                                                           "MPIEXEC"))
 
 
-class ByMpi(unittest.TestCase):
+class ByMpi(ProgramCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         self.points, self.output = self.folder / "points.raw", self.folder / "tiles"
         write_points(self.points, 6000)
 

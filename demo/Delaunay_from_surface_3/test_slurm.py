@@ -7,14 +7,14 @@
 import json
 import os
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
+from program_case import ROOT, ProgramCase
 from test_tiles_program import write_points
 
 PROGRAM, BY_MPI = os.environ["DELAUNAY_FROM_SURFACE"], os.environ.get("DELAUNAY_FROM_SURFACE_MPI")
-SCRIPTS = Path(__file__).resolve().parents[2] / "examples/Delaunay_from_surface_3/slurm"
+SCRIPTS = ROOT / "examples/Delaunay_from_surface_3/slurm"
 
 # Copies the script, as Slurm does, and runs it: by itself, or as the jobs of an array, two at a time.
 SBATCH = r"""#!/usr/bin/env bash
@@ -39,11 +39,9 @@ seq 0 "$array" | xargs -P 2 -I {} env SLURM_ARRAY_TASK_ID={} "$copy" "$@"
 """
 
 
-class Slurm(unittest.TestCase):
+class Slurm(ProgramCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         self.points, self.log = self.folder / "points.raw", self.folder / "log"
         write_points(self.points, 3000)
         programs = self.folder / "bin"

@@ -16,12 +16,11 @@ import shutil
 import signal
 import struct
 import subprocess
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
-PROGRAM = os.environ["DELAUNAY_FROM_SURFACE"]
+from program_case import ProgramCase
+
 LONG = os.environ.get("LONG") == "1"
 POINTS, MEMORY, LIMIT = (30000000, "1200M", 2000) if LONG else (60000, "4M", 300)
 
@@ -49,24 +48,17 @@ def read_npy(path):
     return head["shape"], numbers
 
 
-class Tiles(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+class Tiles(ProgramCase):
+    program = os.environ["DELAUNAY_FROM_SURFACE"]
 
     def command(self, *arguments):
-        return [PROGRAM, "tiles", *map(str, arguments)]
+        return [self.program, "tiles", *map(str, arguments)]
 
     def works(self, *arguments, **options):
-        run = subprocess.run(self.command(*arguments), capture_output=True, text=True, check=False, **options)
-        self.assertEqual((run.stderr, run.returncode), ("", 0))
-        return run.stdout
+        return super().works("tiles", *arguments, **options)
 
     def fails(self, *arguments, says, **options):
-        run = subprocess.run(self.command(*arguments), capture_output=True, text=True, check=False, **options)
-        self.assertEqual(run.returncode, 1)
-        self.assertRegex(run.stderr, f"^error: .*{says}.*\n$")
+        self.refuses(f".*(?:{says})", "tiles", *arguments, **options)
 
     def test_killed_and_resumed_with_little_memory(self):
         points = self.folder / "points.raw"

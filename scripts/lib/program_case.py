@@ -33,12 +33,12 @@ class ProgramCase(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def run_program(self, *arguments, **keywords):
-        return subprocess.run([os.path.abspath(self.program), *map(str, arguments)], cwd=self.folder, text=True,
+        return subprocess.run([os.path.abspath(self.program), *map(str, arguments)], cwd=keywords.pop("cwd", self.folder), text=True,
                               stdout=keywords.pop("stdout", subprocess.PIPE), stderr=subprocess.PIPE, **keywords)
 
-    def works(self, *arguments, prints=(), notes=""):
+    def works(self, *arguments, prints=(), notes="", **keywords):
         """It ends with 0, prints what is expected, and writes `notes` and nothing else to the standard error."""
-        result = self.run_program(*arguments)
+        result = self.run_program(*arguments, **keywords)
         self.assertEqual(result.returncode, 0, result.stderr)
         for expected in prints:
             self.assertRegex(result.stdout, expected)

@@ -25,7 +25,7 @@
 extern const char* const help_text;
 
 // The requests of the user.
-struct Options
+struct Options : Printing
 {
   std::string input, from; // `from` is empty if the extension says it
   std::string output, to;  // `to` is a format; both are empty if nothing is written
@@ -34,7 +34,7 @@ struct Options
   std::string traits;
   unsigned int seed = 0, repetitions = 5, threads = 1;
   bool inside = false, mark_inside = false;
-  bool compare = false, stats = false, json = false, quiet = false, verbose = false;
+  bool compare = false, stats = false;
 };
 
 // Returns the format of the output, as requested or as the extension says.
@@ -143,18 +143,11 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
       "mark-inside", po::bool_switch(&options.mark_inside))(
       "traits", po::value(&options.traits)->default_value("default"))("seed", po::value(&seed))(
       "compare", po::bool_switch(&options.compare))("repetitions", po::value(&repetitions))(
-      "threads", po::value(&threads))("stats", po::bool_switch(&options.stats))(
-      "json", po::bool_switch(&options.json))("quiet", po::bool_switch(&options.quiet))(
-      "verbose", po::bool_switch(&options.verbose))("help,h", "")("version", "")(
-      "view", po::value(&options.view))("three-js", po::value(&options.three_js))(
+      "threads", po::value(&threads))("stats", po::bool_switch(&options.stats))("help,h", "")(
+      "version", "")("view", po::value(&options.view))("three-js", po::value(&options.three_js))(
       "input", po::value(&options.input));
-  const po::positional_options_description positional =
-      po::positional_options_description().add("input", 1);
-  po::variables_map given;
-  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::store(
-      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-      given);
+  options.add_to(all);
+  po::variables_map given = read_command_line(argc, argv, all, 1);
 
   if (given.count("help") != 0) {
     std::cout << help_text;

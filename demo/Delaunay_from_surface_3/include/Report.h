@@ -7,6 +7,8 @@
 
 #include <Delaunay_from_surface_3_files/one_line.h>
 
+#include <boost/program_options.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -255,5 +257,45 @@ private:
   const Style m_style;
   std::string m_json;
 };
+
+// The options of all programs that say what is printed.
+struct Printing
+{
+  bool json = false, quiet = false, verbose = false;
+
+  void add_to(boost::program_options::options_description& all)
+  {
+    using boost::program_options::bool_switch;
+    all.add_options()("json", bool_switch(&json))("quiet", bool_switch(&quiet))(
+        "verbose", bool_switch(&verbose));
+  }
+
+  Report::Style style() const
+  {
+    return json ? Report::Style::JSON : quiet ? Report::Style::NONE : Report::Style::TEXT;
+  }
+
+  Messages::Volume volume() const
+  {
+    return quiet     ? Messages::Volume::QUIET
+           : verbose ? Messages::Volume::VERBOSE
+                     : Messages::Volume::NORMAL;
+  }
+};
+
+// Reads a command line with at most so many inputs, or any number of them if that is -1.
+inline boost::program_options::variables_map
+read_command_line(int argc, char* argv[], const boost::program_options::options_description& all,
+                  int most_inputs)
+{
+  namespace po = boost::program_options;
+  const auto positional = po::positional_options_description().add("input", most_inputs);
+  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+  po::variables_map given;
+  po::store(
+      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+      given);
+  return given;
+}
 
 #endif // CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_REPORT_H

@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-// What --stats and --compare report.
+// Reports what --stats and --compare ask for.
 
 // Reports how much of the surface is in the triangulation.
 inline void report_surface(const Surface& surface, const Triangulation& tr,

@@ -6,13 +6,12 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_DEMO_TILES_COMMAND_H
 
 #include "Report.h"
-#include "report_tiles.h"
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_options.h>
 
-#include <Delaunay_from_surface_3_files/Remove_on_signal.h>
+#include <Delaunay_from_surface_3_files/Output_file.h>
 
 #include <boost/program_options.hpp>
 
@@ -30,26 +29,15 @@
 namespace core = CGAL::Delaunay_from_surface_3::internal;
 
 // The arguments of `delaunay_from_surface tiles`, and of `delaunay_from_surface_mpi`.
-struct Tiles_command
+struct Tiles_command : Printing
 {
   std::vector<std::string> inputs;
   std::string output, join;
   CGAL::Tiles_options options;
   unsigned int threads = 1;
   std::optional<unsigned int> task;
-  bool next = false, vtu = false, neighbors = false, json = false, quiet = false, verbose = false;
+  bool next = false, vtu = false, neighbors = false;
   bool help = false; // by MPI
-
-  Report::Style style() const
-  {
-    return json ? Report::Style::JSON : quiet ? Report::Style::NONE : Report::Style::TEXT;
-  }
-  Messages::Volume volume() const
-  {
-    return quiet     ? Messages::Volume::QUIET
-           : verbose ? Messages::Volume::VERBOSE
-                     : Messages::Volume::NORMAL;
-  }
 
   CGAL::Point_files_3 points() const
   {
@@ -67,6 +55,21 @@ struct Tiles_command
     };
   }
 };
+
+inline void report_tiles(const std::string& output, const CGAL::Tiles_report& result,
+                         Report& report)
+{
+  report("output", output);
+  report("points", result.points);
+  report("tiles", result.tiles);
+  report("rounds", result.rounds);
+  report("points told", result.told);
+  report("points kept", result.kept);
+  report("most points kept by a tile", result.most_kept);
+  report("cells", result.cells);
+  report("certificate", "holds: the tiles are the Delaunay triangulation of all points, up to a "
+                        "collision of hashes of 128 bits");
+}
 
 // A file in which tiles are joined. Nothing of it stays if a signal ends the program.
 class Joined_file : public core::Joined_tiles
@@ -111,22 +114,15 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[], bool by_mpi = f
   auto add = all.add_options();
   add("output,o", po::value(&command.output))("tiles", po::value(&tiles));
   add("threads", po::value(&threads))("vtu", po::bool_switch(&command.vtu));
-  add("join", po::value(&command.join))("json", po::bool_switch(&command.json));
-  add("quiet", po::bool_switch(&command.quiet))("verbose", po::bool_switch(&command.verbose));
-  add("input", po::value(&command.inputs));
+  add("join", po::value(&command.join))("input", po::value(&command.inputs));
+  command.add_to(all);
   if (by_mpi) {
     add("help,h", po::bool_switch(&command.help));
   } else {
     add("memory", po::value(&memory))("neighbors", po::bool_switch(&command.neighbors));
     add("next", po::bool_switch(&command.next))("task", po::value(&task));
   }
-  const po::positional_options_description positional =
-      po::positional_options_description().add("input", -1);
-  po::variables_map given;
-  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::store(
-      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-      given);
+  po::variables_map given = read_command_line(argc, argv, all, -1);
   po::notify(given);
   if (command.help)
     return command;

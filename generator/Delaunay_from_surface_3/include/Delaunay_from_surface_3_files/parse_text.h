@@ -189,15 +189,15 @@ private:
   std::size_t m_number = 0, m_passed = 0; // where the line begins, and ends
 };
 
-// The three coordinates of a vertex that the line goes on with.
-inline std::array<double, 3> read_coordinates(Lines& lines)
+// The coordinates of a vertex that the line goes on with; the fourth, a divisor, if they are homogeneous.
+inline std::array<double, 4> read_coordinates(Lines& lines, bool are_homogeneous = false)
 {
-  std::array<double, 3> x;
-  for (double& coordinate : x) {
+  std::array<double, 4> x = {0, 0, 0, 1};
+  for (std::size_t i = 0; i < (are_homogeneous ? 4u : 3u); ++i) {
     const std::string_view word = lines.word();
     if (word.empty())
       throw Bad_content("a vertex has too few coordinates");
-    coordinate = parse_coordinate(word);
+    x[i] = parse_coordinate(word);
   }
   return x;
 }

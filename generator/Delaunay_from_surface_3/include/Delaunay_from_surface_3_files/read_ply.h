@@ -138,17 +138,13 @@ private:
 
   static Ply_type type_of(std::string_view word)
   {
-    static const std::array<std::array<const char*, 2>, 8> names = {{{"char", "int8"},
-                                                                     {"uchar", "uint8"},
-                                                                     {"short", "int16"},
-                                                                     {"ushort", "uint16"},
-                                                                     {"int", "int32"},
-                                                                     {"uint", "uint32"},
-                                                                     {"float", "float32"},
-                                                                     {"double", "float64"}}};
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (word == names[i][0] || word == names[i][1])
-        return Ply_type(i);
+    static const std::array<const char*, 16> names = {
+        // two for each type
+        "char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
+        "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found != names.end())
+      return Ply_type((found - names.begin()) / 2);
     throw Bad_content(excerpt(word) + " is no type");
   }
 
@@ -294,31 +290,21 @@ private:
     return *reinterpret_cast<const unsigned char*>(&one) == 0;
   }
 
+  template <class Number>
+  static double number_at(const char* bytes)
+  {
+    Number number;
+    std::memcpy(&number, bytes, sizeof(number));
+    return double(number);
+  }
+
   static double number_in(const std::array<char, 8>& bytes, Ply_type type)
   {
-    const auto as = [&](auto value) {
-      std::memcpy(&value, bytes.data(), sizeof(value));
-      return double(value);
-    };
-    switch (type) {
-    case Ply_type::INT8:
-      return as(std::int8_t());
-    case Ply_type::UINT8:
-      return as(std::uint8_t());
-    case Ply_type::INT16:
-      return as(std::int16_t());
-    case Ply_type::UINT16:
-      return as(std::uint16_t());
-    case Ply_type::INT32:
-      return as(std::int32_t());
-    case Ply_type::UINT32:
-      return as(std::uint32_t());
-    case Ply_type::FLOAT32:
-      return as(float());
-    case Ply_type::FLOAT64:
-      break;
-    }
-    return as(double());
+    static constexpr double (*readers[])(const char*) = {
+        number_at<std::int8_t>,   number_at<std::uint8_t>, number_at<std::int16_t>,
+        number_at<std::uint16_t>, number_at<std::int32_t>, number_at<std::uint32_t>,
+        number_at<float>,         number_at<double>};
+    return readers[std::size_t(type)](bytes.data());
   }
 
   Ply_header m_header; // first: it takes the header off the text

@@ -95,17 +95,8 @@ private:
   void read_vertex(Polygon_soup& soup)
   {
     next_line();
-    double x[4] = {0, 0, 0, 1};
-    for (int i = 0; i < (m_is_homogeneous ? 4 : 3); ++i) {
-      const std::string_view word = m_lines.word();
-      if (word.empty())
-        throw Bad_content("a vertex has too few coordinates");
-      x[i] = parse_coordinate(word);
-    }
-    if (m_is_homogeneous)
-      soup.points.emplace_back(x[0] / x[3], x[1] / x[3], x[2] / x[3]);
-    else
-      soup.points.emplace_back(x[0], x[1], x[2]);
+    const auto x = read_coordinates(m_lines, m_is_homogeneous);
+    soup.points.emplace_back(x[0] / x[3], x[1] / x[3], x[2] / x[3]);
   }
 
   void read_face(Polygon_soup& soup)

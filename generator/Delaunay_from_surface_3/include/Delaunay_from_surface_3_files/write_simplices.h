@@ -151,6 +151,8 @@ void write_rows(std::ostream& out, const Simplices_3& s, const std::vector<std::
   }
 }
 
+constexpr int vtk_types[] = {1, 3, 5, 10}; // vertex, line, triangle, tetrahedron
+
 } // namespace internal
 
 // writes simplices in Gmsh's text format, `.msh`, version 2.2, which every reader of such files knows.
@@ -225,7 +227,6 @@ inline void write_tetgen_neigh(std::ostream& out, const Simplices_3& s)
 // `write_vtu()`. Those files are smaller, and read faster.
 inline void write_vtk(std::ostream& out, const Simplices_3& s)
 {
-  static const int vtk_types[] = {1, 3, 5, 10}; // vertex, line, triangle, tetrahedron
   const internal::Full_precision precision(out);
   out << "# vtk DataFile Version 3.0\nDelaunay triangulation\nASCII\nDATASET UNSTRUCTURED_GRID\n"
       << "POINTS " << s.points.size() << " double\n";
@@ -236,7 +237,7 @@ inline void write_vtk(std::ostream& out, const Simplices_3& s)
       out, s, s.simplices, 0, [&](std::size_t) { out << s.corners() << ' '; }, "\n");
   out << "CELL_TYPES " << s.size() << '\n';
   for (std::size_t c = 0; c < s.size(); ++c)
-    out << vtk_types[s.dimension] << '\n';
+    out << internal::vtk_types[s.dimension] << '\n';
   out << "POINT_DATA " << s.points.size() << "\nSCALARS input_index long 1\nLOOKUP_TABLE default\n";
   for (const auto i : s.input_indices)
     out << i << '\n';
@@ -249,51 +250,11 @@ inline void write_vtk(std::ostream& out, const Simplices_3& s)
   }
 }
 
-namespace internal {
-
-// One array at the end of a .vtu file: its size in bytes and then its bytes.
-template <class T>
-void write_block(std::ostream& out, const std::vector<T>& data)
-{
-  const std::uint64_t size = data.size() * sizeof(T);
-  out.write(reinterpret_cast<const char*>(&size), sizeof(size));
-  out.write(reinterpret_cast<const char*>(data.data()), std::streamsize(size));
-}
-
-inline const char* byte_order()
-{
-  const std::uint16_t one = 1;
-  return *reinterpret_cast<const unsigned char*>(&one) == 1 ? "LittleEndian" : "BigEndian";
-}
-
-// Says in the XML part where in the appended part an array stands.
-class Announce_array
-{
-public:
-  explicit Announce_array(std::ostream& out)
-    : m_out(out)
-  {
-  }
-  void operator()(const std::string& attributes, std::uint64_t size)
-  {
-    m_out << "        <DataArray " << attributes << R"( format="appended" offset=")" << m_offset
-          << "\"/>\n";
-    m_offset += sizeof(std::uint64_t) + size;
-  }
-
-private:
-  std::ostream& m_out;
-  std::uint64_t m_offset = 0;
-};
-
-} // namespace internal
-
 // writes simplices in VTK's XML format for unstructured grids, `.vtu`, with the arrays appended as
 // they are in memory; with the points' indices in the input as `input_index`, and all data of the
 // simplices. The stream must be binary.
 inline void write_vtu(std::ostream& out, const Simplices_3& s)
 {
-  static const std::uint8_t vtk_types[] = {1, 3, 5, 10}; // vertex, line, triangle, tetrahedron
   std::vector<double> coordinates;
   coordinates.reserve(3 * s.points.size());
   for (const auto& p : s.points)
@@ -301,36 +262,43 @@ inline void write_vtu(std::ostream& out, const Simplices_3& s)
   std::vector<std::int64_t> ends(s.size());
   for (std::size_t i = 0; i < ends.size(); ++i)
     ends[i] = std::int64_t((i + 1) * s.corners());
-  const std::vector<std::uint8_t> types(s.size(), vtk_types[s.dimension]);
+  const std::vector<std::uint8_t> types(s.size(), std::uint8_t(internal::vtk_types[s.dimension]));
 
+  // The XML part says where in the appended part an array stands: its size in bytes, then its bytes.
+  std::vector<std::pair<const void*, std::uint64_t>> blocks;
+  std::uint64_t offset = 0;
+  const auto announce = [&](const std::string& attributes, const auto& data) {
+    out << "        <DataArray " << attributes << R"( format="appended" offset=")" << offset
+        << "\"/>\n";
+    blocks.emplace_back(data.data(), data.size() * sizeof(data[0]));
+    offset += sizeof(std::uint64_t) + blocks.back().second;
+  };
+  const std::uint16_t one = 1;
+  const bool is_little_endian = *reinterpret_cast<const unsigned char*>(&one) == 1;
   out << R"(<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="1.0" byte_order=")"
-      << internal::byte_order() << R"(" header_type="UInt64">
+      << (is_little_endian ? "LittleEndian" : "BigEndian") << R"(" header_type="UInt64">
   <UnstructuredGrid>
     <Piece NumberOfPoints=")"
       << s.points.size() << R"(" NumberOfCells=")" << s.size() << R"(">
       <Points>
 )";
-  internal::Announce_array announce(out);
-  announce(R"(type="Float64" Name="Points" NumberOfComponents="3")", 8 * coordinates.size());
+  announce(R"(type="Float64" Name="Points" NumberOfComponents="3")", coordinates);
   out << "      </Points>\n      <Cells>\n";
-  announce(R"(type="Int64" Name="connectivity")", 8 * s.simplices.size());
-  announce(R"(type="Int64" Name="offsets")", 8 * ends.size());
-  announce(R"(type="UInt8" Name="types")", types.size());
+  announce(R"(type="Int64" Name="connectivity")", s.simplices);
+  announce(R"(type="Int64" Name="offsets")", ends);
+  announce(R"(type="UInt8" Name="types")", types);
   out << "      </Cells>\n      <PointData>\n";
-  announce(R"(type="Int64" Name="input_index")", 8 * s.input_indices.size());
+  announce(R"(type="Int64" Name="input_index")", s.input_indices);
   out << "      </PointData>\n      <CellData>\n";
   for (const Simplices_3::Data& data : s.data)
-    announce(R"(type="Float64" Name=")" + data.name + "\"", 8 * data.values.size());
+    announce(R"(type="Float64" Name=")" + data.name + "\"", data.values);
   out << "      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n"
       << R"(  <AppendedData encoding="raw">_)";
-  internal::write_block(out, coordinates);
-  internal::write_block(out, s.simplices);
-  internal::write_block(out, ends);
-  internal::write_block(out, types);
-  internal::write_block(out, s.input_indices);
-  for (const Simplices_3::Data& data : s.data)
-    internal::write_block(out, data.values);
+  for (const auto& [data, size] : blocks) {
+    out.write(reinterpret_cast<const char*>(&size), sizeof(size));
+    out.write(static_cast<const char*>(data), std::streamsize(size));
+  }
   out << "\n  </AppendedData>\n</VTKFile>\n";
 }
 

@@ -26,16 +26,13 @@ struct Predicate_counts
   // returns all calls.
   std::size_t all() const { return orientation + in_sphere + other; }
 
-  //   returns how many cells the walks that these counts belong to have entered, the starting cells not
-  //   counted. In dimension 3 a walk goes through a facet exactly when the orientation test with that
-  //   facet is negative, and into an infinite cell in the same way.
-  //
-  //   \pre The counts are of walks in dimension 3 only: of the phases `LOCATION` and `TRACE`. Conflict
-  //   searches test orientations too, for other ends.
-  //
+  // returns how many cells the walks that these counts belong to have entered, the starting cells not
+  // counted. In dimension 3 a walk goes through a facet exactly when the orientation test with that
+  // facet is negative, and into an infinite cell in the same way.
+  // \pre The counts are of walks in dimension 3 only: of the phases `LOCATION` and `TRACE`. Conflict
+  // searches test orientations too, for other ends.
   std::size_t cells_entered() const { return negative_orientation; }
 
-  // adds.
   Predicate_counts& operator+=(const Predicate_counts& other_counts)
   {
     orientation += other_counts.orientation;
@@ -45,7 +42,6 @@ struct Predicate_counts
     return *this;
   }
 
-  // subtracts.
   friend Predicate_counts operator-(Predicate_counts a, const Predicate_counts& b)
   {
     a.orientation -= b.orientation;
@@ -119,21 +115,16 @@ class Predicate_counting_traits_3 : public Kernel
 
 public:
   // \name Predicates that are counted
+  // The names of `Predicate_counts` say where.
   // @{
 
-  // counts in `Predicate_counts::orientation` and `Predicate_counts::negative_orientation`.
   using Orientation_3 = Counting<typename Kernel::Orientation_3, Count_orientation>;
-  // counts in `Predicate_counts::in_sphere`.
   using Side_of_oriented_sphere_3 =
       Counting<typename Kernel::Side_of_oriented_sphere_3, Count_in_sphere>;
-  // counts in `Predicate_counts::other`.
   using Coplanar_orientation_3 = Counting<typename Kernel::Coplanar_orientation_3, Count_other>;
-  // counts in `Predicate_counts::other`.
   using Coplanar_side_of_bounded_circle_3 =
       Counting<typename Kernel::Coplanar_side_of_bounded_circle_3, Count_other>;
-  // counts in `Predicate_counts::other`.
   using Compare_xyz_3 = Counting<typename Kernel::Compare_xyz_3, Count_other>;
-  // counts in `Predicate_counts::other`.
   using Compare_distance_3 = Counting<typename Kernel::Compare_distance_3, Count_other>;
 
   // @}
@@ -149,35 +140,29 @@ public:
   const Predicate_counts& counts() const { return *m_counts; }
 
   // \name Function objects
-  // They count as long as this object or a copy of it lives.
+  // Each returns the counting predicate, which counts as long as this object or a copy of it lives.
   // @{
 
-  // returns the counting predicate.
   Orientation_3 orientation_3_object() const
   {
     return {Kernel::orientation_3_object(), m_counts.get()};
   }
-  // returns the counting predicate.
   Side_of_oriented_sphere_3 side_of_oriented_sphere_3_object() const
   {
     return {Kernel::side_of_oriented_sphere_3_object(), m_counts.get()};
   }
-  // returns the counting predicate.
   Coplanar_orientation_3 coplanar_orientation_3_object() const
   {
     return {Kernel::coplanar_orientation_3_object(), m_counts.get()};
   }
-  // returns the counting predicate.
   Coplanar_side_of_bounded_circle_3 coplanar_side_of_bounded_circle_3_object() const
   {
     return {Kernel::coplanar_side_of_bounded_circle_3_object(), m_counts.get()};
   }
-  // returns the counting predicate.
   Compare_xyz_3 compare_xyz_3_object() const
   {
     return {Kernel::compare_xyz_3_object(), m_counts.get()};
   }
-  // returns the counting predicate.
   Compare_distance_3 compare_distance_3_object() const
   {
     return {Kernel::compare_distance_3_object(), m_counts.get()};

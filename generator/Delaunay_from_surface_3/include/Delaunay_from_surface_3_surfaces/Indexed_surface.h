@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,17 @@
 /// same points in the same order. Arguments that make no sense are refused by
 /// `std::invalid_argument` with a message for the user.
 namespace surfaces {
+
+namespace internal {
+constexpr double pi = 3.14159265358979323846;
+}
+
+/// Refuses arguments that make no sense.
+inline void require(bool makes_sense, const std::string& message)
+{
+  if (!makes_sense)
+    throw std::invalid_argument(message);
+}
 
 /// A triangle surface as a soup: points, and faces that index them.
 struct Indexed_surface
@@ -40,8 +52,8 @@ template <class Mesh>
 Mesh to_mesh(const Indexed_surface& surface)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  if (!PMP::is_polygon_soup_a_polygon_mesh(surface.faces))
-    throw std::invalid_argument("the surface is not an oriented manifold");
+  require(PMP::is_polygon_soup_a_polygon_mesh(surface.faces),
+          "the surface is not an oriented manifold");
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(surface.points, surface.faces, mesh);
   return mesh;

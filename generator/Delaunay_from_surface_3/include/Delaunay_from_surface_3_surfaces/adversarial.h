@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 
 namespace surfaces {
 
@@ -25,8 +24,7 @@ namespace surfaces {
 /// distances between 0.9 and 1 from the hub. \pre `n >= 3`
 inline Indexed_surface star(std::size_t n, std::uint64_t seed)
 {
-  if (n < 3)
-    throw std::invalid_argument("a star needs at least 3 vertices");
+  require(n >= 3, "a star needs at least 3 vertices");
   Random random(seed);
   Indexed_surface surface;
   surface.points.emplace_back(0, 0, 0);
@@ -46,8 +44,7 @@ inline Indexed_surface star(std::size_t n, std::uint64_t seed)
 /// \pre `n >= 3`
 inline Indexed_surface faces_at_random(std::size_t n, std::uint64_t seed)
 {
-  if (n < 3)
-    throw std::invalid_argument("faces at random need at least 3 vertices");
+  require(n >= 3, "faces at random need at least 3 vertices");
   Indexed_surface surface = star(n, seed); // its points but for the hub
   surface.faces.clear();
   surface.points[0] = Indexed_surface::Point_3(1, 0, 0);
@@ -64,8 +61,7 @@ inline Indexed_surface faces_at_random(std::size_t n, std::uint64_t seed)
 /// form a cell with every two of the other, n^2 / 4 altogether. \pre `n >= 4`
 inline Indexed_surface two_lines(std::size_t n)
 {
-  if (n < 4)
-    throw std::invalid_argument("two lines need at least 4 vertices");
+  require(n >= 4, "two lines need at least 4 vertices");
   const std::size_t half = n / 2;
   Indexed_surface surface;
   for (std::size_t i = 0; i < half; ++i) {
@@ -85,8 +81,7 @@ inline Indexed_surface two_lines(std::size_t n)
 /// triangulation of quadratic size, all points do not. \pre `n >= 64`
 inline Indexed_surface skew_stars(std::size_t n, std::uint64_t seed)
 {
-  if (n < 64)
-    throw std::invalid_argument("skew stars need at least 64 vertices");
+  require(n >= 64, "skew stars need at least 64 vertices");
   constexpr std::size_t leaves = 15;
   const std::size_t stars = n / (leaves + 1);
   Random random(seed);
@@ -113,8 +108,7 @@ inline Indexed_surface skew_stars(std::size_t n, std::uint64_t seed)
 /// are few. \pre `n >= 9`
 inline Indexed_surface room(std::size_t n, std::uint64_t seed)
 {
-  if (n < 9)
-    throw std::invalid_argument("a room needs at least 9 vertices");
+  require(n >= 9, "a room needs at least 9 vertices");
   const std::size_t cells = static_cast<std::size_t>(std::lround(std::sqrt(double(n - 3) / 6)));
   Indexed_surface surface = lattice_surface(0, 6 * cells * cells + 2);
   Random random(seed);
@@ -142,8 +136,7 @@ inline Indexed_surface room(std::size_t n, std::uint64_t seed)
 /// `noise`. \pre `n >= 4`
 inline Indexed_surface nearly_flat(std::size_t n, double noise, std::uint64_t seed)
 {
-  if (n < 4)
-    throw std::invalid_argument("a nearly flat patch needs at least 4 vertices");
+  require(n >= 4, "a nearly flat patch needs at least 4 vertices");
   Random random(seed);
   return internal::grid_patch(n, [&](double i, double j, double last) {
     const double x = (i + random.uniform(0, 0.4)) / last, y = (j + random.uniform(0, 0.4)) / last;

@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,8 +23,7 @@ namespace surfaces {
 /// The first `n` of three points, and their triangle when all are there. \pre `n <= 3`
 inline Indexed_surface few_points(std::size_t n)
 {
-  if (n > 3)
-    throw std::invalid_argument("there are at most 3 points");
+  require(n <= 3, "there are at most 3 points");
   Indexed_surface surface;
   surface.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   surface.points.resize(n);
@@ -37,8 +35,7 @@ inline Indexed_surface few_points(std::size_t n)
 /// A band of triangles without area on `n` points of one line, exactly collinear. \pre `n >= 3`
 inline Indexed_surface collinear(std::size_t n)
 {
-  if (n < 3)
-    throw std::invalid_argument("a collinear band needs at least 3 vertices");
+  require(n >= 3, "a collinear band needs at least 3 vertices");
   Indexed_surface surface;
   for (std::size_t i = 0; i < n; ++i) {
     const double t = static_cast<double>(i);
@@ -54,8 +51,7 @@ inline Indexed_surface collinear(std::size_t n)
 /// coplanar, with cocircular squares. \pre `n >= 4`
 inline Indexed_surface coplanar(std::size_t n)
 {
-  if (n < 4)
-    throw std::invalid_argument("a coplanar patch needs at least 4 vertices");
+  require(n >= 4, "a coplanar patch needs at least 4 vertices");
   return internal::grid_patch(
       n, [](double x, double y, double) { return Indexed_surface::Point_3(x + y, x - y, -2 * x); });
 }
@@ -65,8 +61,7 @@ inline Indexed_surface coplanar(std::size_t n)
 /// \pre there is a face
 inline void duplicate_points(Indexed_surface& surface, std::size_t count, std::uint64_t seed)
 {
-  if (surface.faces.empty())
-    throw std::invalid_argument("there are no faces to take points from");
+  require(!surface.faces.empty(), "there are no faces to take points from");
   Random random(seed);
   for (std::size_t i = 0; i < count; ++i) {
     Indexed_surface::Face& face = surface.faces[random.below(surface.faces.size())];
@@ -94,8 +89,7 @@ inline void separate_faces(Indexed_surface& surface)
 /// A square lattice of about `n` points at distance 1, off its plane by up to 2^-`k`. \pre `n >= 4`
 inline Indexed_surface noisy_sheet(std::size_t n, int k, std::uint64_t seed)
 {
-  if (n < 4)
-    throw std::invalid_argument("a sheet needs at least 4 vertices");
+  require(n >= 4, "a sheet needs at least 4 vertices");
   Random random(seed);
   const double noise = std::ldexp(1., -k);
   return internal::grid_patch(n, [&](double x, double y, double) {
@@ -107,8 +101,7 @@ inline Indexed_surface noisy_sheet(std::size_t n, int k, std::uint64_t seed)
 /// rotations and text files leave it. \pre `n >= 4`
 inline Indexed_surface dented_sheet(std::size_t n, double height)
 {
-  if (n < 4)
-    throw std::invalid_argument("a sheet needs at least 4 vertices");
+  require(n >= 4, "a sheet needs at least 4 vertices");
   std::size_t i = 0;
   return internal::grid_patch(n, [&](double x, double y, double) {
     return Indexed_surface::Point_3(x, y, i++ % 10 == 0 ? height : 0);
@@ -120,9 +113,8 @@ inline Indexed_surface dented_sheet(std::size_t n, double height)
 inline Indexed_surface thin_tube(std::size_t n, int k)
 {
   const std::size_t around = 24, rings = n / around;
-  if (rings < 2)
-    throw std::invalid_argument("a tube needs at least 48 vertices");
-  const double radius = std::ldexp(1., -k), turn = 2 * 3.14159265358979323846;
+  require(rings >= 2, "a tube needs at least 48 vertices");
+  const double radius = std::ldexp(1., -k), turn = 2 * internal::pi;
   Indexed_surface surface;
   for (std::size_t i = 0; i < rings; ++i)
     for (std::size_t j = 0; j < around; ++j) {

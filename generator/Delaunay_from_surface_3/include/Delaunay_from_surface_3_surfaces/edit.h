@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -44,8 +43,7 @@ inline std::vector<double> local_edge_lengths(const Indexed_surface& surface)
 /// \pre `0 <= fraction < 0.5`
 inline void jitter(Indexed_surface& surface, double fraction, std::uint64_t seed)
 {
-  if (!(fraction >= 0 && fraction < 0.5))
-    throw std::invalid_argument("the jitter must be at least 0 and below 0.5");
+  require(fraction >= 0 && fraction < 0.5, "the jitter must be at least 0 and below 0.5");
   if (fraction == 0)
     return;
   const std::vector<double> length = local_edge_lengths(surface);
@@ -113,8 +111,7 @@ inline void append(Indexed_surface& surface, const Indexed_surface& other,
 /// \pre `count >= 1`
 inline Indexed_surface copies(const Indexed_surface& surface, std::size_t count)
 {
-  if (count == 0)
-    throw std::invalid_argument("there must be at least one component");
+  require(count > 0, "there must be at least one component");
   double step = 0;
   if (!surface.points.empty()) {
     const auto box = CGAL::bounding_box(surface.points.begin(), surface.points.end());
@@ -144,8 +141,7 @@ inline void puncture(Indexed_surface& surface, std::size_t holes, std::uint64_t 
     removed[f] = true;
     --left;
   }
-  if (left > 0)
-    throw std::invalid_argument("the surface has no room for " + std::to_string(holes) + " holes");
+  require(left == 0, "the surface has no room for " + std::to_string(holes) + " holes");
   std::vector<Indexed_surface::Face> kept;
   kept.reserve(surface.faces.size() - holes);
   for (std::size_t f = 0; f < surface.faces.size(); ++f)

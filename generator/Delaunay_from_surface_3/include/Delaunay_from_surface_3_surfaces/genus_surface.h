@@ -7,13 +7,11 @@
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/implicit_shapes.h>
-#include <Delaunay_from_surface_3_surfaces/polygonise.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -236,9 +234,8 @@ inline void require_genus(const Indexed_surface& surface, std::size_t genus)
 {
   // In a closed triangle surface 2 E = 3 F.
   const std::size_t n = surface.points.size(), f = surface.faces.size();
-  if (n == 0 || n + 2 * genus != 2 + f / 2 || number_of_components(surface) != 1)
-    throw std::invalid_argument("too few vertices to show genus " + std::to_string(genus) +
-                                ": ask for more");
+  require(n > 0 && n + 2 * genus == 2 + f / 2 && number_of_components(surface) == 1,
+          "too few vertices to show genus " + std::to_string(genus) + ": ask for more");
 }
 
 template <class Shape>

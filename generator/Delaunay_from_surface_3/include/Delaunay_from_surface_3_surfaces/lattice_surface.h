@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -87,8 +86,8 @@ template <class IsHole>
 Indexed_surface lattice_shell(std::int64_t nx, std::int64_t ny, std::int64_t nz, IsHole is_hole,
                               std::size_t cells)
 {
-  if (static_cast<std::int64_t>(cells) * (std::max)({nx, ny, nz}) >= std::int64_t(1) << 21)
-    throw std::invalid_argument("the lattice is too large");
+  require(static_cast<std::int64_t>(cells) * (std::max)({nx, ny, nz}) < std::int64_t(1) << 21,
+          "the lattice is too large");
   const std::array<std::int64_t, 3> size = {nx, ny, nz};
   const auto is_full = [&](const std::array<std::int64_t, 3>& q) {
     for (int axis = 0; axis < 3; ++axis)
@@ -131,8 +130,7 @@ inline Indexed_surface lattice_surface(std::size_t genus, std::size_t n)
 /// lattice have distance 1, joined at the rim to a closed surface. \pre `thickness > 0`
 inline Indexed_surface thin_plate(std::size_t n, double thickness)
 {
-  if (!(thickness > 0))
-    throw std::invalid_argument("the thickness must be positive");
+  require(thickness > 0, "the thickness must be positive");
   const std::int64_t side =
       static_cast<std::int64_t>((std::max)(std::round(std::sqrt(n / 2.)) - 1, 1.));
   Indexed_surface surface = internal::lattice_shell(

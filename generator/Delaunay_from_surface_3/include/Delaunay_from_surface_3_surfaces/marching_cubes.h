@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -28,8 +27,7 @@ public:
     : m_size(n)
     , m_values(n * n * n, 1.)
   {
-    if (n < 3)
-      throw std::invalid_argument("a volume needs at least 3 lattice points in each direction");
+    require(n >= 3, "a volume needs at least 3 lattice points in each direction");
     for (std::size_t k = 1; k + 1 < n; ++k)
       for (std::size_t j = 1; j + 1 < n; ++j)
         for (std::size_t i = 1; i + 1 < n; ++i)

@@ -12,11 +12,28 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 namespace surfaces {
 namespace internal {
+
+// A grid of points, `position(i, j)`, row by row. If it is closed, the last row and column are joined
+// to the first ones.
+template <class Position>
+Indexed_surface grid(std::size_t rows, std::size_t columns, bool is_closed, Position position)
+{
+  Indexed_surface surface;
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < columns; ++j) {
+      surface.points.push_back(position(i, j));
+      if (!is_closed && (i + 1 == rows || j + 1 == columns))
+        continue;
+      const std::size_t p = i * columns, q = (i + 1) % rows * columns, j1 = (j + 1) % columns;
+      surface.faces.push_back({p + j, q + j, q + j1});
+      surface.faces.push_back({p + j, q + j1, p + j1});
+    }
+  return surface;
+}
 
 // About n points in a square grid, `position(i, j, last)` with i and j from 0 to last, joined to a
 // disc.
@@ -24,18 +41,18 @@ template <class Position>
 Indexed_surface grid_patch(std::size_t n, Position position)
 {
   const std::size_t side = (std::max)(std::size_t(2), static_cast<std::size_t>(std::sqrt(n) + 0.5));
-  Indexed_surface surface;
-  for (std::size_t i = 0; i < side; ++i)
-    for (std::size_t j = 0; j < side; ++j) {
-      surface.points.push_back(
-          position(static_cast<double>(i), static_cast<double>(j), static_cast<double>(side - 1)));
-      if (i + 1 == side || j + 1 == side)
-        continue;
-      const std::size_t p = i * side + j, q = p + side;
-      surface.faces.push_back({p, q, q + 1});
-      surface.faces.push_back({p, q + 1, p + 1});
-    }
-  return surface;
+  return grid(side, side, false, [&](std::size_t i, std::size_t j) {
+    return position(double(i), double(j), double(side - 1));
+  });
+}
+
+constexpr double tube_of_torus = 0.4;
+
+// Returns the point of a torus at these angles around its axis and around its tube.
+inline Indexed_surface::Point_3 point_of_torus(double a, double b)
+{
+  const double radius = 1 + tube_of_torus * std::cos(b);
+  return {radius * std::cos(a), radius * std::sin(a), tube_of_torus * std::sin(b)};
 }
 
 } // namespace internal
@@ -44,22 +61,13 @@ Indexed_surface grid_patch(std::size_t n, Position position)
 /// cocircular up to rounding.
 inline Indexed_surface grid_torus(std::size_t n)
 {
-  const double pi = 3.14159265358979323846, tube = 0.4;
-  const std::size_t v =
-      (std::max)(std::size_t(3), static_cast<std::size_t>(std::sqrt(tube * n) + 0.5));
-  const std::size_t u = (std::max)(std::size_t(3), (n + v / 2) / v);
-  Indexed_surface surface;
-  for (std::size_t i = 0; i < u; ++i)
-    for (std::size_t j = 0; j < v; ++j) {
-      const double a = 2 * pi * static_cast<double>(i) / static_cast<double>(u);
-      const double b = 2 * pi * static_cast<double>(j) / static_cast<double>(v);
-      const double radius = 1 + tube * std::cos(b);
-      surface.points.emplace_back(radius * std::cos(a), radius * std::sin(a), tube * std::sin(b));
-      const std::size_t i1 = (i + 1) % u, j1 = (j + 1) % v;
-      surface.faces.push_back({i * v + j, i1 * v + j, i1 * v + j1});
-      surface.faces.push_back({i * v + j, i1 * v + j1, i * v + j1});
-    }
-  return surface;
+  using namespace internal;
+  const auto at_least_3 = [](std::size_t k) { return (std::max)(std::size_t(3), k); };
+  const std::size_t v = at_least_3(std::size_t(std::sqrt(tube_of_torus * n) + 0.5));
+  const std::size_t u = at_least_3((n + v / 2) / v);
+  return grid(u, v, true, [&](std::size_t i, std::size_t j) {
+    return point_of_torus(2 * pi * double(i) / double(u), 2 * pi * double(j) / double(v));
+  });
 }
 
 /// A piece of hilly land over the unit square: a disc with about `n` points, one boundary loop.
@@ -101,21 +109,19 @@ inline std::vector<std::size_t> fibonacci_numbers(std::size_t n)
 /// \pre `n >= 55`
 inline Indexed_surface winding_torus(std::size_t n)
 {
-  if (n < 55)
-    throw std::invalid_argument("a winding torus needs at least 55 vertices");
+  require(n >= 55, "a winding torus needs at least 55 vertices");
   const std::vector<std::size_t> numbers = internal::fibonacci_numbers(n);
   const std::size_t m = numbers.end()[-1], l = numbers.end()[-2];
-  const double pi = 3.14159265358979323846, tube = 0.4;
   Indexed_surface surface;
-  for (std::size_t i = 0; i < m; ++i) {
-    const double a = 2 * pi * double(i) / double(m), b = 2 * pi * double(i * l % m) / double(m);
-    const double radius = 1 + tube * std::cos(b);
-    surface.points.emplace_back(radius * std::cos(a), radius * std::sin(a), tube * std::sin(b));
-  }
+  for (std::size_t i = 0; i < m; ++i)
+    surface.points.push_back(
+        internal::point_of_torus(2 * internal::pi * double(i) / double(m),
+                                 2 * internal::pi * double(i * l % m) / double(m)));
   // So many points on, one is numbers[k] farther around the axis, and numbers[size - 2 - k] around the
   // tube. Neighbours are three such steps in succession, of which two make the third.
   const auto squared_length = [&](std::size_t k) {
-    const double x = double(numbers[k]), y = tube * double(numbers[numbers.size() - 2 - k]);
+    const double x = double(numbers[k]),
+                 y = internal::tube_of_torus * double(numbers[numbers.size() - 2 - k]);
     return x * x + y * y;
   };
   std::size_t k = 1;
@@ -135,9 +141,8 @@ inline Indexed_surface winding_torus(std::size_t n)
 /// rounding. \pre `n >= 60`
 inline Indexed_surface round_tube(std::size_t n)
 {
-  if (n < 60)
-    throw std::invalid_argument("a round tube needs at least 60 vertices");
-  const double pi = 3.14159265358979323846, length = 20;
+  require(n >= 60, "a round tube needs at least 60 vertices");
+  const double pi = internal::pi, length = 20;
   const auto around = static_cast<std::size_t>(std::lround(std::sqrt(2 * pi / length * double(n))));
   const std::size_t rings = n / around;
   Indexed_surface surface;

@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <queue>
-#include <stdexcept>
 #include <utility>
 
 namespace surfaces {
@@ -30,15 +29,14 @@ namespace internal {
 
 inline void require_triangles(const Mesh& mesh)
 {
-  if (is_empty(mesh) || !is_triangle_mesh(mesh))
-    throw std::invalid_argument("the mesh to refine must have triangles and nothing else");
+  require(!is_empty(mesh) && is_triangle_mesh(mesh),
+          "the mesh to refine must have triangles and nothing else");
 }
 
 // `Surface_mesh` numbers its halfedges, 6 for a vertex, by 32 bits.
 inline void require_room(double vertices)
 {
-  if (!(6 * vertices < 4294967295.))
-    throw std::invalid_argument("the refined mesh would be too large");
+  require(6 * vertices < 4294967295., "the refined mesh would be too large");
 }
 
 inline void loop_rounds(Mesh& mesh, unsigned rounds)
@@ -107,8 +105,7 @@ inline Indexed_surface densified(Mesh mesh, std::size_t n, double fraction = 0.0
 {
   internal::require_triangles(mesh);
   internal::require_room(static_cast<double>(n));
-  if (mesh.number_of_vertices() > n)
-    throw std::invalid_argument("the mesh has more vertices than asked for");
+  require(mesh.number_of_vertices() <= n, "the mesh has more vertices than asked for");
   // A round of Loop subdivision puts a vertex on every edge.
   while (mesh.number_of_vertices() + mesh.number_of_edges() <= n)
     internal::loop_rounds(mesh, 1);

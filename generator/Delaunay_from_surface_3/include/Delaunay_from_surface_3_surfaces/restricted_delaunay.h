@@ -19,7 +19,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 
 namespace surfaces {
@@ -123,9 +122,9 @@ Indexed_surface meshed_to_number(const Shape& shape, const Indexed_surface::Poin
   }
   Indexed_surface surface = meshed(shape, inside, size * std::sqrt(pilot / wanted));
   const double found = static_cast<double>(surface.points.size());
-  if (std::abs(found - wanted) > 0.1 * wanted)
-    throw std::invalid_argument("a surface of " + std::to_string(n) + " points came out with " +
-                                std::to_string(surface.points.size()));
+  require(std::abs(found - wanted) <= 0.1 * wanted, "a surface of " + std::to_string(n) +
+                                                        " points came out with " +
+                                                        std::to_string(surface.points.size()));
   return surface;
 }
 

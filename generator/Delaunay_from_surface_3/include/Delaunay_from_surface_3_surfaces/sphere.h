@@ -14,13 +14,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 namespace surfaces {
 namespace internal {
-
-constexpr double pi = 3.14159265358979323846;
 
 // A circle of latitude with `count` equally spaced points, the first of them at the fraction
 // `shift` of a step.
@@ -81,10 +78,8 @@ inline void join_rings(const Ring& a, const Ring& b, std::vector<Indexed_surface
 /// cospherical up to rounding. \pre `n >= 5`
 inline Indexed_surface sphere(std::size_t n, double noise = 0, std::uint64_t seed = 0)
 {
-  if (n < 5)
-    throw std::invalid_argument("a sphere needs at least 5 vertices");
-  if (!(noise >= 0))
-    throw std::invalid_argument("the noise must not be negative");
+  require(n >= 5, "a sphere needs at least 5 vertices");
+  require(noise >= 0, "the noise must not be negative");
   using Vector_3 = Indexed_surface::Vector_3;
   Random random(seed);
   Indexed_surface surface;
@@ -138,8 +133,7 @@ inline std::vector<Indexed_surface::Point_3> integer_points_on_sphere(long squar
 /// \pre `n >= 6`
 inline Indexed_surface integer_sphere(std::size_t n)
 {
-  if (n < 6)
-    throw std::invalid_argument("an integer sphere needs at least 6 vertices");
+  require(n >= 6, "an integer sphere needs at least 6 vertices");
   // The number of integer points grows as 2 pi times the radius, with large swings.
   const double radius = static_cast<double>(n) / (2 * internal::pi);
   const long first = (std::max)(1L, static_cast<long>(radius * radius));
