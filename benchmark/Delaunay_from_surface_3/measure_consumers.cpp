@@ -10,7 +10,6 @@
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Alpha_shape_3.h>

@@ -7,7 +7,6 @@
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
-#include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
@@ -15,7 +14,6 @@
 #include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -9,14 +9,12 @@
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/cad.h>
-#include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
 #include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>

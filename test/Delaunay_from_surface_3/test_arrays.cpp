@@ -21,7 +21,7 @@
 #include <CGAL/delaunay_3_arrays.h>
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>

@@ -9,8 +9,8 @@
 #define BOOST_TEST_MODULE bounded_degree_attained
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
+#include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 #include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
 
 #include <CGAL/Delaunay_from_surface_3/surface/Embedding_reader.h>

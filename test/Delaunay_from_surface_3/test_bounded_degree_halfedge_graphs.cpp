@@ -8,10 +8,10 @@
 #define BOOST_TEST_MODULE bounded_degree_halfedge_graphs
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
-#include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
-#include <Delaunay_from_surface_3_meters/system_of_loops.h>
 #include "include/halfedge_mesh.h"
+#include <Delaunay_from_surface_3_meters/system_of_loops.h>
+#include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
+#include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>

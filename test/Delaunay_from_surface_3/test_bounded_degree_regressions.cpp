@@ -8,7 +8,7 @@
 #define BOOST_TEST_MODULE bounded_degree_regressions
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
+#include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 
 #include <CGAL/Delaunay_from_surface_3/surface/surface_topology.h>
 #include <CGAL/bounded_degree_spanning_subgraph.h>

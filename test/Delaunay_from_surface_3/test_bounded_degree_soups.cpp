@@ -10,8 +10,8 @@
 
 #include "named_surfaces.h"
 
-#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
+#include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 
 #include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
 #include <CGAL/Delaunay_from_surface_3/surface/Bounded_degree_subgraph.h>

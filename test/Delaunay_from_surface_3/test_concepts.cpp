@@ -9,6 +9,7 @@
 
 #include "archetypes.h"
 
+#include <Delaunay_from_surface_3_meters/meters.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_plans.h>
@@ -19,8 +20,6 @@
 #include <CGAL/Tracing_traits_3.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_points_along_graph_3.h>
-#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
 

@@ -10,13 +10,12 @@
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
-#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/meters.h>
+#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/insert_points_3.h>
-#include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Tracing_traits_3.h>
+#include <CGAL/insert_points_3.h>
 
 #include <cstddef>
 #include <functional>

@@ -8,10 +8,10 @@
 #define BOOST_TEST_MODULE test_delaunay_marching_cubes
 #include <boost/test/included/unit_test.hpp>
 
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/Nearby_delaunay_test.h>
 #include <Delaunay_from_surface_3_surfaces/delaunay_marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include "Closed_surface_check.h"
 

@@ -8,7 +8,7 @@
 #define BOOST_TEST_MODULE test_driver
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
 
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>

@@ -8,7 +8,7 @@
 #define BOOST_TEST_MODULE test_drop_in
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Alpha_shape_3.h>

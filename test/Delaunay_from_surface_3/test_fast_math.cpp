@@ -15,7 +15,6 @@
 #include <CGAL/insert_points_3.h>
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
-#include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
 #include <cstddef>

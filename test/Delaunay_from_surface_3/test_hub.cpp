@@ -13,8 +13,7 @@
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/meters.h>
 #include <Delaunay_from_surface_3_meters/orders.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Conflict_history_3.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>

@@ -10,8 +10,8 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include "include/halfedge_mesh.h"
-#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
+#include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 #include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>

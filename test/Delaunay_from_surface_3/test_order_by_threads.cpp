@@ -14,7 +14,7 @@
 #include "rounding_modes.h"
 
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
 
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>

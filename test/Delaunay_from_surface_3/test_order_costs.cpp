@@ -14,8 +14,8 @@
 #include "build_in_order.h"
 #include "order_cases.h"
 
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>

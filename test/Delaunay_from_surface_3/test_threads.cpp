@@ -23,7 +23,6 @@
 #include "rounding_modes.h"
 
 #include <Delaunay_from_surface_3_surfaces/adversarial.h>
-#include <Delaunay_from_surface_3_surfaces/degenerate.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 
 #include <tbb/global_control.h>

@@ -13,7 +13,7 @@
 #include <tiles/Records.h>
 #include <tiles/Tile_folder.h>
 
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/tiles/Tiles_in_files.h>

@@ -11,6 +11,7 @@
 #include "check_equal.h"
 #include "recording_kernel.h"
 
+#include <Delaunay_from_surface_3_meters/meters.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -26,7 +27,6 @@
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 
 #include <atomic>
 #include <cstddef>

@@ -8,9 +8,8 @@
 #include "Report.h"
 #include "Surface.h"
 
-#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
 #include <Delaunay_from_surface_3_meters/delaunay_share.h>
+#include <Delaunay_from_surface_3_meters/meters.h>
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>

@@ -8,12 +8,11 @@
 // The surfaces of the tests: small ones from the generator, and real meshes where they are at hand.
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
-#include <Delaunay_from_surface_3_surfaces/degenerate.h>
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -5,7 +5,7 @@
 // What CGAL's classes make of points, in words: test_patches.py compiles it with CGAL's headers as
 // they are, and with those that the patches of the manual's folder patches/ have changed.
 
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
+#include <Delaunay_from_surface_3_surfaces/parametric.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Alpha_shape_3.h>

@@ -10,7 +10,6 @@
 
 #include <Delaunay_from_surface_3_meters/delaunay_share.h>
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>

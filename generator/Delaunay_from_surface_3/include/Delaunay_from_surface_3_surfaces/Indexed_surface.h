@@ -8,10 +8,17 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,7 +28,6 @@
 /// same points in the same order. Arguments that make no sense are refused by
 /// `std::invalid_argument` with a message for the user.
 namespace surfaces {
-
 namespace internal {
 constexpr double pi = 3.14159265358979323846;
 }
@@ -44,6 +50,9 @@ struct Indexed_surface
   std::vector<Point_3> points;
   std::vector<Face> faces;
 };
+
+/// The mesh type in which surfaces are read and refined.
+using Mesh = CGAL::Surface_mesh<Indexed_surface::Point_3>;
 
 /// Builds a `Surface_mesh` or `Polyhedron_3` over the kernel `Indexed_surface::Kernel`.
 /// The vertices keep their order where every point is on a face.
@@ -99,6 +108,58 @@ inline std::size_t number_of_components(const Indexed_surface& surface)
       count -= pieces.unite(face[0], face[i]);
   return count;
 }
+
+/// Random numbers that depend on the seed alone. The distributions are Boost's, because those of
+/// the standard library differ from one library to the next.
+class Random
+{
+public:
+  using Vector_3 = Indexed_surface::Vector_3;
+
+  explicit Random(std::uint64_t seed)
+    : engine(seed)
+  {
+  }
+
+  double uniform(double low, double high)
+  {
+    return low + (high - low) * boost::random::uniform_01<double>()(engine);
+  }
+
+  double normal() { return boost::random::normal_distribution<double>()(engine); }
+
+  /// A number in `0 .. count - 1`.
+  std::size_t below(std::size_t count)
+  {
+    return boost::random::uniform_int_distribution<std::size_t>(0, count - 1)(engine);
+  }
+
+  /// A vector in the unit ball.
+  Vector_3 in_ball()
+  {
+    Vector_3 v;
+    do {
+      const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
+      v = Vector_3(x, y, z);
+    } while (v.squared_length() > 1);
+    return v;
+  }
+
+  /// The numbers `0 .. count - 1` in random order.
+  std::vector<std::size_t> permutation(std::size_t count)
+  {
+    std::vector<std::size_t> order(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t j = below(i + 1);
+      order[i] = order[j];
+      order[j] = i;
+    }
+    return order;
+  }
+
+private:
+  boost::random::mt19937_64 engine;
+};
 
 } // namespace surfaces
 

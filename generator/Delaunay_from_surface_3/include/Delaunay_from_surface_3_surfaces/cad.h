@@ -7,7 +7,6 @@
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/profiles.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,6 @@
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,6 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_SURFACES_EDIT_H
 
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
 
 #include <CGAL/bounding_box.h>
 

@@ -7,12 +7,12 @@
 #include <Delaunay_from_surface_3_files/Output_file.h>
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>
 #include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
-#include <Delaunay_from_surface_3_surfaces/refine.h>
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,6 @@
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 
 #include <CGAL/Subdivision_method_3/subdivision_methods_3.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -21,9 +20,6 @@
 #include <utility>
 
 namespace surfaces {
-
-/// The mesh type in which surfaces are refined.
-using Mesh = CGAL::Surface_mesh<Indexed_surface::Point_3>;
 
 namespace internal {
 
