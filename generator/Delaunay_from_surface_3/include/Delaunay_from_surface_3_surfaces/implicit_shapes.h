@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -390,15 +391,7 @@ private:
     }
     const int row = j % size + size * (k % size), bit = 8 * (i % size) + edge.direction;
     const std::uint64_t before = blocks[b].crossed[row] & ((std::uint64_t(1) << bit) - 1);
-    return blocks[b].first_vertex[row] + count_bits(before);
-  }
-
-  static std::size_t count_bits(std::uint64_t word)
-  {
-    std::size_t count = 0;
-    for (; word != 0; word &= word - 1)
-      ++count;
-    return count;
+    return blocks[b].first_vertex[row] + std::bitset<64>(before).count();
   }
 
   Shape shape;
