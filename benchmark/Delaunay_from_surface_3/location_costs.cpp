@@ -12,11 +12,11 @@
 #include <Delaunay_from_surface_3_surfaces/delaunay_marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
-#include <Delaunay_from_surface_3_surfaces/jitter.h>
+#include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/restricted_delaunay.h>
-#include <Delaunay_from_surface_3_surfaces/simplify.h>
-#include <Delaunay_from_surface_3_surfaces/topology.h>
+#include <Delaunay_from_surface_3_surfaces/refine.h>
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_theory/laboratory.h>
 #include <Delaunay_from_surface_3_theory/whole_runs.h>
 

@@ -9,7 +9,7 @@
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/run_program.h>
-#include <Delaunay_from_surface_3_surfaces/degenerate.h>
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -11,7 +11,7 @@
 #include <Delaunay_from_surface_3_comparison/run_program.h>
 #include <Delaunay_from_surface_3_comparison/surfaces.h>
 #include <Delaunay_from_surface_3_surfaces/clusters.h>
-#include <Delaunay_from_surface_3_surfaces/degenerate.h>
+#include <Delaunay_from_surface_3_surfaces/adversarial.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>

@@ -15,10 +15,9 @@
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
 #include <Delaunay_from_surface_3_surfaces/io.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/restricted_delaunay.h>
-#include <Delaunay_from_surface_3_surfaces/simplify.h>
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
+#include <Delaunay_from_surface_3_surfaces/refine.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>

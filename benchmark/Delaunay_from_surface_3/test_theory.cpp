@@ -9,9 +9,8 @@
 #define BOOST_TEST_MODULE test_theory
 #include <boost/test/included/unit_test.hpp>
 
-#include <Delaunay_from_surface_3_surfaces/random.h>
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/restricted_delaunay.h>
-#include <Delaunay_from_surface_3_surfaces/topology.h>
 #include <Delaunay_from_surface_3_theory/laboratory.h>
 #include <Delaunay_from_surface_3_theory/trees.h>
 

@@ -7,7 +7,7 @@
 #include <Delaunay_from_surface_3_sources/Source.h>
 #include <Delaunay_from_surface_3_surfaces/delaunay_marching_cubes.h>
 #include <Delaunay_from_surface_3_surfaces/marching_cubes.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>

@@ -10,8 +10,7 @@
 // a method do, counted in a run of its own: these counts do not depend on the machine.
 
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_meters/Metering_visitor_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/meters.h>
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>

@@ -11,8 +11,7 @@
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_meters/Neighbor_started_rounds.h>
-#include <Delaunay_from_surface_3_meters/Sorted_log_star_rounds.h>
+#include <Delaunay_from_surface_3_meters/orders.h>
 
 #include <CGAL/Delaunay_from_surface_3/paper/Surface_net_rounds.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>

@@ -16,9 +16,7 @@
 #include <Delaunay_from_surface_3_surfaces/io.h>
 #include <Delaunay_from_surface_3_surfaces/lattice_surface.h>
 #include <Delaunay_from_surface_3_surfaces/parametric.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
 #include <Delaunay_from_surface_3_surfaces/refine.h>
-#include <Delaunay_from_surface_3_surfaces/sphere.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -12,7 +12,7 @@
 
 #include <Delaunay_from_surface_3_files/one_line.h>
 #include <Delaunay_from_surface_3_files/read_polygon_soup.h>
-#include <Delaunay_from_surface_3_triangle_lists/Embedded_graph.h>
+#include <Delaunay_from_surface_3_triangle_lists/Triangle_list.h>
 #include <Delaunay_from_surface_3_triangle_lists/Surface_recipe.h>
 #include <Delaunay_from_surface_3_triangle_lists/bouquet.h>
 

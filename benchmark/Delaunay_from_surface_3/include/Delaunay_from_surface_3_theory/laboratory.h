@@ -12,9 +12,8 @@
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_meters/History_dag_3.h>
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/meters.h>
 #include <Delaunay_from_surface_3_theory/trees.h>
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>

@@ -10,10 +10,10 @@
 
 #include <Delaunay_from_surface_3_comparison/counts.h>
 #include <Delaunay_from_surface_3_comparison/measure.h>
-#include <Delaunay_from_surface_3_surfaces/random.h>
+#include <Delaunay_from_surface_3_surfaces/Indexed_surface.h>
 
 #include <Delaunay_from_surface_3_meters/History_hints_3.h>
-#include <Delaunay_from_surface_3_meters/Predicate_counting_traits_3.h>
+#include <Delaunay_from_surface_3_meters/meters.h>
 #include <Delaunay_from_surface_3_meters/orders.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/paper/insertion_hints.h>

@@ -151,7 +151,7 @@ public:
   int beyond_sign(const Cell& cell, const double* p) const
   {
     return core::beyond_sign(row(coordinates(Complex::first_vertex(cell)), p),
-                                 row(coordinates(cell.v[1]), p), row(coordinates(cell.v[2]), p));
+                             row(coordinates(cell.v[1]), p), row(coordinates(cell.v[2]), p));
   }
 
   bool is_beyond_exactly(const Cell& cell, Id p)
