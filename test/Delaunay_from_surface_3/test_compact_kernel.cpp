@@ -269,8 +269,8 @@ BOOST_AUTO_TEST_CASE(insertion_in_place_of_the_core_that_gave_up)
     if (stops)
       visitor.calls_left = 3000;
     Triangulation tr;
-    const auto inserted = insert_through_core(tr, input, CGAL::Surface_insertion_traits_3(),
-                                              {0, false, 20000}, observer, Alone());
+    const auto inserted = insert_through_core<CGAL::Surface_insertion_traits_3>(
+        tr, input, DFS::Spaced_rounds(), {0, false, 20000}, observer, Alone());
     BOOST_TEST(visitor.reason ==
                "there are more than 2^30 cells, or 2^31 points: tiles serve these");
     BOOST_TEST(inserted.is_complete == !stops);

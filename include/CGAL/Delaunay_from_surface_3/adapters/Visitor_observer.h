@@ -110,7 +110,7 @@ decltype(auto) visitor_of_caller(const std::reference_wrapper<Visitor>& visitor,
     return Default_surface_insertion_visitor_3();
 }
 
-// What a visitor gets in place of target and hints where the core inserts.
+// A visitor gets these in place of target and hints where the core inserts.
 struct Core_target
 {
   const Insertion_counts& m_counts;

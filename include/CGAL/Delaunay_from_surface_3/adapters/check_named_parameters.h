@@ -38,7 +38,7 @@ struct Named_parameters_are_known : std::true_type
 {
 };
 
-// The last parameter of the sequence, and those before it.
+// Looks at the last parameter of the sequence, and then at the ones before it.
 template <class T, class Tag, class Base, class... Known>
 struct Named_parameters_are_known<Named_function_parameters<T, Tag, Base>, Known...>
   : std::bool_constant<Named_parameter<Tag, (std::is_same<Tag, internal_np::all_default_t>::value ||
@@ -55,7 +55,7 @@ constexpr bool check_named_parameters(const NamedParameters&)
   return Named_parameters_are_known<NamedParameters, Known...>::value;
 }
 
-// Whether the parameter with that tag is given.
+// True if the parameter with that tag is given.
 template <class NamedParameters, class Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 

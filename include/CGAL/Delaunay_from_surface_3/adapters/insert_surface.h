@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_INSERT_SURFACE_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_ADAPTERS_INSERT_SURFACE_H
 
-// The way into a triangulation, which all functions that insert share: it reads the parameters,
-// builds aside what is empty, through the core, as the paper does, or by CGAL if that are few points,
-// and hands the vertices over.
+// All functions that insert come this way: it reads the parameters, builds an empty triangulation
+// aside (through the core, as the paper does, or by CGAL if there are few points), and hands the
+// vertices over.
 
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
@@ -50,8 +50,8 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// The coordinates of a caller's points as doubles: exact if all of them are doubles, else rounded,
-// which is enough to make an order.
+// Reads the coordinates of a caller's points as doubles. They are exact if all of them are doubles,
+// and else rounded, which is enough to make an order.
 template <class Point>
 class Doubles_of_points final : public Point_source
 {
@@ -103,10 +103,10 @@ private:
       m_not_double; // the first point with a coordinate that is none, or the number of points
 };
 
-// What keeps a call from going through the core, so that CGAL's own insertion takes its place.
+// The following tells what keeps a call from going through the core, so that CGAL inserts.
 
-// Whether all predicates that the filters decide without asking are those of the kernel. What
-// counts is what the triangulation calls: the objects.
+// Returns true if all predicates that the filters decide without asking are the kernel's. The
+// objects count, since the triangulation calls these.
 template <class GeomTraits, class Kernel>
 constexpr bool has_predicates_of_kernel()
 {
@@ -125,7 +125,7 @@ constexpr bool has_predicates_of_kernel()
                       decltype(std::declval<K>().compare_xyz_3_object())>::value;
 }
 
-// Whether the predicates are exact: filtered, or on exact numbers.
+// Predicates are exact if they are filtered, or compute with exact numbers.
 template <class GeomTraits>
 using Says_of_filters = typename GeomTraits::Has_filtered_predicates_tag;
 
@@ -140,7 +140,7 @@ constexpr bool has_exact_predicates()
   return has_filtered_predicates<GeomTraits> || std::is_same<Is_exact, Tag_true>::value;
 }
 
-// Whether the core knows the numbers and predicates of the triangulation. Traits that bring
+// Returns true if the core knows the numbers and predicates of the triangulation. Traits that bring
 // predicates of their own are not served: its filters would go past them.
 template <class Triangulation>
 constexpr bool serves_geom_traits()
@@ -152,7 +152,7 @@ constexpr bool serves_geom_traits()
          has_exact_predicates<Geom_traits>();
 }
 
-// What is known before anything is done; empty if nothing is in the way.
+// Returns what is in the way before anything is done; empty if nothing is.
 template <class Triangulation>
 std::string obstacle_to_core(const Triangulation& tr,
                              const Doubles_of_points<typename Triangulation::Point>& points)
@@ -166,7 +166,7 @@ std::string obstacle_to_core(const Triangulation& tr,
   return points.obstacle();
 }
 
-// What the core found.
+// Returns what the core found to be in the way.
 inline std::string obstacle_found(const Built& built)
 {
   switch (built.outcome) {
@@ -185,23 +185,6 @@ inline std::string obstacle_found(const Built& built)
                             obstacle);
 }
 
-// The order of insertion by a plan. If the plan is the core's own, only numbers go there; else it
-// gets the caller's points and graph.
-
-// What a plan is given: points, traits, graph and index map.
-template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-struct Planned_points
-{
-  const std::vector<Point>& points;
-  const GeomTraits& gt;
-  const Graph& graph;
-  VertexIndexMap index_map;
-};
-
-template <class Point, class GeomTraits, class Graph, class VertexIndexMap>
-Planned_points(const std::vector<Point>&, const GeomTraits&, const Graph&, VertexIndexMap)
-    -> Planned_points<Point, GeomTraits, Graph, VertexIndexMap>;
-
 // True if a plan names a budget, and a plan to fall back to when it is exceeded.
 template <class Plan>
 using Budget = std::void_t<decltype(Plan::cells_per_point),
@@ -209,6 +192,15 @@ using Budget = std::void_t<decltype(Plan::cells_per_point),
 
 template <class Plan>
 constexpr bool has_budget = is_detected<Budget, Plan>;
+
+template <class Plan>
+constexpr std::size_t budget_of()
+{
+  if constexpr (has_budget<Plan>)
+    return Plan::cells_per_point;
+  else
+    return Build_options::any_number;
+}
 
 // True if the core can carry the plan out; it cannot if a caller has derived it from one of the
 // core's.
@@ -218,42 +210,8 @@ using Plan_of_core = typename Plan::Plan_of_core;
 template <class Plan>
 constexpr bool is_plan_of_core = std::is_same<Plan, detected_or_t<void, Plan_of_core, Plan>>::value;
 
-// Builds by the core in the order of a plan, and then in that of its fallback plan, if the budget is
-// exceeded. The plan gets the points as the caller knows them, and `order` keeps what it returns. An
-// order that no insertion could use is refused with a std::invalid_argument.
-template <class Plan, class Points, class Observer, class Executor>
-std::unique_ptr<Built> build_by_plan(const Plan& plan, const Points& planned, Point_source& doubles,
-                                     Build_options options, Insertion_order& order,
-                                     Observer& observer, const Executor& executor)
-{
-  if constexpr (is_plan_of_core<Plan>) {
-    plan.ask(options);
-    return build(doubles, options, observer, executor);
-  } else {
-    observer.phase_begins(Surface_insertion_phase::PLAN);
-    order = plan(planned.points, planned.gt, planned.graph, planned.index_map);
-    check_plan(order, planned.points.size());
-    const Order_view view = view_of(order);
-    options.given = &view;
-    options.cells_per_point = Build_options::any_number;
-    if constexpr (has_budget<Plan>)
-      options.cells_per_point = Plan::cells_per_point;
-    auto built = build(doubles, options, observer, executor);
-    if constexpr (has_budget<Plan>) {
-      if (built->outcome == Insertion_outcome::OVER_BUDGET) {
-        built.reset();
-        options.given = nullptr;
-        options.cells_per_point = Build_options::usual_number;
-        return build_by_plan(plan.fallback_plan(), planned, doubles, options, order, observer,
-                             executor);
-      }
-    }
-    return built;
-  }
-}
-
-// What is built aside takes the place of an empty triangulation: with its traits, its lock
-// structure and what its infinite vertex holds. That is moved, not copied: what a vertex base holds
+// A triangulation built aside takes the place of an empty one, with its traits, its lock structure
+// and the content of its infinite vertex. That is moved, not copied: the content of a vertex base
 // need not be copyable, even where its type claims to be (as std::vector does for any element).
 
 // A vertex with constant members can be copied, but not assigned to another.
@@ -298,8 +256,8 @@ void take_place(Triangulation& aside, Triangulation& tr)
   tr.swap(aside);
 }
 
-// The fast way from the points of a call to the vertices of an empty triangulation: what the core is
-// given, what comes of it, and CGAL's insertion, in the same order, where it cannot serve.
+// The following leads from the points of a call to the vertices of an empty triangulation: through
+// the core, or by CGAL's insertion, in the same order, where the core cannot serve.
 
 template <class Traits>
 using Says_of_starting_places = decltype(Traits::uses_starting_places);
@@ -322,47 +280,65 @@ struct Order_options
 };
 
 // Inserts through the core if it serves, else by CGAL, in the same order, and tells the observer the
-// reason. Returns the vertices by point.
-template <class Traits, class Triangulation, class Input, class Observer, class Executor>
+// reason. A plan that is not the core's own gets the points as the caller knows them; an order that
+// no insertion could use is refused with a std::invalid_argument. Returns the vertices by point.
+template <class Traits, class Triangulation, class Input, class Plan, class Observer,
+          class Executor>
 Inserted_points<typename Triangulation::Vertex_handle>
-insert_through_core(Triangulation& tr, const Input& input, const Traits& traits,
+insert_through_core(Triangulation& tr, const Input& input, const Plan& plan,
                     const Order_options& asked, Observer& observer, const Executor& executor)
 {
+  using Phase = Surface_insertion_phase;
   Doubles_of_points<typename Triangulation::Point> doubles(input.points);
-  const Planned_points planned{input.points, tr.geom_traits(), input.graph, input.index_map};
-  Insertion_order order;
+  std::string obstacle = obstacle_to_core(tr, doubles);
+  if (asked.creates_in_input_order && !obstacle.empty())
+    refuse_input_order(obstacle);
   Build_options options;
   options.uses_starting_places = uses_starting_places<Traits>();
   options.most_cells = asked.most_cells;
-  const auto built_by_plan = [&] {
-    return build_by_plan(traits.insertion_plan_object(asked.seed), planned, doubles, options, order,
-                         observer, executor);
-  };
-  std::string obstacle = obstacle_to_core(tr, doubles);
-  std::unique_ptr<Built> built;
+  options.inserts = obstacle.empty();
+  Insertion_order order;
+  Order_view view = {};
+  if constexpr (is_plan_of_core<Plan>) {
+    plan.ask(options);
+  } else {
+    observer.phase_begins(Phase::PLAN);
+    order = plan(input.points, tr.geom_traits(), input.graph, input.index_map);
+    check_plan(order, input.points.size());
+    view = view_of(order);
+    options.given = &view;
+    options.cells_per_point = budget_of<Plan>();
+  }
+  auto built = build(doubles, options, observer, executor);
+  if (built->outcome == Insertion_outcome::STOPPED)
+    return {};
   if constexpr (serves_geom_traits<Triangulation>())
-    if (obstacle.empty()) {
-      built = built_by_plan();
-      if (built->outcome == Insertion_outcome::COMPLETE)
-        return {export_built(*built, input.points, asked.creates_in_input_order, tr, executor),
-                true};
-      if (built->outcome == Insertion_outcome::STOPPED)
-        return {};
-      obstacle = obstacle_found(*built);
+    if (built->outcome == Insertion_outcome::COMPLETE)
+      return {export_built(*built, input.points, asked.creates_in_input_order, tr, executor), true};
+  if constexpr (has_budget<Plan> && !is_plan_of_core<Plan>)
+    if (built->outcome == Insertion_outcome::OVER_BUDGET) {
+      built.reset();
+      order = Insertion_order(); // frees the memory before another is made
+      return insert_through_core<Traits>(tr, input, plan.fallback_plan(), asked, observer,
+                                         executor);
     }
-  if (asked.creates_in_input_order)
-    refuse_input_order(obstacle);
-  if (!built || built->outcome != Insertion_outcome::FLAT) {
+  if (options.inserts) {
+    obstacle = obstacle_found(*built);
+    if (asked.creates_in_input_order)
+      refuse_input_order(obstacle);
+  }
+  if (built->outcome == Insertion_outcome::TOO_MANY_CELLS) {
     built.reset();
     options.inserts = false;
-    built = built_by_plan();
-    observer.phase_begins(Surface_insertion_phase::SUBGRAPH);
+    built = build(doubles, options, observer, executor);
   }
-  const Insertion_order copy = copy_of(built->order);
+  if (!options.inserts)
+    observer.phase_begins(Phase::SUBGRAPH);
+  order = copy_of(built->order);
   built.reset();
   doubles.give_up();
   observer.notice(Surface_insertion_notice::CORE_IS_REPLACED, obstacle);
-  return insert_through_cgal<Planned_hints_3>(tr, input.points, copy, Index_graph(), observer);
+  return insert_through_cgal<Planned_hints_3>(tr, input.points, order, Index_graph(), observer);
 }
 
 template <class NamedParameters>
@@ -375,7 +351,7 @@ Order_options order_options(const NamedParameters& np)
       choose_parameter(get_parameter(np, internal_np::preserve_order), false)};
 }
 
-// Whether traits have the constant through_core.
+// Names the constant through_core, if traits have it.
 template <class Traits>
 using Through_core = decltype(Traits::through_core);
 
@@ -397,7 +373,7 @@ constexpr bool goes_through_core()
 template <class Traits>
 using Plan_of = std::decay_t<decltype(std::declval<const Traits&>().insertion_plan_object(0u))>;
 
-// Whether the traits look at the graph, for a subgraph to trace or for a plan of their own.
+// Returns true if the traits look at the graph, for a subgraph to trace or a plan of their own.
 template <class Traits>
 constexpr bool asks_for_graph()
 {
@@ -431,9 +407,9 @@ void give(const std::vector<Vertex_handle>& vertices, std::size_t number_of_new_
   });
 }
 
-// The parameters that all forms share: those of the order, the visitor, and what is done with the
-// vertices. `Known` are the tags of those that only this form has. An empty triangulation changes
-// when nothing can fail any more.
+// Reads the parameters that all forms share: for the order, the visitor, and the vertices. `Known`
+// are the tags of the parameters that only this form has. An empty triangulation changes when
+// nothing can fail any more.
 template <class ExecutorOfCall, class... Known, class Triangulation, class Input, class Traits,
           class NamedParameters>
 std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Traits& traits,
@@ -467,7 +443,9 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
     if (input.points.size() < least_points_for_core<Traits>(tr, np)) {
       inserted = insert_few_points(into, input.points);
     } else {
-      inserted = insert_through_core(into, input, traits, options, observer, ExecutorOfCall());
+      inserted =
+          insert_through_core<Traits>(into, input, traits.insertion_plan_object(options.seed),
+                                      options, observer, ExecutorOfCall());
     }
   } else {
     if (options.creates_in_input_order)

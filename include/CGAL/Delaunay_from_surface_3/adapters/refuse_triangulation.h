@@ -18,7 +18,7 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// What is no Delaunay_triangulation_3, and is not derived from one, gets a message of one line.
+// A type that is not derived from a Delaunay_triangulation_3 gets a message of one line.
 template <class Gt, class Tds, class Lp, class Slds>
 std::true_type is_delaunay_triangulation(const Delaunay_triangulation_3<Gt, Tds, Lp, Slds>*);
 std::false_type is_delaunay_triangulation(const void*);

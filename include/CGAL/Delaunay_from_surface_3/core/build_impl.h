@@ -153,10 +153,10 @@ void begin_to_build(Ordered_complex<Vertex>& built, Point_source& source,
     source.give_up();
 }
 
-// Is build() with the class that inserts.
+// Is build() with the class that inserts, and part of it.
 template <template <class> class Insert>
-std::unique_ptr<Built> build_by(Point_source& points, Build_options options, Observer& observer,
-                                const Executor& executor)
+CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE std::unique_ptr<Built>
+build_by(Point_source& points, Build_options options, Observer& observer, const Executor& executor)
 {
   const bool is_given = options.given != nullptr;
   for (;;) {

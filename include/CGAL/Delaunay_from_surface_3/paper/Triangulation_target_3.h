@@ -240,7 +240,8 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The following is the loop of Choi 2002, Fig. 1, on CGAL's own triangulation.
 
-// Round h ends before s_{N_h}, N_h = round_ends[h]. Returns false if the visitor stopped it.
+// Round h ends with the paper's s_{N_h}, N_h = round_ends[h]; i counts from 0. Returns false if the
+// visitor stopped it.
 template <class Target, class Hints, class Observer>
 bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints& hints,
                              Observer& observer)

@@ -231,7 +231,7 @@ struct One_process
   }
 };
 
-// What a process is going to read, and the options on which the driver's decisions depend.
+// Describes what a process is going to read, and the options on which the driver's decisions depend.
 struct Input_of_rank
 {
   std::uint64_t points, first, last; // it reads the points first, …, last - 1

@@ -5,7 +5,7 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_PREDICATES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_PREDICATES_H
 
-// Whether a cell is in conflict with a point. The stages are asked in this order, and each leaves
+// Decides whether a cell is in conflict with a point. The stages are asked in this order, and each leaves
 // open what it cannot decide. Costs are those of a sphere test, in ns (measure_predicates), to the
 // end of the stage:
 //
@@ -147,7 +147,7 @@ public:
     return view.facets[farthest] < -view.facet_bound ? farthest : close_facet(cell, view, p);
   }
 
-  // Of an infinite cell: 1 if p is beyond its finite facet, -1 if before, 0 if not decided.
+  // Returns for an infinite cell 1 if p is beyond its finite facet, -1 if before, 0 if undecided.
   int beyond_sign(const Cell& cell, const double* p) const
   {
     return core::beyond_sign(row(coordinates(Complex::first_vertex(cell)), p),
@@ -172,7 +172,7 @@ public:
     return exact.sign > 0;
   }
 
-  // What the first filter left open.
+  // Decides what the first filter left open.
   bool is_in_close_sphere(const Cell& cell, Id p)
   {
     return m_is_flat ? is_in_flat_sphere(cell, p) : is_in_sphere_exactly(cell, p);
@@ -222,7 +222,7 @@ private:
     return sign != 0 ? sign > 0 : is_in_sphere_exactly(cell, p);
   }
 
-  // Of tiny coordinates the pushes underflow first; where the cell is flat, the bound is too large.
+  // Tiny coordinates make the pushes underflow first; a flat cell makes the bound too large.
   unsigned close_facet(const Cell& cell, const Cell_view& view, Id p) const
   {
     const double* const q = coordinates(p);

@@ -42,7 +42,7 @@ inline double opaque(double product)
 #endif
 }
 
-// What a product lost by rounding, a b - product, exactly: for any machine (Dekker 1971) …
+// Computes what a product lost by rounding, a b - product, exactly, on any machine (Dekker 1971) …
 struct Split_products
 {
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double error(double a, double b, double product)

@@ -186,10 +186,10 @@ public:
       set_first_digits(!are_zero(differences.low));
   }
 
-  // Whether the numbers are not so small that the power would overflow, nor so large that it would
-  // be less than 1: then the least of them could be lost.
+  // Returns false if the numbers are so small that the power would overflow, or so large that it
+  // would be less than 1: then the least of them could be lost.
   bool can_be_scaled() const { return m_can_be_scaled; }
-  // Whether one digit is enough, and, if so, whether its upper half is.
+  // Returns true if one digit is enough; if so, the other tells whether its upper half is.
   bool has_one_digit() const { return m_has_one_digit; }
   bool has_half_a_digit() const
   {

@@ -74,7 +74,7 @@ template <int N>
 class Shortest_tree
 {
 public:
-  // Of N vertices and p. Keeps pointers to the coordinates.
+  // Spans N vertices and p. Keeps pointers to the coordinates.
   Shortest_tree(const double* const* vertices, const double* p)
   {
     std::copy(vertices, vertices + N, m_points);
@@ -85,12 +85,12 @@ public:
     grow();
   }
 
-  // Of the k-th vertex, and of what it hangs on: the root or another vertex. The points of the
-  // vertices are those of the constructor, but that p has the place of the root.
+  // Return the k-th vertex, and what it hangs on: the root or another vertex. The vertices are
+  // those given to the constructor, but p has the place of the root.
   const double* point(int k) const { return m_points[m_places[k]]; }
   const double* parent(int k) const { return m_points[m_parents[k]]; }
   const double* root() const { return m_points[m_root]; }
-  // Whether two points have changed places for it.
+  // Returns true if two points have changed places for it.
   bool is_odd() const { return m_root != N; }
 
 private:

@@ -87,7 +87,8 @@ struct Difference_sizes
     longest = (std::max)((std::max)(columns.x, columns.y), columns.z);
   }
 
-  // Whether distances from p or edges differ so, or all are so small that products underflow.
+  // Returns true if distances from p or edges differ so, or all are so small that products
+  // underflow.
   bool are_unbalanced() const
   {
     constexpr double tiny = 0x1p-170;
@@ -95,7 +96,8 @@ struct Difference_sizes
     return longest < tiny || (std::min)(shortest, least) < least_share * longest;
   }
 
-  // Whether distances between the other points do: rarely, and it takes longer to find out.
+  // Returns true if distances between the other points do, which is rare and takes longer to find
+  // out.
   CGAL_DELAUNAY_FROM_SURFACE_3_APART bool
   has_close_pair(const Exact_differences<N>& differences) const
   {
@@ -228,14 +230,14 @@ Exact_sign exact_sign(const double* const* vertices, const double* p)
   return wide_sign<Determinant>(vertices, p);
 }
 
-// What the kernel rarely asks besides its tests of conflict (Compact_predicates.h): orientations
-// and distances of points given by their coordinates. Each is asked in doubles first, with a bound
+// The kernel rarely asks more than its tests of conflict (Compact_predicates.h): orientations and
+// distances of points given by their coordinates. Each is asked in doubles first, with a bound
 // on the error; integers of fewer bits decide what these leave open, and those of any width the
 // rest. The coordinates may be any finite numbers: where products might overflow, or the compiler
 // is free to change operations, doubles decide nothing.
 
-// Whether products of three numbers up to this one, a squared length, are rounded and nothing
-// worse.
+// Returns true if products of three numbers up to this one, a squared length, are rounded and
+// nothing worse.
 inline bool is_safe(double square)
 {
   return square < 1e100 && obstacle_of_compiler() == nullptr;
@@ -267,7 +269,7 @@ struct Exact_orientation
   }
 };
 
-// Whether a triangle has an area: 0 if not. Of the rows of two corners relative to the third.
+// Tells whether a triangle has an area, 0 if not, from two corners relative to the third.
 struct Exact_area
 {
   static constexpr int size = 2;

@@ -32,7 +32,7 @@ constexpr bool is_fast_math = true;
 constexpr bool is_fast_math = false;
 #endif
 
-// Whether the error of a difference is computed right, for numbers that the compiler does not know:
+// Returns true if the error of a difference is right, for numbers that the compiler does not know:
 // clang has no macro for when it may compute in another order, and then does so here.
 inline bool has_error_terms()
 {
@@ -41,7 +41,7 @@ inline bool has_error_terms()
   return difference == 1 && error_of_difference(a, b, difference) == -small;
 }
 
-// Whether denormal numbers survive in the mode of this thread, which no macro tells: any library that
+// Returns true if denormal numbers survive in this thread's mode. No macro tells: any library that
 // a program loads may have changed it.
 [[gnu::cold]] inline bool keeps_denormals()
 {
@@ -50,7 +50,7 @@ inline bool has_error_terms()
   return half != 0;
 }
 
-// What the compiler does otherwise; null if nothing is known.
+// Returns what the compiler does otherwise; null if nothing is known.
 inline const char* obstacle_of_compiler()
 {
   if (!rounds_every_operation)
