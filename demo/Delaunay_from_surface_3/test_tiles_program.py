@@ -235,7 +235,7 @@ class Tiles(ProgramCase):
             output = self.folder / end.name
             arguments = (points, "--tiles", 9, "--output", output, "--join", self.folder / "all.npy")
             with subprocess.Popen(self.command(*arguments), stdout=subprocess.DEVNULL) as process:
-                while not (output / "state" / "input").exists():
+                while not (output / "state" / "input").exists() and process.poll() is None:
                     time.sleep(.01)
                 self.assertEqual(len([*self.folder.glob("all.npy-*.unfinished")]), 1)
                 process.send_signal(end)

@@ -202,7 +202,8 @@ for (int step = 0; step < 20; ++step) {
 \param points the points
 \param order the order of the last call, and after this call the order that it used. If it has
 another number of points (as an empty one has), or has become too costly, a new order is made and
-stored. It changes only the numbers of the cells and the time. It takes 16 bytes per point.
+stored; it is empty if an exception is thrown meanwhile, or if the points lie on a line. It changes
+only the numbers of the cells and the time. It takes 16 bytes per point.
 \param np as above
 
 \throws Surface_input_error also if `order` is not a valid order

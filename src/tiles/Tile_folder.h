@@ -48,9 +48,10 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// A run has its folder alone. Processes that do tasks one by one share it with each other. Those
-// that close stages take turns, and wait for their own, as do those that share a turn. A killed process loses its locks. If the system has no such locks,
-// or the folder is on another machine, no process is refused.
+// A run has its folder alone. Processes that do tasks one by one share it with each other. A process
+// that closes a stage takes a turn alone, others share one; both wait until they may. A killed
+// process loses its locks. If the system has no such locks, or the folder is on another machine, no
+// process is refused.
 class Folder_lock
 {
 public:
@@ -279,7 +280,7 @@ inline bool is_file_of_tiles(const std::string& name)
 // Returns whether a file of this name belongs to one tile or to all, or is the report.
 inline bool is_file_of_run(const std::string& name)
 {
-  return is_file_of_tiles(name) || name == "tiles.json";
+  return is_file_of_tiles(name) || name == "tiles.json" || name == "tiles.begun";
 }
 
 // Returns the names in a folder, but not below it; the list is empty if there is no folder.

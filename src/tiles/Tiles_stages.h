@@ -132,7 +132,7 @@ struct Tile_tasks
   void finish_tile(std::uint32_t t, const Tiling& tiling, const Closed_round& last) const
   {
     auto state = folder.read<Tile_state>("tile", t, last.last_rounds[t]);
-    state = {std::move(state.kept), {}, {}}; // nothing is told now
+    state = {std::move(state.kept), {}, {}, state.rounds}; // nothing is told now
     const Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit,
                              Thread_executor(threads));
     folder.write_piece(Piece_of_tile(tile));

@@ -32,6 +32,7 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -473,9 +474,14 @@ public:
     const Folder_lock lock(m_folder, Folder_lock::SHARED);
     refuse_other_tiles(source);
     {
-      const bool is_new = !std::filesystem::exists(m_folder / "state" / "input");
-      const Folder_lock turn(m_folder / "state",
-                             is_new ? Folder_lock::IN_TURN : Folder_lock::SHARED_IN_TURN);
+      // Whoever begins the state has it alone.
+      const auto is_there = [&] { return std::filesystem::exists(m_folder / "state" / "input"); };
+      std::optional<Folder_lock> turn(std::in_place, m_folder / "state",
+                                      Folder_lock::SHARED_IN_TURN);
+      if (!is_there()) {
+        turn.reset();
+        turn.emplace(m_folder / "state", Folder_lock::IN_TURN);
+      }
       m_engine.find(source, options, 1);
     }
     const bool writes = m_engine.stage() == Tiles_in_files::DONE;
@@ -633,15 +639,15 @@ void Tiles_to_files::forget() const
 
 std::shared_ptr<void> begin_tiles(const std::filesystem::path& folder, const Tile_source_3& source)
 {
-  for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
-    if (std::filesystem::exists(file))
-      throw Tile_files_error(file.string() +
-                             ": is of another run: remove it, or name another folder");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
     fail_to_write(folder, error.value());
   auto lock = std::make_shared<Folder_lock>(folder, Folder_lock::ALONE);
+  for (const auto& file : {folder / "tiles.json", folder / "state" / "input"})
+    if (std::filesystem::exists(file))
+      throw Tile_files_error(file.string() +
+                             ": is of another run: remove it, or name another folder");
   refuse_to_overwrite(source, folder);
   const std::vector<std::filesystem::path> files =
       files_in(folder, [](const std::string& name) { // of an earlier run
@@ -655,7 +661,11 @@ std::shared_ptr<void> begin_tiles(const std::filesystem::path& folder, const Til
     if (!std::filesystem::remove(file, error) && error)
       fail_to_write(file, error.value());
   errno = 0;
-  if (!std::ofstream(mark_of_run(folder)).flush())
+  std::FILE* const mark =
+      std::fopen(mark_of_run(folder).string().c_str(), "wbx"); // no link to others
+  if (mark != nullptr)
+    std::fclose(mark);
+  else if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(mark_of_run(folder))))
     fail_to_write(mark_of_run(folder), errno);
   return lock;
 }

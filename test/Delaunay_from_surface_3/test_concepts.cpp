@@ -151,6 +151,7 @@ BOOST_AUTO_TEST_CASE(metering_visitor_adds_up_what_the_traits_count)
   for (std::size_t h = 0; h < ends.size(); ++h) {
     BOOST_TEST(visitor.rounds()[h + 1].number_of_points == ends[h] - begin);
     BOOST_TEST(visitor.rounds()[h + 1].number_of_traced_points == n - ends[h]);
+    BOOST_TEST((visitor.rounds()[h + 1][Phase::TRACE].all() > 0) == (ends[h] < n));
     begin = ends[h];
   }
   std::size_t all = 0, orientations = 0;

@@ -60,7 +60,11 @@ namespace {
 struct Target_visitor : CGAL::Default_surface_insertion_visitor_3
 {
   std::string reason;
-  void notice(CGAL::Surface_insertion_notice, const std::string& r) { reason = r; }
+  void notice(CGAL::Surface_insertion_notice what, const std::string& r)
+  {
+    if (what == CGAL::Surface_insertion_notice::CORE_IS_REPLACED)
+      reason = r;
+  }
 };
 
 // Inserts the points and compares with plain CGAL. Returns why the compact triangulation could not

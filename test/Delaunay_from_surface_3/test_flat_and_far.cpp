@@ -53,7 +53,11 @@ struct Counting_visitor : CGAL::Default_surface_insertion_visitor_3
   {
     counts = target.counts();
   }
-  void notice(CGAL::Surface_insertion_notice, const std::string& r) { reason = r; }
+  void notice(CGAL::Surface_insertion_notice what, const std::string& r)
+  {
+    if (what == CGAL::Surface_insertion_notice::CORE_IS_REPLACED)
+      reason = r;
+  }
 };
 
 // What was left open by floating point, and by all but the kernel, of one point on average.

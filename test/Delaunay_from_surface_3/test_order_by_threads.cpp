@@ -208,6 +208,7 @@ BOOST_AUTO_TEST_CASE(arrays)
     const DFS::internal::Order_view view = DFS::internal::view_of(order);
     DFS::internal::Build_options options;
     options.given = &view;
+    options.cells_per_point = DFS::internal::Build_options::any_number;
     options.adds_apex = true;
     const auto arrays_by = [&](const DFS::internal::Executor& executor, bool infinite = true) {
       DFS::internal::Observer nobody;

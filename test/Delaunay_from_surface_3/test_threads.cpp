@@ -308,7 +308,10 @@ BOOST_AUTO_TEST_CASE(a_limit_of_one_thread)
   tbb::task_arena(8).execute([&] {
     Triangulation tr;
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces);
+    Counting_visitor visitor;
+    CGAL::insert_points_3<CGAL::Parallel_tag>(tr, surface.points, surface.faces,
+                                              CGAL::parameters::visitor(std::ref(visitor)));
+    BOOST_TEST(visitor.threads == 1u);
     BOOST_TEST((tr == plain));
   });
 }

@@ -71,7 +71,7 @@ inline void report_tiles(const std::string& output, const CGAL::Tiles_report& re
                         "collision of hashes of 128 bits");
 }
 
-// A file in which tiles are joined. Nothing of it stays if a signal ends the program.
+// A file in which tiles are joined. Nothing of it stays if a signal ends the program once it is made.
 class Joined_file : public core::Joined_tiles
 {
 public:

@@ -120,6 +120,18 @@ struct Core_hints
 {
 };
 
+// Earlier visitors had these functions; nobody calls them.
+template <class V>
+using Accept = decltype(&V::accept);
+template <class V>
+using Round_begins = decltype(&V::round_begins);
+template <class V>
+using Order_is_replaced = decltype(&V::order_is_replaced);
+template <class V>
+using Target_is_replaced = decltype(&V::target_is_replaced);
+template <class V>
+using Surface_is_irregular = decltype(&V::surface_is_irregular);
+
 // Tells a caller's visitor what the core, or the loop of the paper, is doing, in the floating-point
 // mode of whoever called the package.
 template <class Visitor>
@@ -127,6 +139,12 @@ class Visitor_observer final : public Observer
 {
   using Phase = Surface_insertion_phase;
   using Notice = Surface_insertion_notice;
+  static_assert(!is_detected<Accept, Visitor> && !is_detected<Round_begins, Visitor> &&
+                    !is_detected<Order_is_replaced, Visitor> &&
+                    !is_detected<Target_is_replaced, Visitor> &&
+                    !is_detected<Surface_is_irregular, Visitor>,
+                "a visitor has notice(), phase_begins(), go_further() and insertion_ends(): others "
+                "would not be called");
 
 public:
   // Keeps references.

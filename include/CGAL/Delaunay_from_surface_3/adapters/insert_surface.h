@@ -327,13 +327,10 @@ insert_through_core(Triangulation& tr, const Input& input, const Plan& plan,
     if (asked.creates_in_input_order)
       refuse_input_order(obstacle);
   }
-  if (built->outcome == Insertion_outcome::TOO_MANY_CELLS) {
-    built.reset();
-    options.inserts = false;
-    built = build(doubles, options, observer, executor);
-  }
   if (!options.inserts)
     observer.phase_begins(Phase::SUBGRAPH);
+  built->give_up_cells();
+  built->give_up_vertices();
   order = copy_of(built->order);
   built.reset();
   doubles.give_up();

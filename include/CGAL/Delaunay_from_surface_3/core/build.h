@@ -66,7 +66,8 @@ inline bool is_order(const Insertion_order& order, std::size_t n)
 }
 
 // Builds in the order of the last call, for points that have moved a little since. If it is an order
-// of fewer or more points, or costs too much by now, the core's own takes its place in `kept`.
+// of fewer or more points, or costs too much by now, the core's own takes its place in `kept`, which
+// is empty meanwhile, and stays empty after an exception or if the points lie on a line.
 template <class Executor>
 std::unique_ptr<Built> build_again(Insertion_order& kept, Point_source& points,
                                    Build_options options, Observer& observer,
@@ -85,8 +86,10 @@ std::unique_ptr<Built> build_again(Insertion_order& kept, Point_source& points,
       return built;
     options.given = nullptr;
   }
+  kept = Insertion_order();
   auto built = build(points, options, observer, executor);
-  kept = copy_of(built->order);
+  if (built->dimension > 1)
+    kept = copy_of(built->order);
   return built;
 }
 

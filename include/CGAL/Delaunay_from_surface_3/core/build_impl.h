@@ -5,6 +5,10 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_IMPL_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_IMPL_H
 
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED) && !defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY)
+#error "the core is compiled: include core/build.h"
+#endif
+
 // This is the loop of rounds of Choi 2002, Fig. 1, in which nothing is traced: the order itself names
 // a point to start from.
 

@@ -549,8 +549,10 @@ public:
     const auto coordinates = rounded_coordinates(points);
     const Point_array array(coordinates.data(), points.size());
     const auto lower = lower_neighbors(graph, index_map, points.size());
-    if (lower.items.empty())
+    if (lower.items.empty() && points.size() < (std::numeric_limits<std::uint32_t>::max)())
       return spaced_rounds(array, Alone());
+    if (lower.items.empty())
+      return fallback_plan()(points, gt, graph, index_map);
     const Net_hierarchy nets(lower, array, m_seed, m_block);
     return joins_near_points(array, nets) ? Rounds_of_nets(array, nets, m_seed).order()
                                           : fallback_plan()(points, gt, graph, index_map);

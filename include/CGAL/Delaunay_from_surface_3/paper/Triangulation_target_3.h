@@ -261,7 +261,7 @@ bool insert_in_traced_rounds(const Insertion_order& plan, Target& target, Hints&
       target.insert(i, d_i, hints); // 2c
     }
     if (N_h < target.size()) {
-      observer.phase_begins(Phase::TRACE, target.size() - N_h);
+      observer.phase_begins(Phase::TRACE, Hints::uses_subgraph ? target.size() - N_h : 0);
       hints.trace(); // 2a
     }
   }

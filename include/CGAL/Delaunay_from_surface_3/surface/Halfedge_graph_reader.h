@@ -244,6 +244,8 @@ private:
       const Index u = star[i];
       if (u == v)
         refuse("the graph is not simple: " + edge_name(v, v) + " is a loop");
+      if (u >= n)
+        refuse(vertex_name(v) + " has a halfedge that was removed");
       const bool is_repeated =
           is_short ? std::find(star.begin(), star.begin() + i, u) != star.begin() + i
                    : last_seen_by[u] == v;

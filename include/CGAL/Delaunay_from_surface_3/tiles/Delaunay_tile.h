@@ -409,7 +409,7 @@ public:
     own.insert(own.end(), state.kept.begin(), state.kept.end());
     if (!fit_when_merged(own, limit, tiling.start, m_equal))
       throw too_large(limit);
-    const bool is_new = state.kept.empty() && m_known.empty() && m_told.empty();
+    m_rounds = state.rounds;
     state = {};
     const auto note_equal = [&](Id, std::uint64_t p, std::uint64_t q) {
       if (p != q)
@@ -420,7 +420,7 @@ public:
       m_triangulation.insert_first(
           std::move(own), number, executor, [&] { check_bytes(); }, note_equal);
     });
-    m_first_untold = is_new ? 0 : m_triangulation.vertices_end();
+    m_first_untold = m_rounds == 0 ? 0 : m_triangulation.vertices_end();
   }
 
   std::uint32_t number() const { return m_number; }
@@ -477,7 +477,7 @@ public:
   // Returns the state at the end; the tile must not be used after this.
   Tile_state state() &&
   {
-    Tile_state state{{}, std::move(m_known), std::move(m_told)};
+    Tile_state state{{}, std::move(m_known), std::move(m_told), m_rounds + 1};
     for (std::size_t v = 5; v < m_triangulation.vertices_end(); ++v) // after those of all tiles
       if (!is_own(Id(v)))
         state.kept.push_back(m_triangulation.point(Id(v)));
@@ -654,6 +654,7 @@ private:
   std::vector<Told> m_told;           // ascending
   std::vector<std::array<std::uint64_t, 2>> m_equal;
   Tile_triangulation m_triangulation;
+  std::uint32_t m_rounds = 0;     // in which it was there before
   std::size_t m_first_untold = 0; // a vertex
 };
 

@@ -189,7 +189,7 @@ public:
       for (std::size_t r = 0; r < to.size(); ++r) {
         for (const T& item : to[r])
           pack(packed[r], item);
-        to[r] = {};
+        std::vector<T>().swap(to[r]);
       }
     });
     return unpack_all<T>(exchange(std::move(packed)));

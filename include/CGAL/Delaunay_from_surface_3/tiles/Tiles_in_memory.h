@@ -334,7 +334,7 @@ public:
         const Tile_point point = tile_point(input.first + i, &coordinates[3 * i]);
         to[rank_of(owner(point))].push_back(point);
       }
-      coordinates = {};
+      std::vector<double>().swap(coordinates);
     });
     std::vector<Tile_point> points = m_ranks.exchange(std::move(to)); // by id
     together([&] {

@@ -61,8 +61,9 @@ struct Tile_state
   std::vector<Tile_point> kept;     // others' points in its triangulation
   std::vector<std::uint64_t> known; // ids of all that was offered, ascending
   std::vector<Told> told;           // ascending
+  std::uint32_t rounds = 0;         // in which it was there: at first it tells everything
 
-  auto parts() { return std::tie(kept, known, told); }
+  auto parts() { return std::tie(kept, known, told, rounds); }
 };
 
 class Tile_tree

@@ -89,7 +89,8 @@ template <class From, class Key, class Value>
 void unpack(From& from, std::map<Key, Value>& items)
 {
   std::uint64_t n = 0;
-  for (unpack(from, n); n > 0; --n) {
+  unpack(from, n);
+  for (n = from.checked(n, 1); n > 0; --n) {
     Key key{};
     unpack(from, key);
     unpack(from, items[key]);
