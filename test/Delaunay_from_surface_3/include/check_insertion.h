@@ -235,7 +235,7 @@ std::string check_insertion(const Insertion_case& c, Tally& tally)
     const Rounding rounding(*c.rounding);
     visitor.rounding = &rounding;
     const auto note = boost::make_function_output_iterator([&](const auto& pair) {
-      visitor.notice();
+      visitor.look();
       map.emplace_back(index_of(pair.first), pair.second);
     });
     try {
