@@ -362,8 +362,9 @@ struct Cancelling_visitor : Counting_visitor
     , cancel(std::move(c))
   {
   }
-  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t)
+  void phase_begins(CGAL::Surface_insertion_phase phase, std::size_t number)
   {
+    Counting_visitor::phase_begins(phase, number);
     if (phase == moment.phase)
       cancel();
   }
