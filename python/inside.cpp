@@ -21,7 +21,7 @@
 #include <vector>
 
 namespace py = pybind11;
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace internal = CGAL::Delaunay_from_surface_3::internal;
 
 namespace {
 
@@ -42,10 +42,10 @@ py::tuple winding_numbers(const python::Points& points, const python::Numbers& s
       python::checked_copy(python::Rows(vertices.attr("reshape")(-1, 1)), n);
   CGAL::Inside_3 inside = python::with_faces(faces, [&](const auto& read) {
     const python::Unlocked unlocked;
-    const core::Rounding_to_nearest rounding;
+    const internal::Rounding_to_nearest rounding;
     const python::Interruptible_executor executor(threads);
-    const core::Point_array array(coordinates.data(), n);
-    return core::find_inside(
+    const internal::Point_array array(coordinates.data(), n);
+    return internal::find_inside(
         array, read, rows.size(),
         [&](std::size_t c) {
           return std::array<python::Index, 4>{rows.number(c, 0, n), rows.number(c, 1, n),
@@ -60,7 +60,7 @@ py::tuple winding_numbers(const python::Points& points, const python::Numbers& s
   const auto shares = py::make_tuple(
       inside.number_of_turned, inside.number_of_doubtful, inside.number_of_multiple,
       inside.doubtful_volume, inside.share_of_openings, inside.missing_area, inside.crossed_volume);
-  const std::string warning = core::warning_of(inside);
+  const std::string warning = internal::warning_of(inside);
   return py::make_tuple(
       python::array_from(std::move(inside.winding_numbers), {py::ssize_t(rows.size())}), shares,
       warning);

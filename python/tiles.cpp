@@ -22,7 +22,7 @@
 #include <vector>
 
 namespace py = pybind11;
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace core = CGAL::Delaunay_from_surface_3::core;
 
 namespace {
 

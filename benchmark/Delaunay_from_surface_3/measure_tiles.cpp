@@ -26,7 +26,7 @@
 
 namespace {
 
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace core = CGAL::Delaunay_from_surface_3::core;
 using comparison::Json;
 using Points = std::vector<std::array<double, 3>>;
 

@@ -47,8 +47,8 @@ passed to `sink`.
 <b>Messages</b>: per rank and round at most one to each other rank, or several if it is longer than
 512 MB; 32 bytes for each point that is told.
 */
-class Tiles_by_mpi_3 : public Delaunay_from_surface_3::internal::Tiles_in_memory<
-                           Delaunay_from_surface_3::internal::Ranks_of_mpi>
+class Tiles_by_mpi_3 : public Delaunay_from_surface_3::core::Tiles_in_memory<
+                           Delaunay_from_surface_3::core::Ranks_of_mpi>
 {
 public:
   /// duplicates the communicator. All ranks construct the engine between `MPI_Init()` and

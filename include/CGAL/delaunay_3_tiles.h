@@ -25,7 +25,7 @@ is an engine of `delaunay_3_tiles()` with all tiles in memory. Its constructor t
 threads, by default 1. If there are fewer tiles to make than threads, several threads insert the
 points of one tile; the order of its cells then depends on chance.
 */
-using Tiles_here_3 = Delaunay_from_surface_3::internal::Tiles_here;
+using Tiles_here_3 = Delaunay_from_surface_3::core::Tiles_here;
 
 /*!
 \ingroup PkgDelaunayFromSurface3Tiles
@@ -69,7 +69,7 @@ template <class Engine, class Sink>
 Tiles_report delaunay_3_tiles(Engine& engine, const Tile_source_3& source, Sink&& sink,
                               const Tiles_options& options = Tiles_options())
 {
-  using namespace Delaunay_from_surface_3::internal;
+  using namespace Delaunay_from_surface_3::core;
   if constexpr (std::is_same<std::remove_const_t<Engine>, Tiles_in_files_3>::value) {
     return engine.run(source, options, [&](Delaunay_3_tile&& tile) { sink(std::move(tile)); });
   } else {

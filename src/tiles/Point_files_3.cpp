@@ -30,7 +30,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 template <class T>
@@ -232,7 +232,7 @@ inline Point_file_layout layout_of_points(const std::filesystem::path& file)
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
@@ -240,12 +240,12 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 struct Point_files_3::File
 {
   std::filesystem::path path;
-  Delaunay_from_surface_3::internal::Point_file_layout layout;
+  Delaunay_from_surface_3::core::Point_file_layout layout;
   std::uint64_t first; // id of its first point
 
   void read(std::uint64_t begin, std::size_t n, double* coordinates) const
   {
-    Delaunay_from_surface_3::internal::Bytes_reader bytes(path);
+    Delaunay_from_surface_3::core::Bytes_reader bytes(path);
     std::vector<char> items;
     const std::size_t at_once = (std::max)(std::size_t(1), (std::size_t(1) << 20) / layout.stride);
     for (std::size_t done = 0; done < n;) {
@@ -265,7 +265,7 @@ Point_files_3::Point_files_3(const std::vector<std::filesystem::path>& files)
 {
   std::vector<File> all;
   for (const std::filesystem::path& file : files) {
-    all.push_back({file, Delaunay_from_surface_3::internal::layout_of_points(file), m_size});
+    all.push_back({file, Delaunay_from_surface_3::core::layout_of_points(file), m_size});
     m_size += all.back().layout.number_of_points;
   }
   m_files = std::make_shared<const std::vector<File>>(std::move(all));
@@ -297,7 +297,7 @@ std::uint64_t Point_files_3::stamp() const
     const auto time = std::filesystem::last_write_time(file.path, ignored).time_since_epoch();
     for (const std::uint64_t part : {std::uint64_t(time.count()),
                                      std::uint64_t(std::filesystem::file_size(file.path, ignored))})
-      stamp = Delaunay_from_surface_3::internal::Split_mix(stamp ^ part)();
+      stamp = Delaunay_from_surface_3::core::Split_mix(stamp ^ part)();
   }
   return stamp;
 }

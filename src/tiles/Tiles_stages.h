@@ -39,7 +39,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The tasks of a run in a folder. A task writes the same whenever it is done, except for the order
@@ -100,7 +100,8 @@ struct Tile_tasks
     std::optional<Delaunay_tile> tile; // made when something is new
     const auto make = [&] {
       if (!tile)
-        tile.emplace(tiling, t, own_points(t), std::move(state), limit, Thread_executor(threads));
+        tile.emplace(tiling, t, own_points(t), std::move(state), round == 0, limit,
+                     Thread_executor(threads));
     };
     std::vector<Tile_message> questions;
     const auto hear = [&](std::vector<Tile_message> messages) {
@@ -132,8 +133,8 @@ struct Tile_tasks
   void finish_tile(std::uint32_t t, const Tiling& tiling, const Closed_round& last) const
   {
     auto state = folder.read<Tile_state>("tile", t, last.last_rounds[t]);
-    state = {std::move(state.kept), {}, {}, state.rounds}; // nothing is told now
-    const Delaunay_tile tile(tiling, t, own_points(t), std::move(state), limit,
+    state = {std::move(state.kept), {}, {}}; // nothing is told now
+    const Delaunay_tile tile(tiling, t, own_points(t), std::move(state), false, limit,
                              Thread_executor(threads));
     folder.write_piece(Piece_of_tile(tile));
     folder.write(certificate_of(tile, last.seed), "certificate", t);
@@ -408,7 +409,7 @@ private:
                options.sample_share,
                most_points_read(options, at_once),
                m_limit,
-               internal::number_of_tiles(options, m_source->size(), at_once)};
+               core::number_of_tiles(options, m_source->size(), at_once)};
     m_folder.set_run(draw_seed() | 1);
     m_folder.write(m_input, "input");
   }
@@ -422,7 +423,7 @@ private:
                              std::to_string(m_input.points) +
                              " points: remove it, or name another folder");
     if (options.number_of_tiles != 0 &&
-        internal::number_of_tiles(options, m_input.points, 1) != m_input.tiles)
+        core::number_of_tiles(options, m_input.points, 1) != m_input.tiles)
       throw Tile_files_error(place + ": holds the state of a run with " +
                              std::to_string(m_input.tiles) +
                              " tiles: remove it, or ask for as many");
@@ -516,7 +517,7 @@ private:
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

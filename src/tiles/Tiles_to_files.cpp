@@ -42,7 +42,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 namespace {
 
@@ -744,7 +744,7 @@ std::uint64_t Joined_tiles::write(const char* kind)
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
@@ -758,7 +758,7 @@ Tiles_in_files_3::Tiles_in_files_3(std::filesystem::path folder, std::size_t num
 Tiles_report Tiles_in_files_3::run(const Tile_source_3& source, const Tiles_options& options,
                                    const std::function<void(Delaunay_3_tile&&)>& sink) const
 {
-  using namespace Delaunay_from_surface_3::internal;
+  using namespace Delaunay_from_surface_3::core;
   const Folder_lock lock(m_folder, Folder_lock::ALONE);
   Tiles_in_files engine(m_folder, m_number_of_threads);
   return run_until_certified(engine, source, options, [&](const Tiles_report& report) {

@@ -185,8 +185,8 @@ BOOST_AUTO_TEST_CASE(tile_out_of_core)
 }
 
 // A tile that would need more than it may have is refused before it has it: around a hub, of which it is
-// told by others, and between two lines, where few points have many cells. Beside the tile the engine
-// takes some 20 MB, of which more or less was left by earlier cases: alone this takes 1.39.
+// told by others, and between two lines, where few points have many cells. When the array of
+// its cells grows, the old one is still there, some 20 MB here, which earlier cases may have left.
 BOOST_AUTO_TEST_CASE(tiles_that_are_too_large)
 {
   if (!forget_peak())
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(tiles_that_are_too_large)
     const std::size_t before = memory("VmRSS");
     BOOST_TEST_REQUIRE(forget_peak());
     BOOST_CHECK_THROW(Tiles_to_files(folder, 1, false).run(source, options),
-                      CGAL::Delaunay_from_surface_3::internal::Tile_too_large);
+                      CGAL::Delaunay_from_surface_3::core::Tile_too_large);
     const double share = double(memory("VmHWM") - before) / double(options.memory);
     BOOST_TEST_MESSAGE("refused at " << share << " of the memory allowed");
     BOOST_TEST(share < 1.5);

@@ -97,15 +97,15 @@ struct Destroyed
 // Cells destroyed per insertion.
 Destroyed destroyed(const std::vector<Point>& all, const DFS::Insertion_order& plan)
 {
-  namespace core = DFS::internal;
-  const auto coordinates = core::rounded_coordinates(all);
-  core::Observer nobody;
-  core::Order_view order = core::view_of(plan);
+  namespace internal = DFS::internal;
+  const auto coordinates = internal::rounded_coordinates(all);
+  internal::Observer nobody;
+  internal::Order_view order = internal::view_of(plan);
   order.starting_places = nullptr;
-  core::Ordered_complex<core::Compact_vertex> complex;
+  internal::Ordered_complex<internal::Compact_vertex> complex;
   complex.order = order;
-  complex.start(core::Point_array(coordinates.data(), all.size()), nullptr);
-  core::Insert_alone<core::Compact_vertex> insert(complex, core::Alone(), nobody);
+  complex.start(internal::Point_array(coordinates.data(), all.size()), nullptr);
+  internal::Insert_alone<internal::Compact_vertex> insert(complex, internal::Alone(), nobody);
   Destroyed result;
   std::size_t first = 0, before = 0;
   for (const std::size_t end : plan.round_ends) {
@@ -341,26 +341,26 @@ BOOST_AUTO_TEST_CASE(small_sets)
 // What assertions of the core ask.
 BOOST_AUTO_TEST_CASE(invariants_of_orders_and_nets)
 {
-  namespace core = DFS::internal;
-  BOOST_TEST(core::is_order({{2, 0, 1}, {1, 3}, {0, 0, 1}}, 3));
-  BOOST_TEST(core::is_order({{}, {}, {}}, 0));
-  BOOST_TEST(!core::is_order({{2, 0, 2}, {1, 3}, {}}, 3));
-  BOOST_TEST(!core::is_order({{2, 0, 3}, {1, 3}, {}}, 3));
-  BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 2}, {}}, 3));
-  BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 1, 3}, {}}, 3));
-  BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 3}, {0, 0, 2}}, 3));
-  BOOST_TEST(!core::is_order({{2, 0, 1}, {1, 3}, {0, 0}}, 3));
+  namespace internal = DFS::internal;
+  BOOST_TEST(internal::is_order({{2, 0, 1}, {1, 3}, {0, 0, 1}}, 3));
+  BOOST_TEST(internal::is_order({{}, {}, {}}, 0));
+  BOOST_TEST(!internal::is_order({{2, 0, 2}, {1, 3}, {}}, 3));
+  BOOST_TEST(!internal::is_order({{2, 0, 3}, {1, 3}, {}}, 3));
+  BOOST_TEST(!internal::is_order({{2, 0, 1}, {1, 2}, {}}, 3));
+  BOOST_TEST(!internal::is_order({{2, 0, 1}, {1, 1, 3}, {}}, 3));
+  BOOST_TEST(!internal::is_order({{2, 0, 1}, {1, 3}, {0, 0, 2}}, 3));
+  BOOST_TEST(!internal::is_order({{2, 0, 1}, {1, 3}, {0, 0}}, 3));
 
-  core::Large_vector<core::Numbered_edge> path; // 0 - 1 - 2 - 3
+  internal::Large_vector<internal::Numbered_edge> path; // 0 - 1 - 2 - 3
   for (const std::uint32_t v : {1u, 2u, 3u})
     path.emplace_back(v, v - 1);
-  const auto lower = core::lower_neighbors(path, 4);
-  BOOST_TEST(core::is_net(lower, {0, 0, 3, 3}));
-  BOOST_TEST(core::is_net(lower, {1, 1, 1, 3}));
-  BOOST_TEST(!core::is_net(lower, {0, 1, 1, 3})); // 0 and 1 are beside each other
-  BOOST_TEST(!core::is_net(lower, {0, 0, 0, 3})); // 2 is not beside 0
-  BOOST_TEST(!core::is_net(lower, {1, 1, 2, 2})); // 1 and 2
-  BOOST_TEST(!core::is_net(lower, {0, 0, 1, 3})); // 1 is no centre
+  const auto lower = internal::lower_neighbors(path, 4);
+  BOOST_TEST(internal::is_net(lower, {0, 0, 3, 3}));
+  BOOST_TEST(internal::is_net(lower, {1, 1, 1, 3}));
+  BOOST_TEST(!internal::is_net(lower, {0, 1, 1, 3})); // 0 and 1 are beside each other
+  BOOST_TEST(!internal::is_net(lower, {0, 0, 0, 3})); // 2 is not beside 0
+  BOOST_TEST(!internal::is_net(lower, {1, 1, 2, 2})); // 1 and 2
+  BOOST_TEST(!internal::is_net(lower, {0, 0, 1, 3})); // 1 is no centre
 }
 
 BOOST_AUTO_TEST_CASE(no_more_cells_destroyed_than_twice_those_of_random_rounds)

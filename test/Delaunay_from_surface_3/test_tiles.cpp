@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace core = CGAL::Delaunay_from_surface_3::core;
 
 namespace {
 

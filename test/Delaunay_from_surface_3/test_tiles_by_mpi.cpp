@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace core = CGAL::Delaunay_from_surface_3::core;
 
 namespace {
 

@@ -41,7 +41,7 @@
 #include <string>
 #include <vector>
 
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace core = CGAL::Delaunay_from_surface_3::core;
 namespace fs = std::filesystem;
 
 namespace {
@@ -199,6 +199,28 @@ BOOST_AUTO_TEST_CASE(tiles_without_a_sample)
     const auto report = CGAL::delaunay_3_tiles(
         engine, source_of(points), [](const CGAL::Delaunay_3_tile&) {}, options_of(tiles));
     check_same(report, report_of_here(points, tiles));
+  }
+}
+
+// The first tile has all four points that the triangulations start with, and tells nothing in the first
+// round: it knows no point of another.
+BOOST_AUTO_TEST_CASE(tiles_that_tell_nothing_at_first)
+{
+  std::mt19937 random(1);
+  for (int i = 0; i < 20; ++i) {
+    Points points(20 + random() % 100);
+    for (auto& p : points)
+      for (double& x : p)
+        x = double(random() % 1000);
+    std::sort(points.begin(), points.end());
+    CGAL::Tiles_options options = options_of(2);
+    options.sample_share = 1u << 30;
+    const auto report_of = [&](auto&& engine) {
+      return CGAL::delaunay_3_tiles(
+          engine, source_of(points), [](const CGAL::Delaunay_3_tile&) {}, options);
+    };
+    const Folder folder;
+    check_same(report_of(CGAL::Tiles_in_files_3(folder.path)), report_of(CGAL::Tiles_here_3()));
   }
 }
 

@@ -26,7 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace core = CGAL::Delaunay_from_surface_3::internal;
+namespace core = CGAL::Delaunay_from_surface_3::core;
 
 // The arguments of `delaunay_from_surface tiles`, and of `delaunay_from_surface_mpi`.
 struct Tiles_command : Printing

@@ -95,7 +95,7 @@ public:
   traces the surface, if the policy does so (line 2a). It is called after the last insertion of each
   round except the last round.
 
-  \return the number of points that were located; 0 if nothing is traced
+  \return the number of points that were located, for whoever measures; 0 if nothing is traced
   */
   std::size_t trace();
 };

@@ -23,13 +23,13 @@ template <class Point>
 CGAL::Delaunay_3_arrays<std::int32_t> arrays_by_threads(std::size_t number,
                                                         const std::vector<Point>& points)
 {
-  namespace core = CGAL::Delaunay_from_surface_3::internal;
+  namespace internal = CGAL::Delaunay_from_surface_3::internal;
   std::vector<double> coordinates;
   for (const Point& p : points)
     for (const int k : {0, 1, 2})
       coordinates.push_back(p[k]);
-  core::Given_points source(core::Point_array(coordinates.data(), points.size()));
-  return core::insert_into_arrays<std::int32_t>(
+  internal::Given_points source(internal::Point_array(coordinates.data(), points.size()));
+  return internal::insert_into_arrays<std::int32_t>(
       source, nullptr, std::nullopt, Thread_executor(number), CGAL::parameters::default_values());
 }
 

@@ -86,7 +86,7 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   CGAL::insert_points_3(without_info, points, parameters::visitor(1));
   // expected: a visitor is a model of SurfaceInsertionVisitor_3
   CGAL::insert_points_3(without_info, points, parameters::visitor(std::ref(text)));
-  // expected: a visitor has notice(), phase_begins(), go_further() and insertion_ends()
+  // expected: visitors leave no points out
   CGAL::insert_points_3(without_info, points, parameters::visitor(Thinning_visitor()));
   // expected: traits say by through_core who inserts
   CGAL::insert_points_3(without_info, points, std::vector<std::vector<int>>(), Old_traits());

@@ -30,8 +30,9 @@ using Go_further = decltype(std::declval<Visitor&>().go_further(std::size_t()));
 template <class Visitor>
 constexpr bool is_visitor = is_detected<Go_further, Visitor>;
 
-// Calls `progress` with the share of the points that are inserted, before the first insertion,
-// every 256 points or more, and when all are. `false` stops the work; what returns nothing never does.
+// Calls `progress` with the share of the points that are inserted: before the first insertion, every
+// 256 points or more, and when all are inserted. `false` stops the work; if it returns nothing, it
+// never does.
 template <class Progress>
 class Progress_visitor : public Default_surface_insertion_visitor_3
 {
@@ -120,17 +121,9 @@ struct Core_hints
 {
 };
 
-// Earlier visitors had these functions; nobody calls them.
-template <class V>
-using Accept = decltype(&V::accept);
-template <class V>
-using Round_begins = decltype(&V::round_begins);
-template <class V>
-using Order_is_replaced = decltype(&V::order_is_replaced);
-template <class V>
-using Target_is_replaced = decltype(&V::target_is_replaced);
-template <class V>
-using Surface_is_irregular = decltype(&V::surface_is_irregular);
+// Earlier visitors could leave points out by this function, which nobody calls.
+template <class Visitor>
+using Accept_of_visitor = decltype(&Visitor::accept);
 
 // Tells a caller's visitor what the core, or the loop of the paper, is doing, in the floating-point
 // mode of whoever called the package.
@@ -139,12 +132,8 @@ class Visitor_observer final : public Observer
 {
   using Phase = Surface_insertion_phase;
   using Notice = Surface_insertion_notice;
-  static_assert(!is_detected<Accept, Visitor> && !is_detected<Round_begins, Visitor> &&
-                    !is_detected<Order_is_replaced, Visitor> &&
-                    !is_detected<Target_is_replaced, Visitor> &&
-                    !is_detected<Surface_is_irregular, Visitor>,
-                "a visitor has notice(), phase_begins(), go_further() and insertion_ends(): others "
-                "would not be called");
+  static_assert(!is_detected<Accept_of_visitor, Visitor>,
+                "visitors leave no points out: accept() would not be called");
 
 public:
   // Keeps references.

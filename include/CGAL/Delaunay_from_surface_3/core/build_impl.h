@@ -9,8 +9,8 @@
 #error "the core is compiled: include core/build.h"
 #endif
 
-// This is the loop of rounds of Choi 2002, Fig. 1, in which nothing is traced: the order itself names
-// a point to start from.
+// This is the loop of rounds of Choi 2002, Fig. 1, in which nothing is traced: the order itself
+// names a point to start from.
 
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
@@ -40,23 +40,24 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// How much work an order may cause before another takes its place. No order but a random one
-// bounds the cells that insertions destroy (Amenta, Choi, Rote 2003). So
-// the whole costs no more than the budget, what is done between two looks at it, and one insertion
-// in that order. No order is to blame for what all do: where many cells must stay, as a quadratic
-// number does, about as many are destroyed. Of an order that is spread over the points this is allowed.
+// Limits the work that an order may cause before another takes its place. Only a random order bounds
+// the cells that insertions destroy (Amenta, Choi, Rote 2003). So the whole costs no more than the
+// budget, the work between two looks at it, and one insertion in random order. An order is not to
+// blame for what every order does: where many cells must stay, perhaps a quadratic number, about as
+// many are destroyed. An order that is spread over the points may destroy these, too.
 class Insertion_budget
 {
 public:
-  // A budget of destroyed cells for each point inserted; the first points share that of a thousand,
-  // since few points do not tell a good order from a bad one. The largest number is never exceeded.
+  // Gives each inserted point a budget of destroyed cells. The first points share the budget of a
+  // thousand, since few points do not tell a good order from a bad one. The largest number is never
+  // exceeded.
   explicit Insertion_budget(std::size_t cells_per_point, bool is_spread = false)
     : m_cells_per_point(double(cells_per_point))
     , m_is_spread(is_spread)
   {
   }
 
-  // Walks have a threshold of their own: each may be exceeded for reasons that are none of the other's.
+  // Walks have a threshold of their own, since either may be exceeded without the other.
   // A step of a walk makes one test; a destroyed cell makes two or three, and is replaced as well.
   bool is_exceeded(const Insertion_counts& counts, std::size_t inserted) const
   {

@@ -46,7 +46,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Equal points share one vertex, so they count only once towards the limit of a tile.
@@ -168,7 +168,7 @@ std::vector<Id> insert_by_threads(Compact_complex<Compact_vertex>& complex, std:
 class Tile_triangulation
 {
 public:
-  using Id = internal::Id;
+  using Id = core::Id;
   using Complex = Compact_complex<Compact_vertex>;
   using Cell = Compact_cell;
 
@@ -393,10 +393,11 @@ public:
   using Id = Tile_triangulation::Id;
   using Cell = Tile_triangulation::Cell;
 
-  // Makes a tile of the points that are its own, as it was in a state; all workers insert them.
-  // Keeps a reference to the tiling. Throws Tile_too_large if more than `limit` points are kept.
+  // Makes a tile of the points that are its own, as it was in a state; all workers insert them. A new
+  // one has told nothing yet. Keeps a reference to the tiling. Throws Tile_too_large if more than
+  // `limit` points are kept.
   Delaunay_tile(const Tiling& tiling, std::uint32_t number, std::vector<Tile_point> own,
-                Tile_state state, std::size_t limit, const Executor& executor)
+                Tile_state state, bool is_new, std::size_t limit, const Executor& executor)
     : m_tiling(tiling)
     , m_number(number)
     , m_limit(limit)
@@ -409,7 +410,6 @@ public:
     own.insert(own.end(), state.kept.begin(), state.kept.end());
     if (!fit_when_merged(own, limit, tiling.start, m_equal))
       throw too_large(limit);
-    m_rounds = state.rounds;
     state = {};
     const auto note_equal = [&](Id, std::uint64_t p, std::uint64_t q) {
       if (p != q)
@@ -420,7 +420,7 @@ public:
       m_triangulation.insert_first(
           std::move(own), number, executor, [&] { check_bytes(); }, note_equal);
     });
-    m_first_untold = m_rounds == 0 ? 0 : m_triangulation.vertices_end();
+    m_first_untold = is_new ? 0 : m_triangulation.vertices_end();
   }
 
   std::uint32_t number() const { return m_number; }
@@ -477,7 +477,7 @@ public:
   // Returns the state at the end; the tile must not be used after this.
   Tile_state state() &&
   {
-    Tile_state state{{}, std::move(m_known), std::move(m_told), m_rounds + 1};
+    Tile_state state{{}, std::move(m_known), std::move(m_told)};
     for (std::size_t v = 5; v < m_triangulation.vertices_end(); ++v) // after those of all tiles
       if (!is_own(Id(v)))
         state.kept.push_back(m_triangulation.point(Id(v)));
@@ -654,7 +654,6 @@ private:
   std::vector<Told> m_told;           // ascending
   std::vector<std::array<std::uint64_t, 2>> m_equal;
   Tile_triangulation m_triangulation;
-  std::uint32_t m_rounds = 0;     // in which it was there before
   std::size_t m_first_untold = 0; // a vertex
 };
 
@@ -804,7 +803,7 @@ inline Delaunay_3_tile piece_of(const Delaunay_tile& tile)
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -49,7 +49,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The number of cells in a set, and the sum of their hashes.
@@ -247,7 +247,7 @@ inline bool is_certified(const std::vector<Tile_certificate>& tiles, std::size_t
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -120,7 +120,7 @@ private:
 /// \endcond
 
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 
 // Makes files of tiles from files of points, in one call or task by task. The folder contains
@@ -205,7 +205,7 @@ private:
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -38,7 +38,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Returns how many threads work on task k of n, if several can insert points together: in the end
@@ -231,7 +231,7 @@ struct One_process
   }
 };
 
-// Describes what a process is going to read, and the options on which the driver's decisions depend.
+// Describes what a process will read, and the options on which the driver's decisions depend.
 struct Input_of_rank
 {
   std::uint64_t points, first, last; // it reads the points first, …, last - 1
@@ -354,7 +354,7 @@ public:
         m_inboxes[k].push_back({number(k), number(k), m_tiling->sample});
         const Thread_executor executor(threads_of_task(k, n, m_executor.number_of_workers()));
         m_tiles[k] = std::make_unique<Delaunay_tile>(*m_tiling, number(k), std::move(own[k]),
-                                                     Tile_state(), limit, executor);
+                                                     Tile_state(), true, limit, executor);
       });
     });
   }
@@ -508,7 +508,7 @@ private:
 using Tiles_here = Tiles_in_memory<One_process>;
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

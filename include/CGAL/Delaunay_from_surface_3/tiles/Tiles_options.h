@@ -43,7 +43,8 @@ struct Tiles_options
 
   /// the approximate number of bytes that the tiles in memory at the same time may take; 0 stands
   /// for no limit. A tile takes 300 bytes for each point that it keeps, and the worst one keeps up
-  /// to five times its own points. If all tiles are in memory, the limit holds for each of them.
+  /// to five times its own points. If all tiles are in memory, the limit holds for each of them. While
+  /// the array of its cells grows, a tile may take half as much again.
   std::uint64_t memory = 0;
 
   /// determines the size of the sample that all tiles are offered: about the number of points of a
@@ -228,7 +229,7 @@ public:
     for (const double* x = m_coordinates; x != m_coordinates + 3 * m_size; ++x) {
       std::uint64_t bits;
       std::memcpy(&bits, x, sizeof(bits));
-      stamp = Delaunay_from_surface_3::internal::Split_mix(stamp ^ bits)();
+      stamp = Delaunay_from_surface_3::core::Split_mix(stamp ^ bits)();
     }
     return stamp;
   }
@@ -242,7 +243,7 @@ private:
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 /// \endcond
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES {
 
 // Is thrown when a tile keeps more points than it may. More tiles help, unless one vertex has too
@@ -266,7 +267,7 @@ private:
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FILES
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

@@ -33,7 +33,7 @@
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
-namespace internal {
+namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // A point as tiles tell it to each other: 32 bytes. Its id is its place in the input.
@@ -61,9 +61,8 @@ struct Tile_state
   std::vector<Tile_point> kept;     // others' points in its triangulation
   std::vector<std::uint64_t> known; // ids of all that was offered, ascending
   std::vector<Told> told;           // ascending
-  std::uint32_t rounds = 0;         // in which it was there: at first it tells everything
 
-  auto parts() { return std::tie(kept, known, told, rounds); }
+  auto parts() { return std::tie(kept, known, told); }
 };
 
 class Tile_tree
@@ -401,7 +400,7 @@ inline bool ask_for_more_tiles(Tiles_options& options, const Tile_too_large& err
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-} // namespace internal
+} // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL
 

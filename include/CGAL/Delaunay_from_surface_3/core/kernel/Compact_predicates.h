@@ -5,9 +5,9 @@
 #ifndef CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_PREDICATES_H
 #define CGAL_DELAUNAY_FROM_SURFACE_3_CORE_KERNEL_COMPACT_PREDICATES_H
 
-// Decides whether a cell is in conflict with a point. The stages are asked in this order, and each leaves
-// open what it cannot decide. Costs are those of a sphere test, in ns (measure_predicates), to the
-// end of the stage:
+// Decides whether a cell is in conflict with a point. The stages are asked in this order, and each
+// leaves open what it cannot decide. The costs are for a sphere test, in ns (measure_predicates), to
+// the end of the stage:
 //
 //   stage           what it decides                                  cost  header
 //   first filter    signs farther from 0 than doubles err              15  Sphere_filter.h
