@@ -38,8 +38,11 @@ class BuildExtension(build_ext):
 
     @staticmethod
     def static_runtime():
-        """A wheel need not find the compiler's library at run time; elsewhere the system's is used."""
-        return ["-static-libstdc++", "-static-libgcc"] if os.environ.get("DELAUNAY_FROM_SURFACE_STATIC") else []
+        """A wheel need not find the compiler's library at run time; elsewhere the system's is used.
+
+        The unwinder is the system's always: pthread_exit() unwinds with it, and two of them in one stack abort.
+        """
+        return ["-static-libstdc++"] if os.environ.get("DELAUNAY_FROM_SURFACE_STATIC") else []
 
 
 class SourceDistribution(sdist):

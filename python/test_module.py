@@ -980,9 +980,20 @@ class Refusals(unittest.TestCase):
                    "        t = dfs.delaunay3(p, progress={progress}); t.check()\n"
                    "threading.Thread(target=work, daemon=True).start()\n"
                    "time.sleep({sleep})\n")
-        for progress, sleep in (("None", .05), ("lambda share: True", .1), ("None", .2)):
-            done = subprocess.run([sys.executable, "-c", program.format(progress=progress, sleep=sleep)], capture_output=True, check=False)
-            self.assertEqual((done.returncode, done.stderr), (0, b""))
+        # The thread has asked for the lock when the end begins, and is told so while modules are taken down.
+        asked = ("import atexit, sys, time\n"
+                 "def busy(seconds, now=time.time):\n"
+                 "    end = now() + seconds\n"
+                 "    while now() < end: pass\n"
+                 "class Slow:\n"
+                 "    def __del__(self, busy=busy): busy(.4)\n"
+                 "sys.slow = Slow()\n"
+                 "sys.setswitchinterval(.2)\n"
+                 "atexit.register(busy, .15)\n")
+        for late in ("", asked):
+            for progress, sleep in (("None", .05), ("lambda share: True", .1), ("None", .2)):
+                done = subprocess.run([sys.executable, "-c", late + program.format(progress=progress, sleep=sleep)], capture_output=True, check=False)
+                self.assertEqual((done.returncode, done.stderr), (0, b""))
 
     def test_files_of_any_name(self):
         """Those whose names are no text, and those that are not there."""

@@ -49,7 +49,7 @@ def check_files(index):
                      if not any(file.endswith("/" + name) for file in sources.getnames())]
     needed = re.findall(r"NEEDED +(\S+)", subprocess.run(["objdump", "-p", FOLDER / extension], check=True,
                                                          capture_output=True, text=True).stdout)
-    problems += [f"it needs {name}" for name in needed if not re.match(r"lib(c|m|pthread)\.so|ld-linux", name)]
+    problems += [f"it needs {name}" for name in needed if not re.match(r"lib(c|m|pthread|gcc_s)\.so|ld-linux", name)]
     if built.stat().st_size > 3e6:
         problems.append(f"it has {built.stat().st_size} bytes")
     if (pybind11.version_info[:2] < (2, 12)) != ("<2" in re.search("^Requires-Dist: numpy.*$", metadata, re.M).group()):

@@ -13,20 +13,43 @@
 
 #include <chrono>
 #include <thread>
+#ifdef __GLIBCXX__
+#include <cxxabi.h>
+#endif
 
 namespace python {
 
-inline void wait_if_interpreter_ends()
+inline bool interpreter_ends()
 {
-  const auto ends = [] {
 #if PY_VERSION_HEX >= 0x030d0000
-    return Py_IsFinalizing() != 0;
+  return Py_IsFinalizing() != 0;
 #else
-    return _Py_IsFinalizing() != 0;
+  return _Py_IsFinalizing() != 0;
 #endif
-  };
-  while (ends())
+}
+
+[[noreturn]] inline void wait_for_the_end()
+{
+  for (;;)
     std::this_thread::sleep_for(std::chrono::seconds(1));
+}
+
+// Returns what a function returns that may ask for the lock. Where the interpreter has begun to end
+// while the function waits, Python up to 3.13 calls pthread_exit(), and that unwinds the stack.
+template <class Function>
+auto unless_interpreter_ends(const Function& function)
+{
+  if (interpreter_ends())
+    wait_for_the_end();
+#ifdef __GLIBCXX__
+  try {
+    return function();
+  } catch (const abi::__forced_unwind&) {
+    wait_for_the_end();
+  }
+#else
+  return function();
+#endif
 }
 
 // The lock is not held as long as this lives.
@@ -38,8 +61,7 @@ public:
   Unlocked& operator=(const Unlocked&) = delete;
   ~Unlocked()
   {
-    wait_if_interpreter_ends();
-    PyEval_RestoreThread(m_state);
+    unless_interpreter_ends([this] { PyEval_RestoreThread(m_state); });
   }
 
 private:
@@ -49,13 +71,8 @@ private:
 // The lock is held as long as this lives, in a thread without it.
 class Locked
 {
-  struct Wait
-  {
-    Wait() { wait_if_interpreter_ends(); }
-  };
-
-  const Wait m_wait;
-  const pybind11::gil_scoped_acquire m_lock;
+  const pybind11::gil_scoped_acquire m_lock =
+      unless_interpreter_ends([] { return pybind11::gil_scoped_acquire(); });
 };
 
 } // namespace python

@@ -96,7 +96,8 @@ public:
 private:
   bool is_content(double inserted)
   {
-    m_is_stopped = says_no(m_progress(inserted / double(m_number_of_points)));
+    m_is_stopped = unless_interpreter_ends(
+        [&] { return says_no(m_progress(inserted / double(m_number_of_points))); });
     return !m_is_stopped;
   }
 
