@@ -38,7 +38,7 @@ class BuildExtension(build_ext):
 
     @staticmethod
     def static_runtime():
-        """A wheel need not find the compiler's library at run time; elsewhere the system's is used.
+        """A wheel need not find the compiler's library for C++ at run time; elsewhere the system's is used.
 
         The unwinder is the system's always: pthread_exit() unwinds with it, and two of them in one stack abort.
         """

@@ -991,9 +991,20 @@ class Refusals(unittest.TestCase):
                  "sys.setswitchinterval(.2)\n"
                  "atexit.register(busy, .15)\n")
         for late in ("", asked):
-            for progress, sleep in (("None", .05), ("lambda share: True", .1), ("None", .2)):
+            for progress, sleep in (("None", .05), ("lambda share: True", .1), ("None", .2), ("lambda share: time.sleep(.05) or True", .1)):
                 done = subprocess.run([sys.executable, "-c", late + program.format(progress=progress, sleep=sleep)], capture_output=True, check=False)
                 self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+    def test_a_call_at_the_end(self):
+        """The thread that ends the interpreter calls the module: it keeps the lock."""
+        program = ("import os, sys, numpy as np, delaunay_from_surface as dfs\n"
+                   "class Last:\n"
+                   "    def __del__(self, t=dfs.delaunay3(np.random.default_rng(0).random((3000, 3))), write=os.write, ends=sys.is_finalizing):\n"
+                   "        t.check()\n"
+                   "        write(1, b'%d' % ends())\n"
+                   "last = Last()\n")
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False, timeout=60)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, b"1", b""))
 
     def test_files_of_any_name(self):
         """Those whose names are no text, and those that are not there."""

@@ -78,9 +78,9 @@ void delaunay3_tiles(const std::vector<std::string>& files, const std::string& o
     Run run(files, tiles, memory);
     run.options.progress = [&](const char* what, std::size_t done, std::size_t all) {
       const python::Locked lock;
-      if (PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
-      return progress.is_none() || !python::says_no(progress(what, done, all));
+      python::see_signals();
+      return progress.is_none() ||
+             !python::says_no(python::called(progress, py::make_tuple(what, done, all)));
     };
     return core::Tiles_to_files(output, workers, vtu).run(run.points, run.options);
   });

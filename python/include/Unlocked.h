@@ -28,23 +28,29 @@ inline bool interpreter_ends()
 #endif
 }
 
+// True in the thread that ends the interpreter, while it calls this module: it keeps the lock.
+inline thread_local bool ends_interpreter = false;
+
 [[noreturn]] inline void wait_for_the_end()
 {
   for (;;)
     std::this_thread::sleep_for(std::chrono::seconds(1));
 }
 
-// Returns what a function returns that may ask for the lock. Where the interpreter has begun to end
-// while the function waits, Python up to 3.13 calls pthread_exit(), and that unwinds the stack.
+// Returns what a function returns that may ask for the lock, and that holds no Python object. Where
+// the interpreter has begun to end while the function waits, Python up to 3.13 calls pthread_exit(),
+// and that unwinds the stack.
 template <class Function>
 auto unless_interpreter_ends(const Function& function)
 {
-  if (interpreter_ends())
+  if (interpreter_ends() && !ends_interpreter)
     wait_for_the_end();
 #ifdef __GLIBCXX__
   try {
     return function();
   } catch (const abi::__forced_unwind&) {
+    if (!interpreter_ends())
+      throw;
     wait_for_the_end();
   }
 #else
@@ -56,16 +62,22 @@ auto unless_interpreter_ends(const Function& function)
 class Unlocked
 {
 public:
-  Unlocked() = default;
+  Unlocked()
+    : m_state(interpreter_ends() ? nullptr : PyEval_SaveThread())
+  {
+    ends_interpreter = m_state == nullptr;
+  }
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
   ~Unlocked()
   {
-    unless_interpreter_ends([this] { PyEval_RestoreThread(m_state); });
+    ends_interpreter = false;
+    if (m_state != nullptr)
+      unless_interpreter_ends([this] { PyEval_RestoreThread(m_state); });
   }
 
 private:
-  PyThreadState* const m_state = PyEval_SaveThread();
+  PyThreadState* const m_state;
 };
 
 // The lock is held as long as this lives, in a thread without it.
@@ -74,6 +86,23 @@ class Locked
   const pybind11::gil_scoped_acquire m_lock =
       unless_interpreter_ends([] { return pybind11::gil_scoped_acquire(); });
 };
+
+// Calls a user's function, with the lock.
+inline pybind11::object called(const pybind11::object& function, const pybind11::tuple& arguments)
+{
+  PyObject* const result =
+      unless_interpreter_ends([&] { return PyObject_CallObject(function.ptr(), arguments.ptr()); });
+  if (result == nullptr)
+    throw pybind11::error_already_set();
+  return pybind11::reinterpret_steal<pybind11::object>(result);
+}
+
+// Sees signals, above all Ctrl-C, with the lock, and passes their exceptions on.
+inline void see_signals()
+{
+  if (unless_interpreter_ends([] { return PyErr_CheckSignals(); }) != 0)
+    throw pybind11::error_already_set();
+}
 
 } // namespace python
 

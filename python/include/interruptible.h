@@ -77,8 +77,7 @@ public:
       return true;
     return m_rounding.in_mode_of_caller([&] {
       const Locked lock;
-      if (PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
+      see_signals();
       return m_progress.is_none() || is_content(double(inserted));
     });
   }
@@ -90,14 +89,14 @@ public:
   void finish()
   {
     if (!m_progress.is_none())
-      m_progress(1.);
+      called(m_progress, py::make_tuple(1.));
   }
 
 private:
   bool is_content(double inserted)
   {
-    m_is_stopped = unless_interpreter_ends(
-        [&] { return says_no(m_progress(inserted / double(m_number_of_points))); });
+    m_is_stopped =
+        says_no(called(m_progress, py::make_tuple(inserted / double(m_number_of_points))));
     return !m_is_stopped;
   }
 
@@ -126,19 +125,21 @@ public:
   void interruption_point() const override
   {
     if (std::this_thread::get_id() == m_caller && m_clock.is_time())
-      see_signals();
+      look_for_signals();
     if (m_is_stopped)
       std::rethrow_exception(m_error);
   }
 
 private:
-  void see_signals() const
+  void look_for_signals() const
   {
     const Locked lock;
-    if (PyErr_CheckSignals() == 0)
-      return;
-    m_error = std::make_exception_ptr(py::error_already_set());
-    m_is_stopped = true;
+    try {
+      see_signals();
+    } catch (const py::error_already_set&) {
+      m_error = std::current_exception();
+      m_is_stopped = true;
+    }
   }
 
   const CGAL::Delaunay_from_surface_3::core::Thread_executor m_threads;
