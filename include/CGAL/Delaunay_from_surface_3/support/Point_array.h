@@ -80,6 +80,13 @@ public:
   virtual void give_up() {}
 };
 
+// A source of points that have weights, one for each of points().
+class Weighted_point_source : public Point_source
+{
+public:
+  virtual const double* weights() = 0;
+};
+
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {

@@ -8,7 +8,8 @@
 // These types cross the border of the compiled core: cells and vertices as numbers, the complex
 // that build() makes, its order of insertion, and its observer. A cell is half a cache line.
 //
-// The point at place i of the order of insertion is vertex i + 1; vertex 0 is the infinite one.
+// The point at place i of the order of insertion is vertex i + 1; vertex 0 is the infinite one. A
+// point with a weight that is in no cell, because others hide it, has the vertex 0.
 //
 // Invariants: the vertices of a cell are positively oriented, with the infinite vertex in the place
 // of a point beyond the hull; the infinite vertex is always the last one of its cell. A neighbour
@@ -134,7 +135,7 @@ public:
   Insertion_counts counts;
 
   Order_view order = {nullptr, 0, nullptr, 0, nullptr};
-  const Id* vertex_of = nullptr; // by place, 0 if not inserted; an apex comes last
+  const Id* vertex_of = nullptr; // by place, 0 if not inserted or hidden; an apex comes last
   std::size_t number_of_places = 0;
   Compact_cell* cells = nullptr;
   std::size_t cells_end = 0;    // counts dead ones, too
@@ -182,6 +183,10 @@ struct Build_options
 
   // Ends, if false, when there is an order: the result has nothing else.
   bool inserts = true;
+
+  // Finds a cell that contains it for each hidden point: Built::cell_of() its own number,
+  // Compact_numbers::vertex_of_point(place). Of points with weights.
+  bool locates_hidden = false;
 
   // If there would be more cells, dead ones included, the outcome is TOO_MANY_CELLS.
   std::size_t most_cells = std::size_t(1) << 30;
