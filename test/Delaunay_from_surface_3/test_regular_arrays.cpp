@@ -13,6 +13,7 @@
 #include <CGAL/Delaunay_from_surface_3/Default_surface_insertion_visitor_3.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/regular_3_arrays.h>
 
@@ -460,6 +461,56 @@ BOOST_AUTO_TEST_CASE(points_and_weights_of_any_kind)
   BOOST_TEST(are_same(regular_3_arrays(exact), arrays));
   const CGAL::Second_of_pair_property_map<std::pair<int, Weighted_point>> second;
   BOOST_TEST(are_same(regular_3_arrays(pairs, CGAL::parameters::point_map(second)), arrays));
+}
+
+// Centres and squared radii are compared with CGAL's exact ones, a radius with what it is the
+// difference of.
+BOOST_AUTO_TEST_CASE(power_spheres)
+{
+  using Exact = CGAL::Epeck;
+  Random random(8);
+  std::size_t wrong = 0, imaginary = 0, flat = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const double thickness = std::ldexp(1, -round % 60), size = std::ldexp(1, round % 300 - 150);
+    std::array<double, 4> corners[4];
+    std::vector<Exact::Weighted_point_3> exact;
+    for (auto& p : corners) {
+      p = {size * random(), size * random(), size * (1 + thickness * random.integer(9)),
+           round % 2 * size * size * (round % 4 + random.integer(5) / 8. - 1)};
+      exact.emplace_back(Exact::Point_3(p[0], p[1], p[2]), Exact::FT(p[3]));
+    }
+    const auto sphere = DFS::internal::power_sphere_of(corners);
+    if (CGAL::coplanar(exact[0].point(), exact[1].point(), exact[2].point(), exact[3].point())) {
+      ++flat;
+      continue;
+    }
+    const auto center =
+        Exact().construct_weighted_circumcenter_3_object()(exact[0], exact[1], exact[2], exact[3]);
+    const double power = CGAL::to_double(CGAL::squared_distance(center, exact[0].point())) -
+                         CGAL::to_double(exact[0].weight());
+    const double length = CGAL::to_double(CGAL::squared_distance(center, exact[0].point()));
+    imaginary += sphere.squared_radius < 0;
+    wrong +=
+        !(std::abs(sphere.squared_radius - power) <= 1e-12 * (length + std::abs(corners[0][3])));
+    for (int i = 0; i < 3; ++i) {
+      const double x = CGAL::to_double(center[i] - exact[0].point()[i]);
+      wrong += !(std::abs(sphere.center[std::size_t(i)] - x) <= 1e-12 * std::sqrt(length));
+    }
+    if (round % 2 == 0) {
+      std::array<double, 3> places[4];
+      for (std::size_t k = 0; k < 4; ++k)
+        places[k] = {corners[k][0], corners[k][1], corners[k][2]};
+      wrong += sphere.center != DFS::internal::circumsphere_of(places).center;
+    }
+  }
+  BOOST_TEST(wrong == 0u);
+  BOOST_TEST(imaginary > 100u);
+  BOOST_TEST(flat < 500u);
+  const double huge = 1e308;
+  const auto far = DFS::internal::power_sphere_of(
+      {{0, 0, 0, -huge}, {huge, 0, 0, huge}, {0, huge, 0, huge}, {0, 0, huge, huge}});
+  for (const double x : far.center)
+    BOOST_TEST(x == huge / 2);
 }
 
 BOOST_AUTO_TEST_CASE(refused_weights)

@@ -54,47 +54,55 @@ inline bool is_larger(const Scaled_double& s, const Scaled_double& t)
                                   : std::abs(quotient(s, t)) > 1;
 }
 
-// Holds the differences of N points and an origin, divided by 2^unit, with error bounds
-// (balanced_signs.h). The differences are at most 4, so that underflow adds an error of less than
-// 2^-1000 to a polynomial of degree 4.
-template <class Numbers, int N>
+// Holds the differences of N points and an origin, divided by 2^unit, and those of their weights, if
+// any, by its square, with error bounds (balanced_signs.h). The differences are at most 4, and 16, so
+// that underflow adds an error of less than 2^-1000 to a polynomial of degree 4.
+template <class Numbers, int N, class Place>
 struct Bounded_rows
 {
   using Number = Bounded_number<typename Numbers::Number>;
   Row<Number> rows[N];
   int unit;
 
-  Bounded_rows(const double* const* points, const double* origin)
+  Bounded_rows(const Place* points, Place origin)
   {
     double largest = 0;
     for (int k = 0; k < 3 * N; ++k)
       largest = (std::max)(largest, std::abs(points[k / 3][k % 3] - origin[k % 3]));
+    if constexpr (is_weighted<Place>)
+      for (int k = 0; k < N; ++k)
+        largest = (std::max)(largest, std::sqrt(std::abs(origin.weight() - points[k].weight())));
     const auto exponent =
         (std::max)(std::uint64_t(1), (std::min)(biased_exponent(largest), std::uint64_t(2044)));
     unit = int(exponent) - 1022;
     const double scale = power_of_2(2045 - exponent);
+    const auto bounded = [](const auto& d) { return Number{d, std::abs(Numbers::high(d))}; };
     const auto difference = [&](int k, int i) {
-      const auto d = Numbers::difference(points[k][i], origin[i], scale);
-      return Number{d, std::abs(Numbers::high(d))};
+      return bounded(Numbers::difference(points[k][i], origin[i], scale));
     };
     for (int k = 0; k < N; ++k)
-      rows[k] = {difference(k, 0), difference(k, 1), difference(k, 2)};
+      if constexpr (is_weighted<Place>) // the square of the scale may be too large for a double
+        rows[k] = {difference(k, 0), difference(k, 1), difference(k, 2),
+                   bounded(Numbers::difference(origin.weight(), points[k].weight(), scale) *
+                           Numbers::difference(scale, 0, 1))};
+      else
+        rows[k] = {difference(k, 0), difference(k, 1), difference(k, 2)};
   }
 
   // Returns whether the error of n is negligible beside d; false if a number is not finite.
   static bool is_known(const Number& n, const Number& d)
   {
-    return Numbers::error * n.size + 0x1p-1000 <= 0x1p-44 * std::abs(Numbers::high(d.value));
+    return Numbers::error * n.size + 0x1p-1000 < 0x1p-44 * std::abs(Numbers::high(d.value));
   }
   static Scaled_double rounded(const Number& n) { return {Numbers::high(n.value), 0}; }
 };
 
 // Holds the same differences in integers.
-template <int N>
-struct Integer_rows : Big_differences<N>
+template <int N, class Place>
+struct Integer_rows : Big_differences<N, Place>
 {
   using Number = Big_integer;
-  using Big_differences<N>::Big_differences;
+  using Big_differences<N, Place>::Big_differences;
 
   static bool is_known(const Number&, const Number&) { return true; }
   static Scaled_double rounded(const Number& n)
@@ -107,17 +115,19 @@ struct Integer_rows : Big_differences<N>
 
 // Calls measure(rows), with the differences in the numbers of one stage after the other, until it
 // returns true. Points that are not finite have no measure.
-template <int N, class Measure>
-void measure_in_stages(const double* const* points, const double* origin, const Measure& measure)
+template <int N, class Place, class Measure>
+void measure_in_stages(const Place* points, Place origin, const Measure& measure)
 {
-  if (measure(Bounded_rows<Bounded_doubles, N>(points, origin)) ||
-      measure(Bounded_rows<Bounded_double_doubles<Portable_products>, N>(points, origin)))
+  if (measure(Bounded_rows<Bounded_doubles, N, Place>(points, origin)) ||
+      measure(Bounded_rows<Bounded_double_doubles<Portable_products>, N, Place>(points, origin)))
     return;
+  constexpr int size = is_weighted<Place> ? 4 : 3;
   bool are_finite = true;
-  for (int i = 0; i < 3 * N; ++i)
-    are_finite = are_finite && std::isfinite(points[i / 3][i % 3]) && std::isfinite(origin[i % 3]);
+  for (int i = 0; i < size * N; ++i)
+    are_finite =
+        are_finite && std::isfinite(points[i / size][i % size]) && std::isfinite(origin[i % size]);
   if (are_finite)
-    measure(Integer_rows<N>(points, origin));
+    measure(Integer_rows<N, Place>(points, origin));
 }
 
 constexpr double no_measure = std::numeric_limits<double>::quiet_NaN();
@@ -211,6 +221,27 @@ inline Circumsphere circumsphere_of(const Corners_of_tetrahedron& corners)
   Circumsphere sphere;
   measure_at_corner(corners, 0, [&](const auto& in) { return sphere.find(in); });
   return sphere;
+}
+
+// Represents the sphere that is orthogonal to those of four points whose squared radii are weights.
+struct Power_sphere
+{
+  std::array<double, 3> center; // relative to the first point
+  double squared_radius;        // negative if the sphere is imaginary
+};
+
+// Returns the power sphere of points (x, y, z, weight). Its centre is as accurate as that of a
+// circumsphere; the squared radius is its squared distance from a point less the weight there, which
+// may have most digits in common.
+inline Power_sphere power_sphere_of(const std::array<double, 4> (&corners)[4])
+{
+  const Weighted_place others[3] = {Weighted_place(corners[1].data()),
+                                    Weighted_place(corners[2].data()),
+                                    Weighted_place(corners[3].data())};
+  Circumsphere sphere;
+  measure_in_stages<3>(others, Weighted_place(corners[0].data()),
+                       [&](const auto& in) { return sphere.find(in); });
+  return {sphere.center, dot(sphere.center, sphere.center) - corners[0][3]};
 }
 
 // Finds the shares that the corners of a triangle have of the tetrahedron on it whose apex is the
