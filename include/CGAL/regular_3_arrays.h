@@ -89,8 +89,8 @@ are a `std::vector<double>`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param points the points
-\param weights the weight of each point, in the order of the points. Those that are not of type
-`double` are converted by `to_double()`; of an arithmetic type, they must equal a `double`.
+\param weights the weight of each point, in the order of the points. Those that equal no `double` are
+rounded by `to_double()`, or refused if their type is arithmetic.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
 below; any other does not compile
 

@@ -188,8 +188,7 @@ void check_point(const Point& p, std::size_t i)
                                 " coordinate is not a finite number");
 }
 
-// Returns the weight of point i as a double, or throws. Arithmetic types as in double_of(), others by
-// to_double().
+// Returns the weight of point i as a double, or throws. Other than arithmetic types are rounded.
 template <class Weight>
 double double_of_weight(const Weight& weight, std::size_t i)
 {
@@ -197,7 +196,7 @@ double double_of_weight(const Weight& weight, std::size_t i)
   if constexpr (std::is_arithmetic<Weight>::value)
     w = double_of(weight, "weight");
   else
-    w = CGAL::to_double(weight);
+    w = equal_double(weight).value_or(CGAL::to_double(weight));
   if (!is_finite_number(w))
     throw Surface_input_error("vertex " + std::to_string(i) + ": its weight, " + std::to_string(w) +
                               ", is not a finite number");
