@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
 #include <CGAL/delaunay_3_arrays.h>
+#include <CGAL/is_valid_delaunay_3_arrays.h>
 #include <CGAL/regular_3_arrays.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -40,6 +41,7 @@
 namespace {
 
 namespace DFS = CGAL::Delaunay_from_surface_3;
+using CGAL::is_valid_delaunay_3_arrays;
 using CGAL::regular_3_arrays;
 using tests::arrays::Cell;
 using tests::arrays::Cells;
@@ -118,7 +120,10 @@ std::string mistake_in(const Arrays& arrays, const Balls& balls)
     for (std::size_t i = 0; i <= std::size_t(arrays.dimension()); ++i)
       wrong += !tests::arrays::is_neighbor(arrays, c, i);
   wrong += tests::arrays::wrong_orientations(arrays, points_of(balls));
-  return wrong == 0 ? "" : std::to_string(wrong) + " mistakes";
+  if (wrong != 0)
+    return std::to_string(wrong) + " mistakes";
+  const bool is_valid = is_valid_delaunay_3_arrays(arrays, points_of(balls), weights_of(balls));
+  return is_valid ? "" : "arrays that are right are called invalid";
 }
 
 Arrays checked_arrays(const Balls& balls)
@@ -191,6 +196,19 @@ Balls protein(std::size_t n)
     const double r = radii[random.integer(5)];
     balls.push_back({p[0], p[1], p[2], r * r});
   }
+  return balls;
+}
+
+// Up to 14 points, with few different numbers, of any dimension.
+Balls small_set(unsigned seed)
+{
+  Random random(seed);
+  Balls balls(std::size_t(1 + random.integer(14)));
+  const int sides[3] = {1 + random.integer(4), 1 + random.integer(3), 1 + random.integer(3)};
+  const int weights = 1 + random.integer(6);
+  for (auto& b : balls)
+    b = {double(random.integer(sides[0])), double(random.integer(sides[1])),
+         double(random.integer(sides[2])), double(random.integer(weights))};
   return balls;
 }
 
@@ -335,19 +353,37 @@ BOOST_AUTO_TEST_CASE(many_small_sets)
 {
   std::size_t wrong = 0;
   for (unsigned seed = 0; seed < 6000; ++seed) {
-    Random random(seed);
-    Balls balls(std::size_t(1 + random.integer(14)));
-    const int sides[3] = {1 + random.integer(4), 1 + random.integer(3), 1 + random.integer(3)};
-    const int weights = 1 + random.integer(6);
-    for (auto& b : balls)
-      b = {double(random.integer(sides[0])), double(random.integer(sides[1])),
-           double(random.integer(sides[2])), double(random.integer(weights))};
+    const Balls balls = small_set(seed);
     const std::string mistake = mistake_in(arrays_of(balls), balls);
     BOOST_TEST_INFO("seed " << seed);
     if (!mistake.empty() && ++wrong < 5)
       BOOST_TEST(mistake == "");
   }
   BOOST_TEST(wrong == 0u);
+}
+
+// Where a weight or a coordinate changes, the arrays are valid only if they would be made again.
+BOOST_AUTO_TEST_CASE(arrays_of_other_points_are_invalid)
+{
+  std::size_t wrong = 0, valid = 0;
+  for (unsigned seed = 0; seed < 12000; ++seed) {
+    Balls balls = small_set(seed);
+    const Arrays arrays = arrays_of(balls);
+    Random random(seed);
+    for (int changes = 0; changes < 2; ++changes)
+      balls[std::size_t(random.integer(int(balls.size())))][seed % 8 == 0 ? 0 : 3] +=
+          random.integer(5) - 2;
+    const Arrays others = arrays_of(balls);
+    const bool are_equal = arrays.dimension() == others.dimension() &&
+                           arrays.vertices_of_points() == others.vertices_of_points() &&
+                           tests::arrays::cells_of(arrays) == tests::arrays::cells_of(others) &&
+                           tests::arrays::wrong_orientations(arrays, points_of(balls)) == 0;
+    wrong += is_valid_delaunay_3_arrays(arrays, points_of(balls), weights_of(balls)) != are_equal;
+    valid += are_equal;
+  }
+  BOOST_TEST(wrong == 0u);
+  BOOST_TEST(valid > 1000u);
+  BOOST_TEST(valid < 11000u);
 }
 
 // The one that comes last hides all but the corners of the hull.
@@ -426,9 +462,8 @@ BOOST_AUTO_TEST_CASE(many_threads)
   for (const Balls& balls : {cube(20000, .001), cube(20000, .01), lattice({20, 20, 20}, 2)}) {
     const auto points = points_of(balls);
     const auto weights = weights_of(balls);
-    DFS::internal::Read_weighted_points<std::vector<Point>, std::vector<double>,
-                                        CGAL::parameters::Default_named_parameters>
-        read(points, weights, CGAL::parameters::default_values());
+    DFS::internal::Read_weighted_points<std::vector<Point>, std::vector<double>> read(points,
+                                                                                      weights);
     const Arrays arrays = DFS::internal::insert_into_arrays<std::int32_t>(
         read, nullptr, std::nullopt, tests::Thread_executor(4), CGAL::parameters::default_values());
     BOOST_TEST(mistake_in(arrays, balls) == "");

@@ -94,7 +94,8 @@ private:
 
 // Points, and their weights from another range, checked, as doubles; weights of a
 // std::vector<double> stay where they are.
-template <class PointRange, class WeightRange, class NamedParameters>
+template <class PointRange, class WeightRange,
+          class NamedParameters = parameters::Default_named_parameters>
 class Read_weighted_points final : public Weighted_point_source
 {
   static constexpr bool stays = std::is_same<WeightRange, std::vector<double>>::value;
@@ -102,7 +103,7 @@ class Read_weighted_points final : public Weighted_point_source
 public:
   // Keeps references to both ranges.
   Read_weighted_points(const PointRange& points, const WeightRange& weights,
-                       const NamedParameters& np)
+                       const NamedParameters& np = parameters::default_values())
     : m_points(points, np)
     , m_weights(weights)
   {
