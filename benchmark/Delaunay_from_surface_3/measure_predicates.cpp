@@ -197,12 +197,14 @@ ordered_json measure(const Family& family, std::size_t repetitions)
       {"ns_first_filter", nanoseconds(tests, repetitions, first_sign)},
       {"ns_double_double", nanoseconds(tests, repetitions,
                                        [](const Test& t) {
-                                         return close_sphere_sign({t.vertices().data(), t.p()});
+                                         return close_sphere_sign(
+                                             Exact_differences<4>(t.vertices().data(), t.p()));
                                        })},
       {"ns_double_double_without_fma",
        nanoseconds(tests, repetitions,
                    [](const Test& t) {
-                     return close_sphere_sign_with<Portable_products>({t.vertices().data(), t.p()});
+                     return close_sphere_sign_with<Portable_products>(
+                         Exact_differences<4>(t.vertices().data(), t.p()));
                    })},
       {"ns_stages_behind",
        nanoseconds(tests, repetitions, [&](const Test& t) { return exact(t).sign; })},

@@ -334,6 +334,9 @@ namespace {
 // Its labels run out many times over a few thousand insertions.
 struct Vertex_of_short_labels
 {
+  using Place = const double*;
+  static constexpr bool has_weight = false;
+  static constexpr std::size_t size = 3;
   double coordinates[3];
   std::uint32_t cell;
   std::uint16_t label;

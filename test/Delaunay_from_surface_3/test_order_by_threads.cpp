@@ -213,7 +213,8 @@ BOOST_AUTO_TEST_CASE(arrays)
     const auto arrays_by = [&](const DFS::internal::Executor& executor, bool infinite = true) {
       DFS::internal::Observer nobody;
       const auto built =
-          DFS::internal::build_by<DFS::internal::Insert_alone>(source, options, nobody, executor);
+          DFS::internal::build_by<DFS::internal::Compact_vertex, DFS::internal::Insert_alone>(
+              source, options, nobody, executor);
       BOOST_TEST_REQUIRE(built->cells_end > 3u * 65536); // so that threads have a part
       return DFS::internal::arrays_of_built<Index>(*built, source, executor, infinite);
     };

@@ -18,7 +18,9 @@
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Inserter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
 #include <CGAL/Delaunay_from_surface_3/core/order/spaced_rounds.h>
@@ -122,10 +124,19 @@ Insertion_outcome insert_in_rounds(Insert& insert, const Order_view& order, Obse
   return Insertion_outcome::COMPLETE;
 }
 
+inline const double* weights_of(Point_source&)
+{
+  return nullptr;
+}
+inline const double* weights_of(Weighted_point_source& source)
+{
+  return source.weights();
+}
+
 // Makes the order, unless one is given, and the complex with the four points that come first.
-template <class Vertex>
-void begin_to_build(Ordered_complex<Vertex>& built, Point_source& source,
-                    const Build_options& options, Observer& observer, const Executor& executor)
+template <class Vertex, class Source>
+void begin_to_build(Ordered_complex<Vertex>& built, Source& source, const Build_options& options,
+                    Observer& observer, const Executor& executor)
 {
   using Phase = Surface_insertion_phase;
   if (options.given == nullptr)
@@ -148,25 +159,48 @@ void begin_to_build(Ordered_complex<Vertex>& built, Point_source& source,
     return;
   observer.phase_begins(Phase::SUBGRAPH, 0);
   if (simplex.dimension == 3) {
-    built.start(points, nullptr, executor, options.most_cells);
+    built.start(points, nullptr, executor, options.most_cells, weights_of(source));
   } else if (simplex.dimension == 2 && options.adds_apex) {
     const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
                                     points[simplex.points[2]]);
-    built.start(points, apex.data(), executor, options.most_cells);
+    built.start(points, apex.data(), executor, options.most_cells, weights_of(source));
   }
   if (built.has_started())
     source.give_up();
 }
 
-// Is build() with the class that inserts, and part of it.
-template <template <class> class Insert>
+// Gives the hidden points the vertex 0. Their own vertices get no cell, or one that contains them. To
+// be called when all points are inserted: what is hidden once is hidden for ever, but vertices do
+// not learn that others took their last cell.
+template <class Vertex>
+void leave_out_hidden_vertices(Ordered_complex<Vertex>& built, bool locates)
+{
+  auto& complex = built.complex;
+  Inserter<Alone_with_complex<Vertex>> inserter(complex);
+  Id near = complex.vertex(Compact_numbers::infinite).cell;
+  for (std::size_t k = 0; k < built.vertices.size(); ++k) {
+    if (complex.is_in_cell(built.vertices[k]))
+      continue;
+    built.vertices[k] = 0;
+    const Id v = Compact_numbers::vertex_of_point(k);
+    Id& cell = complex.vertex(v).cell;
+    if (cell != 0 && !Compact_numbers::is_dead(complex.cell(cell)))
+      near = cell;
+    if (locates)
+      near = inserter.walk(v, near, Read_alone()).cell;
+    cell = locates ? near : 0;
+  }
+}
+
+// Is build() with the type of the vertices and the class that inserts them, and part of it.
+template <class Vertex, template <class> class Insert, class Source>
 CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE std::unique_ptr<Built>
-build_by(Point_source& points, Build_options options, Observer& observer, const Executor& executor)
+build_by(Source& points, Build_options options, Observer& observer, const Executor& executor)
 {
   const bool is_given = options.given != nullptr;
   for (;;) {
     const bool is_spaced = options.rounds == Build_options::SPACED;
-    auto built = std::make_unique<Ordered_complex<Compact_vertex>>();
+    auto built = std::make_unique<Ordered_complex<Vertex>>();
     try {
       begin_to_build(*built, points, options, observer, executor);
       if (!built->has_started())
@@ -174,13 +208,15 @@ build_by(Point_source& points, Build_options options, Observer& observer, const 
       const bool is_spread = is_given ? options.is_spread : is_spaced;
       const Insertion_budget budget(
           is_given || is_spaced ? options.cells_per_point : Build_options::any_number, is_spread);
-      Insert<Compact_vertex> insert(*built, executor, observer);
+      Insert<Vertex> insert(*built, executor, observer);
       built->outcome = insert_in_rounds(insert, built->order, observer, budget);
       built->counts = insert.counts();
       if (built->outcome == Insertion_outcome::COMPLETE) {
         observer.insertion_ends(built->counts);
         observer.phase_begins(Surface_insertion_phase::FINISH, 0);
         insert.finish();
+        if constexpr (Vertex::has_weight)
+          leave_out_hidden_vertices(*built, options.locates_hidden);
         CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(
             is_valid(built->complex, Delaunay_validity_level::DELAUNAY));
       }
@@ -203,12 +239,15 @@ build_by(Point_source& points, Build_options options, Observer& observer, const 
 inline std::unique_ptr<Built> build(Point_source& points, const Build_options& options,
                                     Observer& observer, const Alone& executor)
 {
-  return build_by<Insert_alone>(points, options, observer, executor);
+  return build_by<Compact_vertex, Insert_alone>(points, options, observer, executor);
 }
 #endif
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 
+// The compiled core has this in one object file.
+#if !defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY) ||                                              \
+    defined(CGAL_DELAUNAY_FROM_SURFACE_3_CORE_BUILD_BY_THREADS_H)
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE const char* obstacle_of_core()
@@ -219,6 +258,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE const char* obstacle_of_core()
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+#endif
 } // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -45,6 +45,10 @@ struct Compact_cell
 // several threads need (Explore_announced.h), are slower.
 struct alignas(32) Compact_vertex
 {
+  using Place = const double*; // what predicates know of it (Sphere_filter.h)
+  static constexpr bool has_weight = false;
+  static constexpr std::size_t size = 3; // of `coordinates`, with a weight
+
   double coordinates[3];
   Id cell; // any cell of the vertex
   Id label;

@@ -229,33 +229,44 @@ private:
 };
 
 // Holds the differences of N vertices and p, row by row, divided by 2^unit, the greatest power of 2
-// of which all coordinates are multiples. Any finite doubles will do.
-template <int N>
+// of which all coordinates are multiples, and weights of its square. Any finite doubles will do:
+// weights in squares of units have at most 3,200 bits, fewer than squares of coordinates may have.
+template <int N, class Place = const double*>
 struct Big_differences
 {
   Row<Big_integer> rows[N];
   int unit;
 
-  Big_differences(const double* const* vertices, const double* p)
+  Big_differences(const Place* vertices, Place p)
     : unit(unit_of(p))
   {
     for (int k = 0; k < N; ++k)
       unit = (std::min)(unit, unit_of(vertices[k]));
     const Big_integer x(p[0], unit), y(p[1], unit), z(p[2], unit);
     for (int k = 0; k < N; ++k) {
-      const double* const v = vertices[k];
-      rows[k] = {Big_integer(v[0], unit) - x, Big_integer(v[1], unit) - y,
-                 Big_integer(v[2], unit) - z};
+      const Place v = vertices[k];
+      const Big_integer dx = Big_integer(v[0], unit) - x, dy = Big_integer(v[1], unit) - y,
+                        dz = Big_integer(v[2], unit) - z;
+      if constexpr (is_weighted<Place>)
+        rows[k] = {dx, dy, dz,
+                   Big_integer(p.weight(), 2 * unit) - Big_integer(v.weight(), 2 * unit)};
+      else
+        rows[k] = {dx, dy, dz};
     }
   }
 
 private:
-  static int unit_of(const double* p)
+  static int unit_of(Place p)
   {
     int unit = std::numeric_limits<double>::max_exponent; // of 0
     for (int k = 0; k < 3; ++k)
       if (p[k] != 0)
         unit = (std::min)(unit, Bits_of_double(p[k]).exponent);
+    if constexpr (is_weighted<Place>)
+      if (p.weight() != 0) {
+        const int exponent = Bits_of_double(p.weight()).exponent;
+        unit = (std::min)(unit, exponent >= 0 ? exponent / 2 : (exponent - 1) / 2);
+      }
     return unit;
   }
 };

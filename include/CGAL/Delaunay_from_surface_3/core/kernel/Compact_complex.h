@@ -15,6 +15,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -36,6 +37,8 @@ class Compact_complex : public Compact_numbers
 public:
   using Cell = Compact_cell;
   using Vertex = Vertex_;
+  using Place = typename Vertex::Place;
+  using Coordinates_of_point = std::array<double, Vertex::size>; // with the weight, if it has one
   using Numbers = Compact_numbers;
   using Numbers::dead;
   using Numbers::encode;
@@ -64,13 +67,11 @@ public:
     if (m_number_of_vertices > max_vertices)
       throw Too_many_cells();
     m_vertices.allocate(m_number_of_vertices);
-    m_vertices[infinite] = {{far, 0, 0}, 0, 0};
+    m_vertices[infinite] = Vertex{{far, 0, 0}, 0, 0};
     for_each_block(executor, n, number_of_blocks(executor, n, 4096),
                    [&](std::size_t first, std::size_t last, std::size_t) {
-                     for (std::size_t i = first; i < last; ++i) {
-                       const std::array<double, 3> p = coordinates(i);
-                       m_vertices[vertex_of_point(i)] = {{p[0], p[1], p[2]}, 0, 0};
-                     }
+                     for (std::size_t i = first; i < last; ++i)
+                       m_vertices[vertex_of_point(i)] = vertex_at(coordinates(i));
                    });
   }
 
@@ -78,17 +79,17 @@ public:
   void limit_cells(std::size_t n) { m_most_cells = n; }
 
   // Adds a vertex, in no cell yet, and returns its number. The vertices may move in memory.
-  Id add_vertex(const std::array<double, 3>& p)
+  Id add_vertex(const Coordinates_of_point& p)
   {
     if (m_number_of_vertices == max_vertices)
       throw Too_many_cells();
     if (m_number_of_vertices == m_vertices.capacity())
       m_vertices.reserve(m_number_of_vertices + m_number_of_vertices / 2 + 16,
                          m_number_of_vertices);
-    m_vertices[m_number_of_vertices] = {{p[0], p[1], p[2]}, 0, 0};
+    m_vertices[m_number_of_vertices] = vertex_at(p);
     return Id(m_number_of_vertices++);
   }
-  void add_own_coordinates(const std::array<double, 3>& p) { m_own_coordinates.push_back(p); }
+  void add_own_coordinates(const Coordinates_of_point& p) { m_own_coordinates.push_back(p); }
 
   // Gives vertex v the number of an earlier vertex that is not needed. Cells are left alone.
   void renumber_vertex(Id v, Id number)
@@ -104,23 +105,26 @@ public:
     m_number_of_vertices = end;
     m_own_coordinates.resize((std::min)(m_own_coordinates.size(), end - 1));
   }
-  const std::array<double, 3>& own_coordinates(Id v) const
+  const Coordinates_of_point& own_coordinates(Id v) const
   {
     return m_own_coordinates[point_of_vertex(v)];
   }
 
   // Keeps the coordinates of the points before they were scaled. To be called if that rounded any.
-  void keep_own_coordinates(std::vector<std::array<double, 3>>&& coordinates)
+  void keep_own_coordinates(std::vector<Coordinates_of_point>&& coordinates)
   {
     m_own_coordinates = std::move(coordinates);
   }
   bool is_rounded() const { return !m_own_coordinates.empty(); }
 
-  // Returns the exact coordinates of a finite vertex, up to a power of 2 that all have in common.
-  const double* exact_coordinates(Id v) const
+  // Return where a vertex has its coordinates, and where a finite one has exact ones, up to a power
+  // of 2 that all have in common.
+  Place place(Id v) const { return Place(vertex(v).coordinates); }
+  Place exact_place(Id v) const
   {
-    return is_rounded() ? own_coordinates(v).data() : vertex(v).coordinates;
+    return is_rounded() ? Place(own_coordinates(v).data()) : place(v);
   }
+  const double* exact_coordinates(Id v) const { return coordinates_of(exact_place(v)); }
 
   Cell* cells() { return m_cells.data(); }
   const Cell* cells() const { return m_cells.data(); }
@@ -188,6 +192,13 @@ public:
           join_if_adjacent(c, d);
   }
 
+  // Returns true if vertex v is in its cell; a hidden one is in none.
+  bool is_in_cell(Id v) const
+  {
+    const Cell& c = cell(vertex(v).cell);
+    return !is_dead(c) && std::find(c.v, c.v + 4, v) != c.v + 4;
+  }
+
   // Returns true if the neighbour across each facet leads back, and has the same corners in the
   // opposite direction, and if the cell of each vertex in use is alive and contains it. Linear.
   bool is_valid() const
@@ -195,17 +206,15 @@ public:
     for (std::size_t c = 0; c < m_cells_end; ++c)
       for (unsigned i = 0; !is_dead(cell(c)) && i < 4; ++i) {
         const Id there = cell(c).neighbors[i];
-        if (std::size_t(there >> 2) >= m_cells_end || is_dead(cell(there >> 2)) ||
+        if (!is_in_cell(cell(c).v[i]) || std::size_t(there >> 2) >= m_cells_end ||
+            is_dead(cell(there >> 2)) ||
             cell(there >> 2).neighbors[there & 3] != encode(Id(c), i) ||
             !is_same_facet(cell(c), i, cell(there >> 2), there & 3))
           return false;
       }
-    for (std::size_t v = 0; v < m_number_of_vertices; ++v) {
-      const Cell& c = cell(vertex(v).cell);
-      const bool is_used = v == infinite || vertex(v).cell != 0;
-      if (is_used && (is_dead(c) || std::find(c.v, c.v + 4, Id(v)) == c.v + 4))
+    for (std::size_t v = 0; !Vertex::has_weight && v < m_number_of_vertices; ++v)
+      if (vertex(v).cell != 0 && !is_in_cell(Id(v)))
         return false;
-    }
     return true;
   }
 
@@ -214,6 +223,14 @@ public:
   Page_array<Vertex>& memory_of_vertices() { return m_vertices; }
 
 private:
+  static Vertex vertex_at(const Coordinates_of_point& p)
+  {
+    if constexpr (Vertex::has_weight)
+      return {{p[0], p[1], p[2], p[3]}, 0, 0};
+    else
+      return {{p[0], p[1], p[2]}, 0, 0};
+  }
+
   // Prepares the cells from m_cells_end up to the next large page.
   void make_ready()
   {
@@ -257,7 +274,7 @@ private:
 
   Page_array<Cell> m_cells;
   Page_array<Vertex> m_vertices;
-  std::vector<std::array<double, 3>> m_own_coordinates;
+  std::vector<Coordinates_of_point> m_own_coordinates;
   std::size_t m_most_cells = max_cells;
   std::size_t m_cells_end = 0;
   std::size_t m_cells_ready = 0; // up to here cells are prepared

@@ -44,14 +44,16 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 // A determinant of rows (s, t, w) is a sum of 6 products s t w; each goes through at most 11
 // roundings, 1 + 1 + 4 of them in its factors. Where m bounds all w the products sum up to at most
 // 3 m^2 in absolute value, so the error is at most 33 u m^2, and a bit: less than 40 u m^2 with
-// u = 2^-53. In the same way that of the area is less than 20 u m.
+// u = 2^-53 (44 u m^2 with weights, where m bounds sizes). In the same way that of the area is less
+// than 20 u m.
 //
 // Where that leaves something open in a thin box, there are the bounds by columns: with S, T and W
 // their largest, 66 u S T W and a bit, less than 80 u S T W; the area has 6 products of 6
 // roundings, less than 40 u S T. Underflow: as in Sphere_filter.h and Sphere_filter.h.
 
 // The axis to which the plane of p and three vertices is orthogonal; 3 if there is none.
-inline int axis_across(const double* const* vertices, const double* p)
+template <class Place>
+int axis_across(const Place* vertices, Place p)
 {
   int axis = 0;
   while (axis < 3 && !(vertices[0][axis] == p[axis] && vertices[1][axis] == p[axis] &&
@@ -63,15 +65,13 @@ inline int axis_across(const double* const* vertices, const double* p)
 inline constexpr double Row<double>::*columns_of_row[3] = {&Row<double>::x, &Row<double>::y,
                                                            &Row<double>::z};
 
-// Where the points lie in a long and thin box.
-CGAL_DELAUNAY_FROM_SURFACE_3_APART int circle_sign_by_columns(const double* const* vertices,
-                                                              const double* p, int axis)
+// Where the points lie in a long and thin box. `m` is the largest size of the rows.
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int circle_sign_by_columns(const Row<double>* rows, double m,
+                                                              int axis)
 {
-  const Row<double> rows[3] = {row(vertices[0], p), row(vertices[1], p), row(vertices[2], p)};
   const Column_sizes sizes(rows[0], rows[1], rows[2]);
   const double edges[3] = {sizes.x, sizes.y, sizes.z};
   const double box = edges[(axis + 1) % 3] * edges[(axis + 2) % 3];
-  const double m = largest_square(rows[0], rows[1], rows[2]);
   if (box > 0x1p-10 * m)
     return 0;
   const Circle_cofactors<double> cofactors(rows, columns_of_row[(axis + 1) % 3],
@@ -83,23 +83,28 @@ CGAL_DELAUNAY_FROM_SURFACE_3_APART int circle_sign_by_columns(const double* cons
 
 // If p and the facet (a, b, c) of the convex hull lie in a plane orthogonal to an axis: 1 if p is
 // inside the facet's circle, -1 if it is outside. 0: not decided.
-inline int flat_beyond_sign(const double* const* vertices, const double* p)
+template <class Place>
+int flat_beyond_sign(const Place* vertices, Place p)
 {
+  using R = Row_of<Place>;
   const int axis = axis_across(vertices, p);
   if (axis == 3)
     return 0;
-  const Row<double> rows[3] = {row(vertices[0], p), row(vertices[1], p), row(vertices[2], p)};
+  const R sized[3] = {row(vertices[0], p), row(vertices[1], p), row(vertices[2], p)};
+  const Row<double> rows[3] = {sized[0], sized[1], sized[2]};
   const Circle_cofactors<double> cofactors(rows, columns_of_row[(axis + 1) % 3],
                                            columns_of_row[(axis + 2) % 3]);
-  const double m = largest_square(rows[0], rows[1], rows[2]), value = cofactors.lifted(rows);
+  const double m = largest_size(sized[0], sized[1], sized[2]), value = cofactors.lifted(rows);
   const int sign =
       certified_sign(cofactors.area, 20 * Filter_bounds::unit * m + Filter_bounds::tiny) *
-      certified_sign(value, 40 * Filter_bounds::unit * m * m + Filter_bounds::tiny);
-  return sign != 0 || value == 0 ? sign : circle_sign_by_columns(vertices, p, axis);
+      certified_sign(value,
+                     Bound_factors<R>::circle * Filter_bounds::unit * m * m + Filter_bounds::tiny);
+  return sign != 0 || value == 0 ? sign : circle_sign_by_columns(rows, m, axis);
 }
 
 // By columns, in vectors where the machine has them.
-inline int flat_sphere_sign(const double* const* vertices, const double* p)
+template <class Place>
+int flat_sphere_sign(const Place* vertices, Place p)
 {
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
   if (machine_has_vectors())
@@ -114,6 +119,7 @@ class Compact_predicates
 {
   using Complex = Compact_complex<Vertex>;
   using Cell = Compact_cell;
+  using Place = typename Vertex::Place;
 
 public:
   // Keeps references to both.
@@ -125,19 +131,21 @@ public:
 
   void count_cell_tested_to_start() { ++m_counts.cells_tested_to_start; }
 
-  // The vertex of the cell that has the coordinates of p, or 0.
+  // The vertex of the cell that has the coordinates of p, and its weight, or 0.
   Id vertex_at(const Cell& cell, Id p) const
   {
-    const double* const q = m_complex.exact_coordinates(p);
+    const double* const q = coordinates_of(m_complex.exact_place(p));
     for (const Id v : cell.v)
-      if (v != Complex::infinite && std::equal(q, q + 3, m_complex.exact_coordinates(v)))
+      if (v != Complex::infinite &&
+          std::equal(q, q + Vertex::size, coordinates_of(m_complex.exact_place(v))))
         return v;
     return 0;
   }
 
   // A facet of the finite cell that p lies beyond: one opposite to a vertex far from p. A walk that
   // drops far vertices first turns around a near one, and stays where cells are small; where p is
-  // far from all, it goes where p is farthest beyond. (The fourth power was measured.)
+  // far from all, it goes where p is farthest beyond. (The fourth power was measured.) 4 if the cell
+  // contains p, which is then hidden, as it is not in conflict.
   unsigned facet_towards(const Cell& cell, const Cell_view& view, Id p) const
   {
     unsigned farthest = 0;
@@ -148,17 +156,17 @@ public:
   }
 
   // Returns for an infinite cell 1 if p is beyond its finite facet, -1 if before, 0 if undecided.
-  int beyond_sign(const Cell& cell, const double* p) const
+  int beyond_sign(const Cell& cell, Place p) const
   {
-    return core::beyond_sign(row(coordinates(Complex::first_vertex(cell)), p),
-                             row(coordinates(cell.v[1]), p), row(coordinates(cell.v[2]), p));
+    return core::beyond_sign(row(place(Complex::first_vertex(cell)), p), row(place(cell.v[1]), p),
+                             row(place(cell.v[2]), p));
   }
 
   bool is_beyond_exactly(const Cell& cell, Id p)
   {
-    const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
-    const double* const v[3] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2])};
-    const double* const q = at(p);
+    const auto at = [this](Id v) { return m_complex.exact_place(v); };
+    const Place v[3] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2])};
+    const Place q = at(p);
     if (!m_complex.is_rounded())
       if (const int flat = flat_beyond_sign(v, q))
         return flat > 0;
@@ -181,23 +189,23 @@ public:
   // The same for any cell, with all filters.
   bool is_in_conflict(const Cell& cell, Id p)
   {
-    const double* const q = coordinates(p);
+    const Place q = place(p);
     if (Complex::is_infinite(cell)) {
       const int sign = beyond_sign(cell, q);
       return sign != 0 ? sign > 0 : is_beyond_exactly(cell, p);
     }
-    const int sign = sphere_sign(row(coordinates(cell.v[0]), q), row(coordinates(cell.v[1]), q),
-                                 row(coordinates(cell.v[2]), q), row(coordinates(cell.v[3]), q));
+    const int sign = sphere_sign(row(place(cell.v[0]), q), row(place(cell.v[1]), q),
+                                 row(place(cell.v[2]), q), row(place(cell.v[3]), q));
     return sign != 0 ? sign > 0 : is_in_close_sphere(cell, p);
   }
 
 private:
   bool is_in_sphere_exactly(const Cell& cell, Id p)
   {
-    const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
-    const double* const v[4] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2]),
-                                at(cell.v[3])};
-    const double* const q = at(p);
+    const auto at = [this](Id v) { return m_complex.exact_place(v); };
+    const Place v[4] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2]),
+                        at(cell.v[3])};
+    const Place q = at(p);
     const Exact_sign exact =
         m_complex.is_rounded() ? wide_sign<Exact_sphere>(v, q) : exact_sign<Exact_sphere>(v, q);
     ++m_counts.sphere_tests_by_stage[exact.stage];
@@ -211,48 +219,49 @@ private:
   // and curves such as (t, t^2, t^3); one test in 32 shows whether there are any.)
   CGAL_DELAUNAY_FROM_SURFACE_3_APART bool is_flat(const Cell& cell, Id p) const
   {
-    return column_sizes(cell, coordinates(p)).are_flat();
+    return column_sizes(cell, place(p)).are_flat();
   }
 
   CGAL_DELAUNAY_FROM_SURFACE_3_APART bool is_in_flat_sphere(const Cell& cell, Id p)
   {
-    const double* const v[4] = {coordinates(Complex::first_vertex(cell)), coordinates(cell.v[1]),
-                                coordinates(cell.v[2]), coordinates(cell.v[3])};
-    const int sign = flat_sphere_sign(v, coordinates(p));
+    const Place v[4] = {place(Complex::first_vertex(cell)), place(cell.v[1]), place(cell.v[2]),
+                        place(cell.v[3])};
+    const int sign = flat_sphere_sign(v, place(p));
     return sign != 0 ? sign > 0 : is_in_sphere_exactly(cell, p);
   }
 
   // Tiny coordinates make the pushes underflow first; a flat cell makes the bound too large.
   unsigned close_facet(const Cell& cell, const Cell_view& view, Id p) const
   {
-    const double* const q = coordinates(p);
-    const double bound = (std::min)(view.facet_bound, column_sizes(cell, q).bound_of_three());
+    const double bound =
+        (std::min)(view.facet_bound, column_sizes(cell, place(p)).bound_of_three());
     for (unsigned k = 0; k < 4; ++k)
       if (view.facets[k] < -bound)
         return k;
     for (unsigned k = 0; k < 4; ++k)
       if (view.facets[k] <= bound && is_beyond_facet(cell, k, p))
         return k;
-    fail("a cell that contains a point must be in conflict with it");
+    if constexpr (!Vertex::has_weight)
+      fail("a cell that contains a point must be in conflict with it");
+    return 4;
   }
 
-  Column_sizes column_sizes(const Cell& cell, const double* q) const
+  Column_sizes column_sizes(const Cell& cell, Place q) const
   {
-    return Column_sizes(row(coordinates(Complex::first_vertex(cell)), q),
-                        row(coordinates(cell.v[1]), q), row(coordinates(cell.v[2]), q),
-                        row(coordinates(cell.v[3]), q));
+    return Column_sizes(row(place(Complex::first_vertex(cell)), q), row(place(cell.v[1]), q),
+                        row(place(cell.v[2]), q), row(place(cell.v[3]), q));
   }
 
   bool is_beyond_facet(const Cell& cell, unsigned k, Id p) const
   {
-    const auto at = [this](Id v) { return m_complex.exact_coordinates(v); };
+    const auto at = [this](Id v) { return coordinates_of(m_complex.exact_place(v)); };
     const double* const v[3] = {at(cell.v[k ^ 1]), at(cell.v[k ^ 2]), at(cell.v[k ^ 3])};
     const double* const q = at(p);
     const int sign = m_complex.is_rounded() ? 0 : balanced_sign<3>(v, q).sign;
     return (sign != 0 ? sign : orientation(q, v[0], v[1], v[2])) < 0;
   }
 
-  const double* coordinates(Id v) const { return m_complex.vertex(v).coordinates; }
+  Place place(Id v) const { return m_complex.place(v); }
 
   const Complex& m_complex;
   Insertion_counts& m_counts;

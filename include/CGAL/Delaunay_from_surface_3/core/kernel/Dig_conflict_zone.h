@@ -188,18 +188,19 @@ struct Explore_neighbors : Explore_alone
   // Tests the cell's neighbours. Infinite cells are left undecided.
   template <class Vertex>
   static Neighborhood around(const Compact_cell* cells, const Vertex* vertices,
-                             const Compact_cell& cell, const double* p)
+                             const Compact_cell& cell, typename Vertex::Place p)
   {
     using Complex = Compact_complex<Vertex>;
+    using Place = typename Vertex::Place;
     unsigned open = 0, infinite = Complex::is_infinite(cell) ? 15 : 0;
-    const double *v[4], *opposite[4];
+    Place v[4], opposite[4];
     for (unsigned k = 0; k < 4; ++k) {
       const Compact_cell& neighbor = cells[cell.neighbors[k] >> 2];
       const Id e = neighbor.v[cell.neighbors[k] & 3] & Id(~Complex::dead);
       open |= unsigned(!Complex::is_dead(neighbor)) << k;
       infinite |= unsigned(e == Complex::infinite) << k;
-      opposite[k] = vertices[e].coordinates;
-      v[k] = vertices[cell.v[k] & Id(~Complex::dead)].coordinates;
+      opposite[k] = Place(vertices[e].coordinates);
+      v[k] = Place(vertices[cell.v[k] & Id(~Complex::dead)].coordinates);
     }
     const unsigned filtered = open & ~infinite;
     if (filtered == 0)
@@ -257,8 +258,9 @@ struct Wide_explore_neighbors : Explore_alone
   // Leaves infinite cells undecided, because their infinite vertex is far away.
   template <class Vertex>
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Wide_neighborhood
-  around(Cell* cells, const Vertex* vertices, const Cell& cell, const double* p)
+  around(Cell* cells, const Vertex* vertices, const Cell& cell, typename Vertex::Place p)
   {
+    using Place = typename Vertex::Place;
     const Id n0 = cell.neighbors[0], n1 = cell.neighbors[1], n2 = cell.neighbors[2],
              n3 = cell.neighbors[3];
     Cell &c0 = Numbers::cell_of_neighbor(cells, n0), &c1 = Numbers::cell_of_neighbor(cells, n1),
@@ -268,11 +270,11 @@ struct Wide_explore_neighbors : Explore_alone
              e2 = c2.v[n2 & 3] & unmarked, e3 = c3.v[n3 & 3] & unmarked;
     const __m128i first = _mm_setr_epi32(int(c0.v[0]), int(c1.v[0]), int(c2.v[0]), int(c3.v[0]));
     const unsigned open = 15 & ~signs_of(first);
-    const double* const v[4] = {vertices[cell.v[0] & unmarked].coordinates,
-                                vertices[cell.v[1]].coordinates, vertices[cell.v[2]].coordinates,
-                                vertices[cell.v[3]].coordinates};
-    const double* const opposite[4] = {vertices[e0].coordinates, vertices[e1].coordinates,
-                                       vertices[e2].coordinates, vertices[e3].coordinates};
+    const Place v[4] = {
+        Place(vertices[cell.v[0] & unmarked].coordinates), Place(vertices[cell.v[1]].coordinates),
+        Place(vertices[cell.v[2]].coordinates), Place(vertices[cell.v[3]].coordinates)};
+    const Place opposite[4] = {Place(vertices[e0].coordinates), Place(vertices[e1].coordinates),
+                               Place(vertices[e2].coordinates), Place(vertices[e3].coordinates)};
     const Sphere_signs signs = Wide_sphere_filter::signs(v, opposite, p);
     return {neighborhood(open, open, signs), {&c0, &c1, &c2, &c3}, first};
   }
@@ -424,8 +426,7 @@ private:
   static void look_around(Compact_complex<Vertex>& complex, Predicates& predicates, Zone& zone,
                           Id p, const Compact_cell& cell, Explore& explore)
   {
-    auto around =
-        explore.around(complex.cells(), complex.vertices(), cell, complex.vertex(p).coordinates);
+    auto around = explore.around(complex.cells(), complex.vertices(), cell, complex.place(p));
     if (around.undecided != 0)
       around.inside |= undecided_conflicts(complex, predicates, cell, around.undecided, p, explore);
     const Zone_ends ends = explore.note(complex.cells(), cell, around,

@@ -10,8 +10,8 @@
 // price of two.
 //
 // A product or sum of two such numbers is wrong by less than 2^-100 of (the sum of) the absolute
-// values of what enters, and differences of two doubles are exact. So the bound of the first stage
-// holds with 2^-100 for u, and 2^-93 m^(5/2) is on the safe side.
+// values of what enters, and differences of two doubles are exact, also of weights. So the bound of
+// the first stage holds with 2^-100 for u, and 2^-93 m^(5/2) is on the safe side.
 //
 // The error terms are exact only if no product is fused into a sum, as compilers do when the user
 // allows fma. opaque() hides from them what is a product.
@@ -82,14 +82,35 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE double error_of_difference(double a, 
   return (a - (difference - minus_b)) - (b + minus_b);
 }
 
-// The differences of N vertices and p, row by row; each is exactly high + low.
+// The weight of p less those of N vertices, each exactly high + low; nothing without weights.
+template <int N, class Place>
+struct Weight_differences
+{
+  Weight_differences(const Place*, Place) {}
+};
 template <int N>
-struct Exact_differences
+struct Weight_differences<N, Weighted_place>
+{
+  double weight_high[N], weight_low[N];
+
+  Weight_differences(const Weighted_place* vertices, Weighted_place p)
+  {
+    for (int k = 0; k < N; ++k) {
+      weight_high[k] = p.weight() - vertices[k].weight();
+      weight_low[k] = error_of_difference(p.weight(), vertices[k].weight(), weight_high[k]);
+    }
+  }
+};
+
+// The differences of N vertices and p, row by row; each is exactly high + low.
+template <int N, class Place = const double*>
+struct Exact_differences : Weight_differences<N, Place>
 {
   static constexpr int size = 3 * N;
   double high[size], low[size];
 
-  Exact_differences(const double* const* vertices, const double* p)
+  Exact_differences(const Place* vertices, Place p)
+    : Weight_differences<N, Place>(vertices, p)
   {
     double a[size], b[size]; // in a row, for vectors
     CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
@@ -141,32 +162,43 @@ private:
   }
 };
 
-template <class Products>
+template <class Products, class Place>
 CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int
-close_sphere_sign_with(const Exact_differences<4>& differences)
+close_sphere_sign_with(const Exact_differences<4, Place>& differences)
 {
   using Number = Double_double<Products>;
   const auto number = [&](int k) { return Number{differences.high[k], differences.low[k]}; };
   Row<Number> r[4];
+  double sizes[4];
   CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
-  for (int k = 0; k < 4; ++k)
-    r[k] = {number(3 * k), number(3 * k + 1), number(3 * k + 2)};
+  for (int k = 0; k < 4; ++k) {
+    const Number x = number(3 * k), y = number(3 * k + 1), z = number(3 * k + 2);
+    if constexpr (is_weighted<Place>) {
+      const Number dw = {differences.weight_high[k], differences.weight_low[k]};
+      r[k] = {x, y, z, dw};
+      sizes[k] = size_of(Power_row(x.high, y.high, z.high, dw.high));
+    } else {
+      r[k] = {x, y, z};
+      sizes[k] = r[k].w.high;
+    }
+  }
   const Sphere_cofactors<Number> cofactors(r[0], r[1], r[2], r[3]);
-  const double m =
-      (std::max)((std::max)(r[0].w.high, r[1].w.high), (std::max)(r[2].w.high, r[3].w.high));
+  const double m = (std::max)((std::max)(sizes[0], sizes[1]), (std::max)(sizes[2], sizes[3]));
   const double bound = 1. / 9903520314283042199192993792. * (m * m * std::sqrt(m)) + // 2^-93
                        Filter_bounds::tiny;
   return certified_sign(cofactors.lifted(r[0], r[1], r[2], r[3]).high, bound);
 }
 
-CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS inline int
-fused_close_sphere_sign(const Exact_differences<4>& differences)
+template <class Place>
+CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS int
+fused_close_sphere_sign(const Exact_differences<4, Place>& differences)
 {
   return close_sphere_sign_with<Fused_products>(differences);
 }
 
 // The sphere test of a positively oriented cell.
-inline int close_sphere_sign(const Exact_differences<4>& differences)
+template <class Place>
+int close_sphere_sign(const Exact_differences<4, Place>& differences)
 {
   return machine_has_vectors() ? fused_close_sphere_sign(differences)
                                : close_sphere_sign_with<Portable_products>(differences);

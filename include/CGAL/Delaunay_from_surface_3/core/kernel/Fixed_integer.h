@@ -15,9 +15,10 @@
 //
 // Let coordinates be at most 2^(30 H) in absolute value. Then minors of two columns are at most 2 ·
 // 2^(60 H), squared lengths 3 · 2^(60 H), minors of three columns 6 · 2^(90 H), and the highest
-// digit of each is at most 2^62.6. The columns of the sphere's determinant are sums of at most 4 H
-// products, each at most 2^122.6, or, the highest, of 4 that are at most 2^124.2. With H <= 4 all
-// is less than 2^127, what is carried included. The other columns have fewer terms.
+// digit of each is at most 2^62.6. With a difference of weights, at most 2^(60 H), w is at most 4 ·
+// 2^(60 H). The columns of the sphere's determinant are sums of at most 4 H products, each at most
+// 2^122.6, or, the highest, of 4 that are at most 2^124.6. With H <= 4 all is less than 2^127, what
+// is carried included. The other columns have fewer terms.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
@@ -118,7 +119,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign_of(const Uncarried_integer<H
     lower |= std::int64_t(carry) & sum.digit_mask;
     carry >>= digit_bits;
   }
-  return carry < 0 ? -1 : int((lower | std::int64_t(carry)) != 0);
+  return carry < 0 ? -1 : int((lower != 0) | (carry != 0));
 }
 
 template <int Halves>
@@ -145,6 +146,9 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign_of(const Fixed_integer<Halve
 // need fewer than 30 more often than not, at half the price. Nothing is ever rounded away: what
 // does not fit is left open. That 60 bits are not enough shows most often in the lower parts of the
 // sums, before any digit is computed.
+//
+// Differences of weights are as large as squares. They must be integers times the square of that
+// power of 2, and fit in the columns of a square that is not carried.
 
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
 
@@ -152,6 +156,7 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign_of(const Fixed_integer<Halve
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -159,20 +164,26 @@ namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // The differences of N vertices and p, times a power of 2, in digits of 60 bits.
-template <int N>
+template <int N, class Place = const double*>
 class Integer_differences
 {
   static constexpr int size = 3 * N;
 
 public:
   // Finds the first digits if one may be enough. Keeps a reference.
-  explicit Integer_differences(const Exact_differences<N>& differences)
+  explicit Integer_differences(const Exact_differences<N, Place>& differences)
     : m_differences(differences)
   {
     double largest = 0;
     CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
     for (int k = 0; k < size; ++k)
       largest = (std::max)(largest, std::abs(differences.high[k]));
+    if constexpr (is_weighted<Place>) {
+      double weight = 0;
+      for (const double dw : differences.weight_high)
+        weight = (std::max)(weight, std::abs(dw));
+      largest = (std::max)(largest, std::sqrt(weight) * (1 + 0x1p-40)); // at least the exact root
+    }
     const std::uint64_t exponent = biased_exponent(largest);
     m_can_be_scaled = exponent > digit_bits && exponent < 1023 + digit_bits;
     if (!m_can_be_scaled)
@@ -200,23 +211,45 @@ public:
     return (any & ((std::int64_t(1) << digit_bits / 2) - 1)) == 0;
   }
 
-  // Rows of one digit, where it is enough.
-  void set_rows(Row<Fixed_integer<2>>* rows) const
+  // Rows of one digit, where it is enough. These return whether the weights are such integers.
+  bool set_rows(Row<Fixed_integer<2>>* rows) const
   {
+    using Number = Fixed_integer<2>;
+    Weights<4, 1> weights;
+    bool is_exact = true;
+    if constexpr (is_weighted<Place>)
+      for (int k = 0; k < N; ++k)
+        weights.of[k].columns[0] =
+            whole(m_differences.weight_high[k] * m_scale * m_scale, is_exact) +
+            whole(m_differences.weight_low[k] * m_scale * m_scale, is_exact);
     CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
     for (int k = 0; k < N; ++k)
-      rows[k] = {{{m_first[3 * k]}}, {{m_first[3 * k + 1]}}, {{m_first[3 * k + 2]}}};
+      weights.set_row(rows[k], k, Number{{m_first[3 * k]}}, Number{{m_first[3 * k + 1]}},
+                      Number{{m_first[3 * k + 2]}});
+    return is_exact;
   }
 
   // Rows of its upper half, where that is enough.
-  void set_rows(Row<Fixed_integer<1>>* rows) const
+  bool set_rows(Row<Fixed_integer<1>>* rows) const
   {
+    using Number = Fixed_integer<1>;
     constexpr int half = digit_bits / 2;
+    Weights<2, 1> weights;
+    bool is_exact = true;
+    if constexpr (is_weighted<Place>) {
+      const double scale = m_scale * 0x1p-30; // may be less than 1, so products may underflow
+      for (int k = 0; k < N; ++k) {
+        const double high = m_differences.weight_high[k], low = m_differences.weight_low[k];
+        const double h = high * scale * scale, l = low * scale * scale;
+        is_exact = is_exact && (h != 0 || high == 0) && (l != 0 || low == 0);
+        weights.of[k].columns[0] = whole(h, is_exact) + whole(l, is_exact);
+      }
+    }
     CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
     for (int k = 0; k < N; ++k)
-      rows[k] = {{{m_first[3 * k] >> half}},
-                 {{m_first[3 * k + 1] >> half}},
-                 {{m_first[3 * k + 2] >> half}}};
+      weights.set_row(rows[k], k, Number{{m_first[3 * k] >> half}},
+                      Number{{m_first[3 * k + 1] >> half}}, Number{{m_first[3 * k + 2] >> half}});
+    return is_exact;
   }
 
   // Rows of two digits. Returns whether these are enough.
@@ -235,14 +268,52 @@ public:
       }
       d[k] = {{second, first}};
     }
+    Weights<8, 3> weights;
+    if constexpr (is_weighted<Place>)
+      for (int k = 0; k < N; ++k) {
+        weights.of[k] = {};
+        for (const double part : {m_differences.weight_high[k], m_differences.weight_low[k]}) {
+          const double number = part * m_scale * m_scale; // in units of the highest column
+          const Double_digit first = static_cast<Double_digit>(number);
+          weights.of[k].columns[2] += first;
+          weights.of[k].columns[0] +=
+              whole((number - static_cast<double>(first)) * digit_base * digit_base, is_exact);
+        }
+      }
     CGAL_DELAUNAY_FROM_SURFACE_3_UNROLL
     for (int k = 0; k < N; ++k)
-      rows[k] = {d[3 * k], d[3 * k + 1], d[3 * k + 2]};
+      weights.set_row(rows[k], k, d[3 * k], d[3 * k + 1], d[3 * k + 2]);
     return is_exact;
   }
 
 private:
   static constexpr double digit_base = 1152921504606846976.; // 2^60
+
+  // The differences of weights, as sums of products; nothing without weights. (The scale is at
+  // least 1, so its products with weights are exact.)
+  template <int Halves, int Size>
+  struct Weights
+  {
+    std::conditional_t<is_weighted<Place>, Uncarried_integer<Halves, Size>, char> of[N];
+
+    template <class Number>
+    CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE void
+    set_row(Row<Number>& row, int k, const Number& x, const Number& y, const Number& z) const
+    {
+      if constexpr (is_weighted<Place>)
+        row = {x, y, z, of[k]};
+      else
+        row = {x, y, z};
+    }
+  };
+
+  // Less than 2^121. Sets is_exact to false if it is no integer.
+  static Double_digit whole(double number, bool& is_exact)
+  {
+    const Double_digit n = static_cast<Double_digit>(number);
+    is_exact = is_exact && static_cast<double>(n) == number;
+    return n;
+  }
 
   // To a multiple of the unit, for numbers of less than 2^51 of them.
   static double rounded(double d, double unit)
@@ -282,7 +353,7 @@ private:
     return digit;
   }
 
-  const Exact_differences<N>& m_differences;
+  const Exact_differences<N, Place>& m_differences;
   double m_scale;
   std::int64_t m_first[size];
   bool m_can_be_scaled, m_has_one_digit = false;

@@ -59,8 +59,10 @@ public:
         CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(!Complex::is_dead(m_points.complex.cell(start)));
         const auto location = m_inserter.walk(p, start, Read_alone()); // 2b
         begin(Phase::UPDATE);
-        vertex = location.vertex; // the vertex of an equal point, if there is one
-        if (vertex == 0) {        // 2c
+        vertex = location.vertex;              // the vertex of an equal point, if there is one
+        if (Vertex::has_weight && vertex == p) // hidden; other walks start there
+          m_points.complex.vertex(p).cell = location.cell;
+        if (vertex == 0) { // 2c
           m_inserter.dig(p, location.cell);
           CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(m_inserter.zone.is_dug(m_points.complex));
           m_inserter.fill(p);

@@ -146,7 +146,29 @@ public:
   void after_update(std::size_t /* i */, Id v) { m_previous = v; }
 
 private:
-  Id cell(Id v) const { return load_relaxed(m_complex.vertex(v).cell); }
+  Id cell(Id v) const
+  {
+    const Id c = load_relaxed(m_complex.vertex(v).cell);
+    return Vertex::has_weight && is_dead(c) ? living_cell(c) : c;
+  }
+  bool is_dead(Id c) const
+  {
+    return (load_relaxed(m_complex.cell(c).v[0]) & Compact_numbers::dead) != 0;
+  }
+
+  // The cell of a vertex that others hide by now may be dead. The one inserted before, or hidden, has
+  // a living cell, unless other workers destroyed it; then the next cell that lives is taken.
+  [[gnu::cold]] Id living_cell(Id dead) const
+  {
+    Id c = load_relaxed(m_complex.vertex(m_previous).cell);
+    if (!is_dead(c))
+      return c;
+    c = dead;
+    do
+      c = std::size_t(c) + 1 < m_complex.cells_end() ? Id(c + 1) : Id(0);
+    while (is_dead(c) && c != dead);
+    return c;
+  }
 
   const Compact_complex<Vertex>& m_complex;
   const std::vector<Id>& m_vertex_of;
@@ -161,8 +183,9 @@ private:
 class Power_of_scale
 {
 public:
-  // Chooses the power for the points and, unless it is null, one more point.
-  Power_of_scale(const Point_array& points, const double* one_more)
+  // Chooses the power for the points and, unless it is null, one more point. Weights, unless they
+  // are null, are scaled by its square.
+  Power_of_scale(const Point_array& points, const double* one_more, const double* weights = nullptr)
   {
     if (obstacle_of_compiler() != nullptr)
       return;
@@ -170,6 +193,8 @@ public:
       look_at(points[i]);
     if (one_more != nullptr)
       look_at(one_more);
+    for (std::size_t i = 0; weights != nullptr && i < points.size(); ++i)
+      look_at_weight(std::abs(weights[i]));
     choose();
   }
 
@@ -189,6 +214,7 @@ public:
   {
     return {p[0] * m_factor, p[1] * m_factor, p[2] * m_factor};
   }
+  double weight(double w) const { return w * m_factor * m_factor; }
 
   // Returns the point that was scaled to p, if that is exact.
   std::array<double, 3> before(const double* p) const
@@ -206,15 +232,24 @@ private:
     }
   }
 
+  // Its square root counts as a coordinate.
+  void look_at_weight(double size)
+  {
+    m_largest = (std::max)(m_largest, std::sqrt(size));
+    m_least_weight = size == 0 ? m_least_weight : (std::min)(m_least_weight, size);
+  }
+
   void choose()
   {
+    constexpr double least = (std::numeric_limits<double>::min)();
     int exponent = 0;
     std::frexp(m_largest, &exponent);
     m_factor = std::ldexp(1., (std::min)(58 - exponent, 1000));
-    m_is_exact = m_factor >= 1 || m_least * m_factor > (std::numeric_limits<double>::min)();
+    m_is_exact = m_factor >= 1 || (m_least * m_factor > least && weight(m_least_weight) > least);
   }
 
   double m_largest = 0, m_least = (std::numeric_limits<double>::max)();
+  double m_least_weight = (std::numeric_limits<double>::max)();
   double m_factor = 0; // 0 if doubles cannot be trusted, so that no filter decides anything
   bool m_is_exact = false;
 };
@@ -232,28 +267,40 @@ public:
   }
 
   // Makes the complex of the points in the order and, unless it is null, of an apex in the place after
-  // the last. Inserts the first four that do not lie in one plane.
+  // the last. Inserts the first four that do not lie in one plane. `weights` are those of the points,
+  // if vertices have any.
   void start(const Point_array& points, const double* apex, const Executor& executor = Alone(),
-             std::size_t most_cells = Compact_numbers::max_cells)
+             std::size_t most_cells = Compact_numbers::max_cells, const double* weights = nullptr)
   {
+    using Coordinates = typename Compact_complex<Vertex>::Coordinates_of_point;
     has_apex = apex != nullptr;
     vertices.assign(order.size + has_apex, 0);
-    const Power_of_scale scaled(points, apex);
+    const Power_of_scale scaled(points, apex, weights);
     const auto point = [&](std::size_t k) {
       return k < order.size ? points[order.order[k]] : apex;
     };
+    const auto with_weight = [&](const auto& p, std::size_t k, const auto& scale) -> Coordinates {
+      if constexpr (Vertex::has_weight)
+        return {p[0], p[1], p[2], k < order.size ? scale(weights[order.order[k]]) : 0};
+      else
+        return {p[0], p[1], p[2]};
+    };
     complex = Compact_complex<Vertex>(
-        vertices.size(), [&](std::size_t k) { return scaled(point(k)); }, executor);
+        vertices.size(),
+        [&](std::size_t k) {
+          return with_weight(scaled(point(k)), k, [&](double w) { return scaled.weight(w); });
+        },
+        executor);
     CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT_EXPENSIVE(std::all_of(
         complex.vertices() + 1, complex.vertices() + complex.vertices_end(), [](const auto& v) {
           return std::all_of(v.coordinates, v.coordinates + 3,
                              [](double x) { return std::abs(x) <= 0x1p58; });
         }));
     if (!scaled.is_exact()) {
-      std::vector<std::array<double, 3>> own;
+      std::vector<Coordinates> own;
       own.reserve(vertices.size());
       for (std::size_t k = 0; k < vertices.size(); ++k)
-        own.push_back({point(k)[0], point(k)[1], point(k)[2]});
+        own.push_back(with_weight(point(k), k, [](double w) { return w; }));
       complex.keep_own_coordinates(std::move(own));
     }
     complex.limit_cells(most_cells);

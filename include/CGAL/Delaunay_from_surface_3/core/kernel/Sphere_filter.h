@@ -13,7 +13,8 @@
 // value, where m bounds all w, so the error is at most 4 · 2/√3 · 17 u m^(5/2) < 80 u m^(5/2) with
 // u = 2^-53. In the same way, it is less than 16 u m^(3/2) for three rows (x, y, z). Contraction to
 // fma only removes roundings. These constants, and the ones of the other filters, are proved by
-// machine in test/Delaunay_from_surface_3/bounds.
+// machine in test/Delaunay_from_surface_3/bounds. With weights w has another term, so a product goes
+// through one rounding more in it, and the constants are larger (Bound_factors).
 //
 // Coordinates are at most 2^58 in absolute value (the caller scales them by a power of 2), so
 // nothing overflows. There are less than 2^7 underflows, of at most 2^-1075 each, which meet at
@@ -25,8 +26,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -54,7 +57,9 @@ inline std::uint64_t biased_exponent(double number)
 // All stages of the predicates evaluate these determinants, over any type of numbers.
 //
 // Rows are vertices relative to the new point p, lifted to the paraboloid: (x, y, z) = v - p and
-// w = x² + y² + z². Signs mean the same in all stages:
+// w = x² + y² + z². Where points have weights, a vertex is lifted less by its own and more by that
+// of p: w = x² + y² + z² + (weight of p - weight of v), and spheres are those orthogonal to the
+// vertices' (Aurenhammer 1987; Edelsbrunner, Shah 1996). Signs mean the same in all stages:
 //   sphere   positive: p is inside the sphere of a positively oriented cell;
 //   facet    positive: p is on the inner side of a cell's facet;
 //   beyond   positive: p is beyond the finite facet of an infinite cell, or in its plane and inside
@@ -93,6 +98,16 @@ struct Row
     , y(dy)
     , z(dz)
     , w(carried(dx * dx + dy * dy + dz * dz))
+  {
+  }
+  // `dw`, not carried, is the weight of p less that of the vertex.
+  template <class Sum>
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Row(const Number& dx, const Number& dy,
+                                                 const Number& dz, const Sum& dw)
+    : x(dx)
+    , y(dy)
+    , z(dz)
+    , w(carried((dx * dx + dy * dy + dz * dz) + dw))
   {
   }
 };
@@ -178,8 +193,9 @@ struct Circle_cofactors
 // A determinant of 4 rows is a sum of 24 products x y z w of at most 17 roundings each (see above).
 // Let X, Y, Z, W be the largest numbers of the columns in absolute value, as computed, with 3 + 5
 // roundings. Then the error is at most 24 ((1 + u)^17 - 1) (1 - u)^-8 X Y Z W < 409 u X Y Z W. The
-// bound has 4 roundings of its own, so 450 u X Y Z W is on the safe side. A determinant of 3 rows
-// has 6 products of at most 8 roundings, and an error of less than 55 u X Y Z.
+// bound has 4 roundings of its own, so 450 u X Y Z W is on the safe side, and 480 u X Y Z W with
+// weights, where W is the largest size (Power_row). A determinant of 3 rows has 6 products of at
+// most 8 roundings, and an error of less than 55 u X Y Z.
 //
 // Coordinates are at most 2^58 in absolute value, so differences are at most 2^59 and w at most 3
 // 2^118. There are less than 2^7 underflows, of at most 2^-1075 each, which meet factors of less
@@ -192,7 +208,7 @@ struct Column_sizes
 {
   static constexpr double tiny = 1e-264; // more than 2^-880
   static constexpr double least = 0x1p-1000;
-  static constexpr double four = 450, three = 55;
+  static constexpr double three = 55;
 
   double x = least, y = least, z = least;
 
@@ -217,26 +233,112 @@ struct Column_sizes
     z = (std::max)(z, dz);
   }
 
-  // `w` must be at least the largest number in that column.
-  double bound_of_four(double w) const
+  // `w` must be at least the largest number in that column; for `factor` see Bound_factors.
+  double bound_of_four(double w, double factor) const
   {
-    return four * unit_of_double * ((x * y) * (z * w)) + tiny;
+    return factor * unit_of_double * ((x * y) * (z * w)) + tiny;
   }
   double bound_of_three() const { return three * unit_of_double * (x * y * z) + tiny; }
+};
+
+// Points to the coordinates of a point that has a weight, and to the weight behind them. Predicates
+// take the `Place` of a vertex: this, or const double*.
+struct Weighted_place
+{
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE explicit Weighted_place(const double* place)
+    : coordinates(place)
+  {
+  }
+  Weighted_place() = default;
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE const double& operator[](std::size_t k) const
+  {
+    return coordinates[k];
+  }
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE double weight() const { return coordinates[3]; }
+
+  const double* coordinates;
+};
+
+inline const double* coordinates_of(const double* v)
+{
+  return v;
+}
+inline const double* coordinates_of(Weighted_place v)
+{
+  return v.coordinates;
+}
+
+template <class Place>
+constexpr bool is_weighted = std::is_same<Place, Weighted_place>::value;
+
+// A row in doubles with a weight in w, and what bounds the error of that: the squared length of
+// (x, y, z), and this plus the absolute value of the difference of weights.
+struct Power_row : Row<double>
+{
+  double square, size;
+
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Power_row(double dx, double dy, double dz, double dw)
+    : Row<double>(dx, dy, dz)
+    , square(w)
+    , size(w + std::abs(dw))
+  {
+    w += dw;
+  }
+};
+
+inline double square_of(const Row<double>& r)
+{
+  return r.w;
+}
+inline double square_of(const Power_row& r)
+{
+  return r.square;
+}
+inline double size_of(const Row<double>& r)
+{
+  return r.w;
+}
+inline double size_of(const Power_row& r)
+{
+  return r.size;
+}
+
+inline Row<double> row(const double* v, const double* p)
+{
+  return {v[0] - p[0], v[1] - p[1], v[2] - p[2]};
+}
+inline Power_row row(Weighted_place v, Weighted_place p)
+{
+  return {v[0] - p[0], v[1] - p[1], v[2] - p[2], p.weight() - v.weight()};
+}
+
+template <class Place>
+using Row_of = decltype(row(Place(), Place()));
+
+// The factors of u in the bounds on the error of lifted determinants: of four rows by lengths and by
+// columns, and of three in a plane.
+template <class R>
+struct Bound_factors
+{
+  static constexpr double four = 80, columns = 450, circle = 40;
+};
+template <>
+struct Bound_factors<Power_row>
+{
+  static constexpr double four = 88, columns = 480, circle = 44;
 };
 
 struct Filter_bounds
 {
   static constexpr double unit = unit_of_double;
   static constexpr double tiny = 1e-300;
-  static double four_rows(double m) { return 80 * unit * (m * m * std::sqrt(m)) + tiny; }
+  template <class R>
+  static double four_rows(double m)
+  {
+    return Bound_factors<R>::four * unit * (m * m * std::sqrt(m)) + tiny;
+  }
   static double three_rows(double m) { return 16 * unit * (m * std::sqrt(m)) + tiny; }
 };
-
-inline Row<double> row(const double* v, const double* p)
-{
-  return {v[0] - p[0], v[1] - p[1], v[2] - p[2]};
-}
 
 // Returns the sign of a number whose error is at most `bound`, or 0 if that leaves it undecided.
 inline int certified_sign(double value, double bound)
@@ -244,58 +346,67 @@ inline int certified_sign(double value, double bound)
   return (value > bound) - (value < -bound);
 }
 
-inline double largest_square(const Row<double>& a, const Row<double>& b, const Row<double>& c)
+template <class R>
+double largest_square(const R& a, const R& b, const R& c)
 {
-  return (std::max)((std::max)(a.w, b.w), c.w);
+  return (std::max)((std::max)(square_of(a), square_of(b)), square_of(c));
+}
+
+template <class R>
+double largest_size(const R& a, const R& b, const R& c)
+{
+  return (std::max)((std::max)(size_of(a), size_of(b)), size_of(c));
 }
 
 // Tests p against an infinite cell (a, b, c, infinite).
-inline int beyond_sign(const Row<double>& a, const Row<double>& b, const Row<double>& c)
+template <class R>
+int beyond_sign(const R& a, const R& b, const R& c)
 {
-  return -certified_sign(determinant_of(a, b, c),
+  return -certified_sign(determinant_of<double>(a, b, c),
                          Filter_bounds::three_rows(largest_square(a, b, c)));
 }
 
 // Tests p against a positively oriented cell (a, b, c, d).
-inline int sphere_sign(const Row<double>& a, const Row<double>& b, const Row<double>& c,
-                       const Row<double>& d)
+template <class R>
+int sphere_sign(const R& a, const R& b, const R& c, const R& d)
 {
+  const double m = (std::max)(largest_size(a, b, c), size_of(d));
   return certified_sign(Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d),
-                        Filter_bounds::four_rows((std::max)(largest_square(a, b, c), d.w)));
+                        Filter_bounds::four_rows<R>(m));
 }
 
-// These make the same tests with the bound by columns (Column_sizes).
-CGAL_DELAUNAY_FROM_SURFACE_3_APART int sphere_sign_by_columns(const double* const* vertices,
-                                                              const double* p)
+// These make the same tests with the bound by columns (Column_sizes). `value` is the determinant.
+template <class R>
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int sign_by_columns(double value, double w, const R& a,
+                                                       const R& b, const R& c, const R& d)
 {
-  const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p),
-                    d = row(vertices[3], p);
-  const double m = (std::max)(largest_square(a, b, c), d.w);
-  return certified_sign(Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d),
-                        Column_sizes(a, b, c, d).bound_of_four(m));
+  return certified_sign(value,
+                        Column_sizes(a, b, c, d).bound_of_four(w, Bound_factors<R>::columns));
 }
 
-CGAL_DELAUNAY_FROM_SURFACE_3_APART int beyond_sign_by_columns(const double* const* vertices,
-                                                              const double* p)
+template <class Place>
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int sphere_sign_by_columns(const Place* vertices, Place p)
+{
+  const auto a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p),
+             d = row(vertices[3], p);
+  const double m = (std::max)(largest_size(a, b, c), size_of(d));
+  return sign_by_columns(Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d), m, a, b, c, d);
+}
+
+template <class Place>
+CGAL_DELAUNAY_FROM_SURFACE_3_APART int beyond_sign_by_columns(const Place* vertices, Place p)
 {
   const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p);
   return -certified_sign(determinant_of(a, b, c), Column_sizes(a, b, c).bound_of_three());
 }
 
-CGAL_DELAUNAY_FROM_SURFACE_3_APART int sign_by_columns(double value, double w, const Row<double>& a,
-                                                       const Row<double>& b, const Row<double>& c,
-                                                       const Row<double>& d)
-{
-  return certified_sign(value, Column_sizes(a, b, c, d).bound_of_four(w));
-}
-
 // Tries both bounds, one after the other.
-inline int sphere_sign_by_either(const Row<double>& a, const Row<double>& b, const Row<double>& c,
-                                 const Row<double>& d)
+template <class R>
+int sphere_sign_by_either(const R& a, const R& b, const R& c, const R& d)
 {
   const double value = Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d);
-  const double m = (std::max)(largest_square(a, b, c), d.w);
-  const int sign = certified_sign(value, Filter_bounds::four_rows(m));
+  const double m = (std::max)(largest_size(a, b, c), size_of(d));
+  const int sign = certified_sign(value, Filter_bounds::four_rows<R>(m));
   return sign != 0 || value == 0 ? sign : sign_by_columns(value, m, a, b, c, d);
 }
 
@@ -322,11 +433,12 @@ struct Sphere_filter
 {
   // `vertices` are the cell's, positively oriented. `opposite` has of each neighbour the vertex
   // that is not the cell's. Only neighbours in `wanted` are tested.
-  static Sphere_signs neighbors(const double* const* vertices, const double* const* opposite,
-                                const double* p, unsigned wanted)
+  template <class Place>
+  static Sphere_signs neighbors(const Place* vertices, const Place* opposite, Place p,
+                                unsigned wanted)
   {
-    const Row<double> rows[4] = {row(vertices[0], p), row(vertices[1], p), row(vertices[2], p),
-                                 row(vertices[3], p)};
+    const Row_of<Place> rows[4] = {row(vertices[0], p), row(vertices[1], p), row(vertices[2], p),
+                                   row(vertices[3], p)};
     Sphere_signs signs = {0, 0};
     for (unsigned i = 0; i < 4; ++i) {
       if (!(wanted >> i & 1))
@@ -340,17 +452,19 @@ struct Sphere_filter
     return signs;
   }
 
-  static Cell_view view(const double* const* vertices, const double* p)
+  template <class Place>
+  static Cell_view view(const Place* vertices, Place p)
   {
-    const Row<double> a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p),
-                      d = row(vertices[3], p);
+    using R = Row_of<Place>;
+    const R a = row(vertices[0], p), b = row(vertices[1], p), c = row(vertices[2], p),
+            d = row(vertices[3], p);
     const Sphere_cofactors<double> cofactors(a, b, c, d);
-    const double m = (std::max)(largest_square(a, b, c), d.w);
+    const double m = (std::max)(largest_size(a, b, c), size_of(d));
     Cell_view view;
     std::copy(cofactors.of, cofactors.of + 4, view.facets);
-    view.sphere = certified_sign(cofactors.lifted(a, b, c, d), Filter_bounds::four_rows(m));
+    view.sphere = certified_sign(cofactors.lifted(a, b, c, d), Filter_bounds::four_rows<R>(m));
     view.facet_bound = Filter_bounds::three_rows(m);
-    const double w[4] = {a.w, b.w, c.w, d.w};
+    const double w[4] = {square_of(a), square_of(b), square_of(c), square_of(d)};
     for (unsigned k = 0; k < 4; ++k)
       view.pushes[k] = view.facets[k] * w[k] * w[k];
     return view;
@@ -396,21 +510,29 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS double largest_of(Four_doubles v)
   return (std::max)(two[0], two[1]);
 }
 
-// Holds (x, y, z) - p of four points, by coordinate, and the squared lengths.
+// Holds (x, y, z) - p of four points, by coordinate, the squared lengths, and w and sizes, which
+// are the same without weights.
+template <class Place>
 struct Wide_rows
 {
-  Four_doubles x, y, z, w;
-  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Wide_rows(const double* const* points,
-                                                           const double* p)
+  Four_doubles x, y, z, w, square, size;
+  CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS Wide_rows(const Place* points, Place p)
   {
-    const Four_doubles r0 = load_four(points[0]), r1 = load_four(points[1]);
-    const Four_doubles r2 = load_four(points[2]), r3 = load_four(points[3]);
+    const Four_doubles r0 = load_four(coordinates_of(points[0])),
+                       r1 = load_four(coordinates_of(points[1]));
+    const Four_doubles r2 = load_four(coordinates_of(points[2])),
+                       r3 = load_four(coordinates_of(points[3]));
     const Four_doubles xz01 = lanes_of<0, 4, 2, 6>(r0, r1), xz23 = lanes_of<0, 4, 2, 6>(r2, r3);
     const Four_doubles y01 = lanes_of<1, 5, 3, 7>(r0, r1), y23 = lanes_of<1, 5, 3, 7>(r2, r3);
     x = lanes_of<0, 1, 4, 5>(xz01, xz23) - p[0];
     y = lanes_of<0, 1, 4, 5>(y01, y23) - p[1];
     z = lanes_of<2, 3, 6, 7>(xz01, xz23) - p[2];
-    w = x * x + y * y + z * z;
+    w = square = size = x * x + y * y + z * z;
+    if constexpr (is_weighted<Place>) {
+      const Four_doubles dw = p.weight() - lanes_of<2, 3, 6, 7>(y01, y23);
+      w = square + dw;
+      size = square + max_of(dw, -dw);
+    }
   }
 };
 
@@ -433,52 +555,59 @@ struct Wide_minors
 
 struct Wide_sphere_filter
 {
+  template <class Place>
   CGAL_DELAUNAY_FROM_SURFACE_3_INLINE_IN_VECTORS static Sphere_signs
-  signs(const double* const* vertices, const double* const* opposite, const double* p)
+  signs(const Place* vertices, const Place* opposite, Place p)
   {
-    const Wide_rows rows(vertices, p), e(opposite, p);
+    const Wide_rows<Place> rows(vertices, p), e(opposite, p);
     const Wide_column x(rows.x), y(rows.y), z(rows.z), w(rows.w);
     const Wide_minors xy(x, y), zw(z, w);
     const Four_doubles value =
         (e.x * zw.times(y) - e.y * zw.times(x)) + (e.z * xy.times(w) - e.w * xy.times(z));
-    const Four_doubles m = max_of(max_of(e.w, w.a), max_of(w.b, w.c));
+    Four_doubles m = max_of(max_of(e.w, w.a), max_of(w.b, w.c));
+    if constexpr (is_weighted<Place>) { // of all vertices: that is one too many, but cheaper
+      const Four_doubles two = max_of(rows.size, lanes_of<1, 0, 3, 2>(rows.size));
+      m = max_of(e.size, max_of(two, lanes_of<2, 3, 0, 1>(two)));
+    }
     const Four_doubles bound =
-        m * m * sqrt_of(m) * (80 * Filter_bounds::unit) + Filter_bounds::tiny;
+        m * m * sqrt_of(m) * (Bound_factors<Row_of<Place>>::four * Filter_bounds::unit) +
+        Filter_bounds::tiny;
     return {bits_of(value > bound), bits_of(value < -bound)};
   }
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Cell_view view(const double* const* vertices,
-                                                                const double* p)
+  template <class Place>
+  CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS static Cell_view view(const Place* vertices, Place p)
   {
-    const Wide_rows rows(vertices, p);
+    const Wide_rows<Place> rows(vertices, p);
     const Wide_column x(rows.x), y(rows.y), z(rows.z);
     const Four_doubles facets = Wide_minors(x, y).times(z);
     Cell_view view;
     double value[4], w[4];
     store_four(view.facets, facets);
-    const Four_doubles lifted = facets * rows.w;
-    store_four(value, lifted);
-    store_four(view.pushes, lifted * rows.w);
-    store_four(w, rows.w);
+    store_four(value, facets * rows.w);
+    store_four(view.pushes, facets * rows.square * rows.square);
+    store_four(w, rows.size);
     const double m = (std::max)((std::max)(w[0], w[1]), (std::max)(w[2], w[3]));
-    view.sphere =
-        certified_sign((value[0] + value[1]) + (value[2] + value[3]), Filter_bounds::four_rows(m));
+    view.sphere = certified_sign((value[0] + value[1]) + (value[2] + value[3]),
+                                 Filter_bounds::four_rows<Row_of<Place>>(m));
     view.facet_bound = Filter_bounds::three_rows(m);
     return view;
   }
 };
 
 // Does the same as sphere_sign_by_columns(), in vectors.
-CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS inline int
-wide_sphere_sign_by_columns(const double* const* vertices, const double* p)
+template <class Place>
+CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS int wide_sphere_sign_by_columns(const Place* vertices,
+                                                                        Place p)
 {
-  const Wide_rows rows(vertices, p);
+  const Wide_rows<Place> rows(vertices, p);
   const Wide_column x(rows.x), y(rows.y), z(rows.z);
   const Four_doubles value = Wide_minors(x, y).times(z) * rows.w;
   Column_sizes sizes;
   sizes.add(largest_of(rows.x), largest_of(rows.y), largest_of(rows.z));
-  return certified_sign((value[0] + value[1]) + (value[2] + value[3]),
-                        sizes.bound_of_four(largest_of(rows.w)));
+  return certified_sign(
+      (value[0] + value[1]) + (value[2] + value[3]),
+      sizes.bound_of_four(largest_of(rows.size), Bound_factors<Row_of<Place>>::columns));
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

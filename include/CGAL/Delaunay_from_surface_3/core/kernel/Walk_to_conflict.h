@@ -30,7 +30,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 struct Compact_location
 {
   Id cell;
-  Id vertex; // 0 if there is no vertex at this place
+  Id vertex; // 0 if there is no vertex at this place; the walking one if the cell hides it
 };
 
 // Reads cells where they are, since no other thread writes.
@@ -51,7 +51,7 @@ struct Walk_to_conflict
                               Id c, Read&& read = Read()) const
   {
     using Complex = Compact_complex<Vertex>;
-    const double* const point = complex.vertex(p).coordinates;
+    const auto point = complex.place(p);
     for (;;) {
       predicates.count_cell_tested_to_start();
       const Compact_cell& cell = read(complex.cell(c));
@@ -65,9 +65,8 @@ struct Walk_to_conflict
         c = cell.neighbors[3] >> 2;
         continue;
       }
-      const double* const v[4] = {
-          complex.vertex(cell.v[0]).coordinates, complex.vertex(cell.v[1]).coordinates,
-          complex.vertex(cell.v[2]).coordinates, complex.vertex(cell.v[3]).coordinates};
+      const typename Vertex::Place v[4] = {complex.place(cell.v[0]), complex.place(cell.v[1]),
+                                           complex.place(cell.v[2]), complex.place(cell.v[3])};
       const Cell_view view = Filter::view(v, point);
       if (view.sphere > 0)
         return {c, 0};
@@ -77,7 +76,10 @@ struct Walk_to_conflict
         if (predicates.is_in_close_sphere(cell, p))
           return {c, 0};
       }
-      c = cell.neighbors[predicates.facet_towards(cell, view, p)] >> 2;
+      const unsigned facet = predicates.facet_towards(cell, view, p);
+      if (Vertex::has_weight && facet == 4)
+        return {c, p};
+      c = cell.neighbors[facet] >> 2;
     }
   }
 };

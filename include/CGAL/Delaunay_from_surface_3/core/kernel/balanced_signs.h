@@ -11,16 +11,19 @@
 // The determinant of the rows (1, x, y, z, w) of five points changes its sign where two of them
 // change places; so any of them may be the origin. A row may be subtracted from another: let D be
 // the edge that joins a point to its parent in a tree with the origin o as root. Then w differs by
-//   w = D · F,  F = (point - o) + (parent - o).
-// And rows and columns may be multiplied by powers of 2: each row so that the largest of D is at
+//   w = D · F,  F = (point - o) + (parent - o),
+// less the difference of their weights, if they have any. And rows and columns may be multiplied by powers of 2: each row so that the largest of D is at
 // least 2^59 and less than 2^60, and the column w so that the largest |point - o| is. Coordinates
 // are at most 2^58, so these powers are at least 1, and nothing is lost but where a power would be
 // too large for a double.
 //
 // In doubles a product goes through 3 + (1 + 2 + 3) + 8 = 17 roundings: 18 u S is on the safe side
 // (Bounded_number). In sums of two doubles differences are exact, and it goes through 1 + 3 + 8 =
-// 12 of less than 2^-100 (Double_double.h): so 2^-96 S is. What underflows, 2^-1074 each time and
-// less than 2^10 times, meets factors of less than 2^184: less than 2^-880 altogether.
+// 12 of less than 2^-100 (Double_double.h): so 2^-96 S is. A difference of weights goes through
+// fewer, and joins the last of three products. What underflows, 2^-1074 each time and less than 2^10
+// times, meets factors of less than 2^184: less than 2^-880 altogether. So differences of weights
+// must be less than 2^122 when they are scaled; if no power of 2 that is at least 1 does that for
+// the column w, nothing is decided.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
@@ -70,12 +73,12 @@ struct Bounded_number
 // they can. Its root is the point where the product of the distances to the others is least.
 
 // The tree depends on rounded distances; the sign that is found by it must not.
-template <int N>
+template <int N, class Place>
 class Shortest_tree
 {
 public:
   // Spans N vertices and p. Keeps pointers to the coordinates.
-  Shortest_tree(const double* const* vertices, const double* p)
+  Shortest_tree(const Place* vertices, Place p)
   {
     std::copy(vertices, vertices + N, m_points);
     m_points[N] = p;
@@ -87,16 +90,16 @@ public:
 
   // Return the k-th vertex, and what it hangs on: the root or another vertex. The vertices are
   // those given to the constructor, but p has the place of the root.
-  const double* point(int k) const { return m_points[m_places[k]]; }
-  const double* parent(int k) const { return m_points[m_parents[k]]; }
-  const double* root() const { return m_points[m_root]; }
+  Place point(int k) const { return m_points[m_places[k]]; }
+  Place parent(int k) const { return m_points[m_parents[k]]; }
+  Place root() const { return m_points[m_root]; }
   // Returns true if two points have changed places for it.
   bool is_odd() const { return m_root != N; }
 
 private:
   double square(int i, int j) const
   {
-    const double *a = m_points[i], *b = m_points[j];
+    const Place a = m_points[i], b = m_points[j];
     return Row<double>(a[0] - b[0], a[1] - b[1], a[2] - b[2]).w;
   }
 
@@ -131,7 +134,7 @@ private:
     }
   }
 
-  const double* m_points[N + 1];
+  Place m_points[N + 1];
   double m_squares[N + 1][N + 1];
   int m_places[N], m_parents[N], m_root;
 };
@@ -164,7 +167,8 @@ struct Bounded_double_doubles
 
 // The power of 2 that brings the largest coordinate of a - b to at least 2^59 and less than 2^60,
 // as near as the range of numbers allows.
-inline double power_to_60_bits(const double* a, const double* b)
+template <class Place>
+double power_to_60_bits(Place a, Place b)
 {
   const double largest =
       (std::max)((std::max)(std::abs(a[0] - b[0]), std::abs(a[1] - b[1])), std::abs(a[2] - b[2]));
@@ -172,38 +176,56 @@ inline double power_to_60_bits(const double* a, const double* b)
 }
 
 // The powers, for all numbers.
-template <int N>
+template <int N, class Place>
 struct Balancing_scales
 {
   double rows[N], w = 0x1p1000;
 
-  explicit Balancing_scales(const Shortest_tree<N>& tree)
+  explicit Balancing_scales(const Shortest_tree<N, Place>& tree)
   {
     for (int k = 0; k < N; ++k) {
       rows[k] = power_to_60_bits(tree.point(k), tree.parent(k));
       w = (std::min)(w, power_to_60_bits(tree.point(k), tree.root()));
     }
+    if constexpr (is_weighted<Place> && N == 4)
+      for (int k = 0; k < N; ++k)
+        limit(std::abs(tree.parent(k).weight() - tree.point(k).weight()), rows[k]);
+  }
+
+  // Returns false if no scale of the column w is small enough, and at least 1.
+  bool are_found() const { return w >= 1; }
+
+private:
+  // Lets dw be less than 2^122 when it is scaled, and the scales' product be finite.
+  void limit(double dw, double scale)
+  {
+    const std::uint64_t exponent = biased_exponent(dw * scale);
+    const std::uint64_t wanted = (std::min)(1022 + 121 + 1023 - exponent, std::uint64_t(2023));
+    w = exponent > 1023 + 120 ? 0 : (std::min)({w, power_of_2(wanted), 0x1p1000 / scale});
   }
 };
 
-template <class Numbers, int N>
+template <class Numbers, int N, class Place>
 struct Balanced_rows
 {
   using Bounded = Bounded_number<typename Numbers::Number>;
   Row<Bounded> r[N];
 
-  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE Balanced_rows(const Shortest_tree<N>& tree,
-                                                           const Balancing_scales<N>& scales)
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE
+  Balanced_rows(const Shortest_tree<N, Place>& tree, const Balancing_scales<N, Place>& scales)
   {
     for (int k = 0; k < N; ++k) {
-      const double *const a = tree.point(k), *const b = tree.parent(k), *const o = tree.root();
+      const Place a = tree.point(k), b = tree.parent(k), o = tree.root();
       r[k].x = difference(a[0], b[0], scales.rows[k]);
       r[k].y = difference(a[1], b[1], scales.rows[k]);
       r[k].z = difference(a[2], b[2], scales.rows[k]);
-      if (N == 4) // else nothing is lifted
+      if constexpr (N == 4) { // else nothing is lifted
+        Bounded last = r[k].z * sum(a[2], b[2], o[2], scales.w);
+        if constexpr (is_weighted<Place>)
+          last = last + difference(b.weight(), a.weight(), scales.rows[k] * scales.w);
         r[k].w = r[k].x * sum(a[0], b[0], o[0], scales.w) +
-                 r[k].y * sum(a[1], b[1], o[1], scales.w) +
-                 r[k].z * sum(a[2], b[2], o[2], scales.w);
+                 r[k].y * sum(a[1], b[1], o[1], scales.w) + last;
+      }
     }
   }
 
@@ -237,11 +259,11 @@ private:
 
 // The signs of N vertices and p, as those of the determinants of their rows (Sphere_filter.h); 0
 // where they are not decided.
-template <int N>
+template <int N, class Place = const double*>
 class Balanced_signs
 {
 public:
-  Balanced_signs(const double* const* vertices, const double* p)
+  Balanced_signs(const Place* vertices, Place p)
     : m_tree(vertices, p)
     , m_scales(m_tree)
   {
@@ -250,7 +272,9 @@ public:
   template <class Numbers>
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE int sign() const
   {
-    const int value = Balanced_rows<Numbers, N>(m_tree, m_scales).sign();
+    if (!m_scales.are_found())
+      return 0;
+    const int value = Balanced_rows<Numbers, N, Place>(m_tree, m_scales).sign();
     return m_tree.is_odd() ? -value : value;
   }
 
@@ -266,8 +290,8 @@ private:
     return sign<Bounded_double_doubles<Fused_products>>();
   }
 
-  Shortest_tree<N> m_tree;
-  Balancing_scales<N> m_scales;
+  Shortest_tree<N, Place> m_tree;
+  Balancing_scales<N, Place> m_scales;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -39,20 +39,22 @@ struct Exact_sign
   bool is_flat = false; // decided by columns
 };
 
-inline bool is_lexicographically_less(const double* a, const double* b)
+template <class Place>
+bool is_lexicographically_less(Place a, Place b)
 {
   return a[0] != b[0] ? a[0] < b[0] : a[1] != b[1] ? a[1] < b[1] : a[2] < b[2];
 }
 
 // CGAL's symbolic perturbation (Devillers, Teillaud 2003): the paraboloid is raised at the
 // lexicographically greatest of the points, and so on down. Raising it at a vertex has the sign of
-// the vertex's cofactor; raising it at p moves p out.
-template <int N, class Sign_of_cofactor>
-int perturbed_sign(const double* const* vertices, const double* p, const Sign_of_cofactor& sign_of)
+// the vertex's cofactor; raising it at p moves p out. Weights do not matter, since two points at
+// one place are on no sphere together unless their weights are equal.
+template <int N, class Place, class Sign_of_cofactor>
+int perturbed_sign(const Place* vertices, Place p, const Sign_of_cofactor& sign_of)
 {
   for (unsigned left = (1u << N) - 1;;) {
     int greatest = -1;
-    const double* point = p;
+    Place point = p;
     for (int k = 0; k < N; ++k)
       if ((left >> k & 1) && is_lexicographically_less(point, vertices[k])) {
         greatest = k;
@@ -76,7 +78,8 @@ struct Difference_sizes
   Column_sizes columns;
   double longest, shortest = std::numeric_limits<double>::infinity();
 
-  explicit Difference_sizes(const Exact_differences<N>& differences)
+  template <class Place>
+  explicit Difference_sizes(const Exact_differences<N, Place>& differences)
   {
     for (int k = 0; k < N; ++k) {
       const double* const d = differences.high + 3 * k;
@@ -98,8 +101,9 @@ struct Difference_sizes
 
   // Returns true if distances between the other points do, which is rare and takes longer to find
   // out.
+  template <class Place>
   CGAL_DELAUNAY_FROM_SURFACE_3_APART bool
-  has_close_pair(const Exact_differences<N>& differences) const
+  has_close_pair(const Exact_differences<N, Place>& differences) const
   {
     const double* const d = differences.high;
     double least = std::numeric_limits<double>::infinity();
@@ -113,10 +117,10 @@ struct Difference_sizes
 };
 
 // The stages in numbers that are rounded.
-template <int N>
-Exact_sign balanced_sign(const double* const* vertices, const double* p)
+template <int N, class Place>
+Exact_sign balanced_sign(const Place* vertices, Place p)
 {
-  const Balanced_signs<N> signs(vertices, p);
+  const Balanced_signs<N, Place> signs(vertices, p);
   if (const int sign = signs.template sign<Bounded_doubles>())
     return {sign, false, BALANCED};
   return {signs.in_double_doubles(), false, DOUBLE_DOUBLE};
@@ -126,9 +130,8 @@ struct Exact_sphere
 {
   static constexpr int size = 4;
 
-  template <class Number>
-  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const double* const* vertices,
-                         const double* p)
+  template <class Number, class Place>
+  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const Place* vertices, Place p)
   {
     const Sphere_cofactors<Number> cofactors(r[0], r[1], r[2], r[3]);
     if (const int sign = sign_of(cofactors.lifted(r[0], r[1], r[2], r[3])))
@@ -137,8 +140,9 @@ struct Exact_sphere
             stage};
   }
 
+  template <class Place>
   CGAL_DELAUNAY_FROM_SURFACE_3_APART static Exact_sign
-  rounded(const Exact_differences<4>& differences, const double* const* vertices, const double* p)
+  rounded(const Exact_differences<4, Place>& differences, const Place* vertices, Place p)
   {
     const Difference_sizes<4> sizes(differences);
     if (sizes.columns.are_flat())
@@ -157,9 +161,8 @@ struct Exact_beyond
 {
   static constexpr int size = 3;
 
-  template <class Number>
-  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const double* const* vertices,
-                         const double* p)
+  template <class Number, class Place>
+  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const Place* vertices, Place p)
   {
     if (const int height = sign_of(determinant_of(r[0], r[1], r[2])))
       return {-height, false, stage};
@@ -176,8 +179,9 @@ struct Exact_beyond
             true, stage};
   }
 
+  template <class Place>
   CGAL_DELAUNAY_FROM_SURFACE_3_APART static Exact_sign
-  rounded(const Exact_differences<3>& differences, const double* const* vertices, const double* p)
+  rounded(const Exact_differences<3, Place>& differences, const Place* vertices, Place p)
   {
     const Difference_sizes<3> sizes(differences);
     if (sizes.columns.are_flat())
@@ -190,33 +194,39 @@ struct Exact_beyond
   }
 };
 
-template <class Determinant>
-Exact_sign wide_sign(const double* const* vertices, const double* p)
+template <class Determinant, class Place>
+Exact_sign wide_sign(const Place* vertices, Place p)
 {
-  const Big_differences<Determinant::size> differences(vertices, p);
+  const Big_differences<Determinant::size, Place> differences(vertices, p);
   return Determinant::sign(differences.rows, ANY_WIDTH, vertices, p);
 }
 
 // The sphere test of a positively oriented cell, or the test of an infinite cell, given by its three
-// finite vertices.
-template <class Determinant>
-Exact_sign exact_sign(const double* const* vertices, const double* p)
+// finite vertices. Weights that are all equal, as in a lattice of equal balls, are left out.
+template <class Determinant, class Place>
+Exact_sign exact_sign(const Place* vertices, Place p)
 {
   constexpr int n = Determinant::size;
-  const Exact_differences<n> exact_differences(vertices, p);
+  if constexpr (is_weighted<Place>)
+    if (std::all_of(vertices, vertices + n, [p](Place v) { return v.weight() == p.weight(); })) {
+      const double* unweighted[n];
+      std::transform(vertices, vertices + n, unweighted, [](Place v) { return v.coordinates; });
+      return exact_sign<Determinant, const double*>(unweighted, p.coordinates);
+    }
+  const Exact_differences<n, Place> exact_differences(vertices, p);
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
-  const Integer_differences<n> differences(exact_differences);
+  const Integer_differences<n, Place> differences(exact_differences);
   if (!differences.can_be_scaled())
     return wide_sign<Determinant>(vertices, p);
   if (differences.has_one_digit() && differences.has_half_a_digit()) {
     Row<Fixed_integer<1>> rows[n];
-    differences.set_rows(rows);
-    return Determinant::sign(rows, HALF_DIGIT, vertices, p);
+    if (differences.set_rows(rows))
+      return Determinant::sign(rows, HALF_DIGIT, vertices, p);
   }
   if (differences.has_one_digit()) {
     Row<Fixed_integer<2>> rows[n];
-    differences.set_rows(rows);
-    return Determinant::sign(rows, ONE_DIGIT, vertices, p);
+    if (differences.set_rows(rows))
+      return Determinant::sign(rows, ONE_DIGIT, vertices, p);
   }
 #endif
   const Exact_sign rounded = Determinant::rounded(exact_differences, vertices, p);

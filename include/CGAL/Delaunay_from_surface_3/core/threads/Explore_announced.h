@@ -88,6 +88,7 @@ class Explore_announced
 protected:
   using Complex = Compact_complex<Vertex>;
   using Cell = Compact_cell;
+  using Place = typename Vertex::Place;
 
 public:
   Explore_announced(Announced_zone& zone, Marks& marks, unsigned worker)
@@ -113,10 +114,10 @@ public:
     return m_cell;
   }
 
-  Neighborhood around(const Cell* cells, const Vertex* vertices, const Cell& cell, const double* p)
+  Neighborhood around(const Cell* cells, const Vertex* vertices, const Cell& cell, Place p)
   {
     unsigned open = 0, infinite = Complex::is_infinite(cell) ? 15 : 0;
-    const double *v[4], *opposite[4];
+    Place v[4], opposite[4];
     for (unsigned k = 0; k < 4; ++k) {
       const Cell& neighbor = cells[cell.neighbors[k] >> 2];
       const Id word = load_acquire(neighbor.v[0]);
@@ -125,8 +126,8 @@ public:
       m_is_torn |= Protocol::heeds_busy && (word & Complex::dead) != 0;
       open |= unsigned(load_relaxed(own_mark(cell.neighbors[k] >> 2)) == 0) << k;
       infinite |= unsigned(e == Complex::infinite) << k;
-      opposite[k] = vertices[e].coordinates;
-      v[k] = vertices[cell.v[k]].coordinates;
+      opposite[k] = Place(vertices[e].coordinates);
+      v[k] = Place(vertices[cell.v[k]].coordinates);
     }
     const unsigned filtered = open & ~infinite;
     if (m_is_torn || filtered == 0)
@@ -256,6 +257,7 @@ class Wide_explore_announced : public Explore_announced<Vertex, Protocol>
   using Base::m_zone;
   using typename Base::Cell;
   using typename Base::Complex;
+  using typename Base::Place;
 
 public:
   using Base::Base;
@@ -272,7 +274,7 @@ public:
 
   CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Neighborhood around(const Cell* cells,
                                                               const Vertex* vertices,
-                                                              const Cell& cell, const double* p)
+                                                              const Cell& cell, Place p)
   {
     const Id n0 = cell.neighbors[0], n1 = cell.neighbors[1], n2 = cell.neighbors[2],
              n3 = cell.neighbors[3];
@@ -292,10 +294,11 @@ public:
     m_is_torn |= Protocol::heeds_busy && Wide::signs_of(words) != 0;
     if (m_is_torn)
       return {open, 0, open};
-    const double* const v[4] = {vertices[cell.v[0]].coordinates, vertices[cell.v[1]].coordinates,
-                                vertices[cell.v[2]].coordinates, vertices[cell.v[3]].coordinates};
-    const double* const opposite[4] = {vertices[e0].coordinates, vertices[e1].coordinates,
-                                       vertices[e2].coordinates, vertices[e3].coordinates};
+    const Place v[4] = {
+        Place(vertices[cell.v[0]].coordinates), Place(vertices[cell.v[1]].coordinates),
+        Place(vertices[cell.v[2]].coordinates), Place(vertices[cell.v[3]].coordinates)};
+    const Place opposite[4] = {Place(vertices[e0].coordinates), Place(vertices[e1].coordinates),
+                               Place(vertices[e2].coordinates), Place(vertices[e3].coordinates)};
     const Sphere_signs signs = Wide_sphere_filter::signs(v, opposite, p);
     return neighborhood(open, open, signs);
   }

@@ -65,7 +65,7 @@ private:
 
 enum class Insertion_try {
   DONE,    // the point is a vertex
-  PRESENT, // another point was there
+  PRESENT, // another point was there, or hides it
   CLASH,   // another insertion was in the way; nothing was written
   TOO_FAR, // the walk would have been too long, and came to another point; nothing was written
   NO_CELLS // no fresh cells are left; nothing was written
@@ -134,6 +134,8 @@ public:
       return Insertion_try::CLASH;
     if (location.vertex != 0) {
       other = location.vertex;
+      if (other == p) // hidden, and for ever, whatever others insert; other walks start there
+        store_relaxed(m_shared.complex().vertex(p).cell, location.cell);
       return Insertion_try::PRESENT;
     }
     m_zone.words[0] = read.word();

@@ -14,6 +14,7 @@
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Insertion_worker.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/assertions.h>
@@ -320,6 +321,7 @@ private:
       for (std::size_t k = 0; k < own.put_off.size(); ++k) {
         if (k % m_rules.batch == 0 && !may_go_further(chunk, 0, own.put_off[k]))
           return false;
+        note_cells(); // among which Starting_cells may look for a living one
         while (!insert_point(chunk, 0, own.put_off[k], any)) {
           CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(chunk.is_full); // alone it does not clash
           m_shared.grow();
@@ -339,6 +341,45 @@ private:
   const Parallel_rules m_rules;
   std::vector<std::unique_ptr<Worker>> m_workers;
   Insertion_counts m_counts; // counts that are not a worker's
+};
+
+// Inserts chunks of a round of Choi 2002, Fig. 1, lines 2b and 2c, by several workers.
+
+template <class Vertex>
+class Insert_by_workers
+{
+public:
+  // Keeps references.
+  Insert_by_workers(Ordered_complex<Vertex>& points, const Executor& executor, Observer& observer)
+    : m_points(points)
+    , m_observer(observer)
+    , m_triangulation(points.complex, executor)
+  {
+  }
+
+  std::size_t size_of_chunk(std::size_t inserted) const
+  {
+    return m_triangulation.size_of_chunk(inserted);
+  }
+  std::size_t number_of_threads() const { return m_triangulation.number_of_workers(); }
+
+  // Inserts the points at the places first, …, last - 1; returns false if the observer stopped it.
+  bool operator()(std::size_t first, std::size_t last)
+  {
+    return m_triangulation.insert_chunk(
+        first, last, m_points.vertices, m_points.starting_cells(),
+        [&](std::size_t inserted) { return m_observer.go_further(inserted); });
+  }
+
+  // To be called when all points are inserted.
+  void finish() { m_triangulation.finish(); }
+
+  Insertion_counts counts() const { return m_triangulation.counts(); }
+
+private:
+  Ordered_complex<Vertex>& m_points;
+  Observer& m_observer;
+  Parallel_triangulation<Vertex> m_triangulation;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
