@@ -187,7 +187,7 @@ public:
   }
 
   // The same for any cell, with all filters.
-  bool is_in_conflict(const Cell& cell, Id p)
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART bool is_in_conflict(const Cell& cell, Id p)
   {
     const Place q = place(p);
     if (Complex::is_infinite(cell)) {
