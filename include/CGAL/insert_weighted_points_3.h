@@ -127,7 +127,8 @@ public:
   Location locate(std::size_t k, Cell start) const
   {
     Location location = {};
-    location.cell = m_tr.locate(m_points[m_order[k]], location.type, location.li, location.lj, start);
+    location.cell =
+        m_tr.locate(m_points[m_order[k]], location.type, location.li, location.lj, start);
     return location;
   }
 

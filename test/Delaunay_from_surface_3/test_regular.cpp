@@ -295,14 +295,18 @@ BOOST_AUTO_TEST_CASE(all_kinds_of_points)
 {
   for (const auto& [name, points] : sets_of_points())
     BOOST_TEST_CONTEXT(name)
+    {
       BOOST_TEST(check(points) == "");
+    }
 }
 
 BOOST_AUTO_TEST_CASE(points_without_volume)
 {
   for (const auto& [name, points] : sets_without_volume())
     BOOST_TEST_CONTEXT(name)
+    {
       BOOST_TEST(check(points) == "the points lie in one plane");
+    }
 }
 
 BOOST_AUTO_TEST_CASE(few_points)
@@ -332,8 +336,8 @@ BOOST_AUTO_TEST_CASE(ranges_and_parameters)
   std::vector<CGAL::Simple_cartesian<double>::Weighted_point_3> of_other_kernel;
   for (const Point& p : points) {
     items.emplace_back("", p);
-    of_other_kernel.emplace_back(
-        CGAL::Simple_cartesian<double>::Point_3(p.x(), p.y(), p.z()), p.weight());
+    of_other_kernel.emplace_back(CGAL::Simple_cartesian<double>::Point_3(p.x(), p.y(), p.z()),
+                                 p.weight());
   }
   check([&](Triangulation& tr) {
     CGAL::insert_points_3(tr, items,
@@ -347,7 +351,8 @@ BOOST_AUTO_TEST_CASE(vertices_of_points)
   auto sets = sets_of_points();
   sets.merge(sets_without_volume());
   for (const auto& [name, points] : sets)
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       std::vector<std::pair<std::size_t, Vertex_handle>> vertices, again;
       Triangulation tr;
       CGAL::insert_points_3(
@@ -361,7 +366,8 @@ BOOST_AUTO_TEST_CASE(vertices_of_points)
 
 BOOST_AUTO_TEST_CASE(smallest_index_gives_info)
 {
-  for (const Points& points : {copies(), cube(500, 0, 0.05), without(copies(), true, false, false)}) {
+  for (const Points& points :
+       {copies(), cube(500, 0, 0.05), without(copies(), true, false, false)}) {
     const auto pairs = with_infos(points);
     std::vector<int> infos;
     for (const auto& pair : pairs)
@@ -403,16 +409,17 @@ BOOST_AUTO_TEST_CASE(vertices_in_the_order_of_the_input)
     BOOST_TEST((v == tr.finite_vertices_end()));
   }
   Triangulation flat;
-  BOOST_CHECK_THROW(CGAL::insert_points_3(flat, sets_without_volume()["plane"],
-                                          parameters::preserve_order(true)),
-                    CGAL::Surface_input_error);
+  BOOST_CHECK_THROW(
+      CGAL::insert_points_3(flat, sets_without_volume()["plane"], parameters::preserve_order(true)),
+      CGAL::Surface_input_error);
   BOOST_TEST(flat.number_of_vertices() == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(hidden_points_that_are_discarded)
 {
-  using Base = CGAL::Regular_triangulation_cell_base_3<
-      Kernel, CGAL::Triangulation_cell_base_3<Kernel>, CGAL::Discard_hidden_points>;
+  using Base =
+      CGAL::Regular_triangulation_cell_base_3<Kernel, CGAL::Triangulation_cell_base_3<Kernel>,
+                                              CGAL::Discard_hidden_points>;
   using Tr = CGAL::Regular_triangulation_3<Kernel, Tds<Vertex_base, Base>>;
   for (const Points& points : {copies(), cube(500, -0.1, 0.1)}) {
     BOOST_TEST(check<Tr>(points) == "");
@@ -442,7 +449,8 @@ BOOST_AUTO_TEST_CASE(exact_kernel)
 BOOST_AUTO_TEST_CASE(triangulation_that_is_not_empty)
 {
   for (const auto& [name, points] : sets_of_points())
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const auto middle = points.begin() + std::ptrdiff_t(points.size() / 2);
       Triangulation tr(points.begin(), middle), plain(points.begin(), middle);
       const auto gained = std::ptrdiff_t(plain.insert(middle, points.end()));
@@ -461,10 +469,10 @@ BOOST_AUTO_TEST_CASE(stops)
     Visitor visitor;
     visitor.stop_before = number;
     std::vector<std::pair<std::size_t, Vertex_handle>> vertices;
-    const auto gained = CGAL::insert_points_3(
-        tr, points,
-        parameters::visitor(visitor).vertex_to_vertex_output_iterator(
-            std::back_inserter(vertices)));
+    const auto gained =
+        CGAL::insert_points_3(tr, points,
+                              parameters::visitor(visitor).vertex_to_vertex_output_iterator(
+                                  std::back_inserter(vertices)));
     return std::make_pair(gained, vertices);
   };
   for (const std::size_t number : {0, 1, 4}) {
@@ -552,9 +560,8 @@ BOOST_AUTO_TEST_CASE(alpha_shapes)
   check_alpha_shape<Fixed_alpha_shape,
                     Tds<CGAL::Fixed_alpha_shape_vertex_base_3<Kernel, Vertex_base>,
                         CGAL::Fixed_alpha_shape_cell_base_3<Kernel, Cell_base<Kernel>>>>(0);
-  check_alpha_shape<Alpha_shape,
-                    Tds<CGAL::Alpha_shape_vertex_base_3<Kernel, Vertex_base>,
-                        CGAL::Alpha_shape_cell_base_3<Kernel, Cell_base<Kernel>>>>(0);
+  check_alpha_shape<Alpha_shape, Tds<CGAL::Alpha_shape_vertex_base_3<Kernel, Vertex_base>,
+                                     CGAL::Alpha_shape_cell_base_3<Kernel, Cell_base<Kernel>>>>(0);
 }
 
 BOOST_AUTO_TEST_CASE(the_class)
@@ -562,7 +569,8 @@ BOOST_AUTO_TEST_CASE(the_class)
   using Ours = CGAL::Regular_from_points_3<Kernel>;
   const Points points = cube(500, 0, 0.05);
   const Triangulation plain(points.begin(), points.end());
-  const Ours ours(points.begin(), points.end()), with_traits(points.begin(), points.end(), Kernel());
+  const Ours ours(points.begin(), points.end()),
+      with_traits(points.begin(), points.end(), Kernel());
   check_equal(ours, plain);
   check_equal(with_traits, plain);
   Ours copy(ours), moved(std::move(copy)), one_by_one, assigned;
@@ -591,14 +599,15 @@ BOOST_AUTO_TEST_CASE(the_class)
 
 BOOST_AUTO_TEST_CASE(parallel_tag)
 {
-  using Parallel_tds = CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base<Kernel>,
-                                                            CGAL::Parallel_tag>;
+  using Parallel_tds =
+      CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base<Kernel>, CGAL::Parallel_tag>;
   using Parallel = CGAL::Regular_triangulation_3<Kernel, Parallel_tds>;
   auto sets = sets_of_points();
   sets.merge(sets_without_volume());
   sets["many"] = cube(20000, -0.005, 0.005);
   for (const auto& [name, points] : sets)
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Triangulation plain(points.begin(), points.end());
       Triangulation tr;
       CGAL::insert_points_3<CGAL::Parallel_tag>(tr, points);

@@ -32,7 +32,8 @@ std::true_type is_regular_triangulation(const Regular_triangulation_3<Gt, Tds, L
 std::false_type is_regular_triangulation(const void*);
 
 template <class Triangulation>
-constexpr bool is_regular = decltype(is_regular_triangulation(std::declval<Triangulation*>()))::value;
+constexpr bool is_regular =
+    decltype(is_regular_triangulation(std::declval<Triangulation*>()))::value;
 
 template <class Triangulation>
 using If_refused =

@@ -175,7 +175,7 @@ Point converted_point(const SourcePoint& p)
                 "point_map");
   static_assert(is_served || needs_weight,
                 "points are those of a kernel, or have coordinates p[0], p[1] and p[2]; "
-                           "other items need a point_map, those of a Point_set_3 its own");
+                "other items need a point_map, those of a Point_set_3 its own");
   if constexpr (is_convertible)
     return p;
   else if constexpr (has_coordinates<SourcePoint> && !needs_weight)
