@@ -78,8 +78,7 @@ with the smallest index.
 
 <b>Complexity</b>: as of `delaunay_3_arrays()`
 
-<b>Memory</b>: 8 bytes per point more than `delaunay_3_arrays()`, and 8 for the weights unless they
-are a `std::vector<double>`
+<b>Memory</b>: 8 bytes per point more than `delaunay_3_arrays()`
 
 \tparam Index `std::int32_t`: up to \f$2^{30}\f$ cells, or 150 million points
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for
