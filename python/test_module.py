@@ -649,6 +649,170 @@ class AsScipy(unittest.TestCase):
         self.assertIs(weakref.ref(self.ours)(), self.ours)
 
 
+def smallest_orthogonal_sphere(points, weights):
+    """The centre and squared radius of the smallest sphere with the same power to all of up to three points."""
+    sides = points[1:] - points[0]
+    lifts = np.einsum("ij,ij->i", sides, sides) + weights[0] - weights[1:]
+    shares = np.linalg.lstsq(2 * sides @ sides.T, lifts, rcond=None)[0] if len(sides) else np.zeros(0)
+    center = points[0] + shares @ sides
+    return center, ((center - points[0]) ** 2).sum() - weights[0]
+
+
+class Regular(unittest.TestCase):
+    def setUp(self):
+        random = np.random.default_rng(7)
+        self.points = random.random((400, 3))
+        self.weights = random.random(400) * .02
+        self.ours = dfs.delaunay3(self.points, weights=self.weights)
+
+    def test_zero_weights(self):
+        for points in (self.points, turned_lattice(4), [[0, 0, 0]], self.points * [1, 1, 0], []):
+            plain = dfs.delaunay3(points, neighbors=True)
+            for weight in (0, -3, 1e300):
+                same = dfs.delaunay3(points, weights=np.full(len(points), weight), neighbors=True)
+                for name in ("simplices", "neighbors", "vertices"):
+                    np.testing.assert_array_equal(getattr(plain, name), getattr(same, name))
+                self.assertEqual(len(same.hidden), 0)
+
+    def test_convex_hull_in_four_dimensions(self):
+        for scale in (.001, .02, .2):
+            weights = self.weights * scale / .02
+            ours = dfs.delaunay3(self.points, weights=weights)
+            lifted = np.column_stack([self.points, (self.points ** 2).sum(axis=1) - weights])
+            hull = scipy.spatial.ConvexHull(lifted)
+            below = hull.simplices[hull.equations[:, 3] < 0]
+            self.assertEqual(cell_set(ours.simplices), cell_set(below))
+            np.testing.assert_array_equal(ours.hidden, np.setdiff1d(np.arange(400), below))
+            self.assertTrue(ours.check())
+        self.assertGreater(len(ours.hidden), 100)
+
+    def test_hidden(self):
+        hidden = self.ours.hidden
+        self.assertGreater(len(hidden), 0)
+        self.assertTrue((self.ours.vertices[hidden] == -1).all())
+        self.assertTrue((self.ours.vertex_to_simplex[hidden] == -1).all())
+        self.assertTrue((self.ours.find_simplex(self.points[hidden]) >= 0).all())
+        self.assertIn(f"{len(hidden)} hidden points", repr(self.ours))
+        points = np.vstack([self.points, self.points[:30]])
+        again = dfs.delaunay3(points, weights=np.append(self.weights, self.weights[:30]))
+        self.assertEqual(set(again.coplanar[:, 0]), {i + 400 for i in range(30) if i not in hidden})
+        self.assertEqual(set(again.hidden) - set(hidden), {i + 400 for i in range(30) if i in hidden})
+        heavy = dfs.delaunay3(np.vstack([self.points, [.5, .5, .5]]), weights=np.append(np.zeros(400), 100))
+        self.assertEqual(heavy.dimension, 3)
+        self.assertGreater(len(heavy.hidden), 350)
+
+    def test_power_diagram(self):
+        ours = self.ours
+        volumes, (pairs, areas) = ours.power_volumes, ours.power_facets
+        hull = set(ours.convex_hull.ravel())
+        self.assertEqual(set(np.flatnonzero(volumes == -1)), hull)
+        self.assertTrue((volumes[ours.hidden] == 0).all())
+        # Centres at a vertex span its cell, and those at an edge the facet.
+        for i in np.setdiff1d(np.unique(ours.simplices), list(hull))[:60]:
+            at = (ours.simplices == i).any(axis=1)
+            cell = scipy.spatial.ConvexHull(ours.power_centers[at], qhull_options="QJ")
+            self.assertAlmostEqual(volumes[i], cell.volume, delta=1e-6 * cell.volume + 1e-12)
+            mine = areas[(pairs == i).any(axis=1)]
+            self.assertTrue((mine > -1e-12).all())
+            self.assertAlmostEqual(mine.sum(), cell.area, delta=1e-6 * cell.area + 1e-9)
+        # Areas are derivatives of volumes.
+        step = 1e-7
+        i, j = pairs[np.argmax(areas)]
+        moved = self.weights.copy()
+        moved[j] += step
+        change = (dfs.delaunay3(self.points, weights=moved).power_volumes[i] - volumes[i]) / step
+        length = np.linalg.norm(self.points[i] - self.points[j])
+        self.assertAlmostEqual(change, -areas.max() / (2 * length), delta=1e-3 * abs(change))
+        lattice = np.array(list(itertools.product(range(5), repeat=3)), dtype=float)
+        inner = ((lattice > 0) & (lattice < 4)).all(axis=1)
+        ones = dfs.delaunay3(lattice, weights=np.full(125, -2.))
+        np.testing.assert_allclose(ones.power_volumes[inner], 1, rtol=1e-13)
+        centers, squares = ours.power_centers, ours.squared_power_radii
+        for k in range(4):
+            corner = ours.simplices[:, k]
+            power = ((centers - self.points[corner]) ** 2).sum(axis=1) - self.weights[corner]
+            np.testing.assert_allclose(power, squares, atol=1e-8, rtol=1e-6)
+
+    def test_alpha_complex(self):
+        points, weights = self.points[:60], self.weights[:60] * 3
+        ours = dfs.delaunay3(points, weights=weights)
+        for alpha in (0, .05, .1, .2, .4, np.inf):
+            found = ours.alpha_complex(alpha)
+            self.assertTrue((found.simplices == np.flatnonzero(ours.squared_power_radii <= alpha ** 2)).all())
+            faces = {3: set(map(tuple, found.triangles.tolist())), 2: set(map(tuple, found.edges.tolist())),
+                     1: {(v,) for v in found.vertices.tolist()}}
+            for cell in ours.simplices[found.simplices].tolist():
+                self.assertTrue(set(itertools.combinations(sorted(cell), 3)) <= faces[3])
+            for size in (3, 2):
+                for face in faces[size]:
+                    self.assertTrue(set(itertools.combinations(face, size - 1)) <= faces[size - 1])
+            for size, there in faces.items():
+                for corners in {c for cell in ours.simplices.tolist() for c in itertools.combinations(sorted(cell), size)}:
+                    center, square = smallest_orthogonal_sphere(points[list(corners)], weights[list(corners)])
+                    powers = ((points - center) ** 2).sum(axis=1) - weights
+                    if (powers >= square - 1e-9).all() and abs(square - alpha ** 2) > 1e-9:
+                        self.assertEqual(corners in there, square < alpha ** 2)
+        with self.assertRaisesRegex(ValueError, "alpha_complex: expected a radius, got -1"):
+            ours.alpha_complex(-1)
+        plain, same = dfs.delaunay3(points), dfs.delaunay3(points, weights=np.zeros(60))
+        for alpha in (.1, .2, .3):
+            for one, other in zip(plain.alpha_complex(alpha), same.alpha_complex(alpha)):
+                np.testing.assert_array_equal(one, other)
+
+    def test_shift_threads_and_order(self):
+        shifted = dfs.delaunay3(self.points, weights=self.weights + 4.)
+        exact = dfs.delaunay3(self.points, weights=(self.weights + 4.) - 4.)  # without the digits that were lost
+        self.assertEqual(cell_set(shifted.simplices), cell_set(exact.simplices))
+        order = dfs.InsertionOrder()
+        weights = self.weights
+        for _ in range(3):
+            weights = weights * .9
+            kept = dfs.delaunay3(self.points, weights=weights, order=order, threads=2)
+            self.assertEqual(cell_set(kept.simplices), cell_set(dfs.delaunay3(self.points, weights=weights).simplices))
+        self.assertEqual(len(order), 400)
+
+    def test_flat(self):
+        rows = np.column_stack([self.points[:, :2], np.zeros(400)])
+        flat = dfs.delaunay3(rows, weights=self.weights)
+        self.assertEqual(flat.dimension, 2)
+        self.assertGreater(len(flat.hidden), 0)
+        line = dfs.delaunay3(np.arange(30.).reshape(10, 3), weights=[0] * 4 + [100] + [0] * 5)
+        self.assertEqual((line.dimension, cell_set(line.simplices)), (1, {(0, 4), (4, 9)}))
+        self.assertTrue(flat.check() and line.check())
+        self.assertEqual(dfs.delaunay3([[1, 2, 3]] * 3, weights=[1, 2, 2]).vertices.tolist(), [-1, 1, 1])
+
+    def test_check(self):
+        self.assertTrue(all(self.ours.check(level) for level in ("links", "euler", "orientation", "delaunay")))
+        other = dfs.Regular3(self.weights * 2, *self.ours.__reduce__()[1][1:])
+        self.assertFalse(other.check())
+        shown = self.weights.copy()
+        shown[self.ours.hidden[0]] += 1
+        self.assertFalse(dfs.Regular3(shown, *self.ours.__reduce__()[1][1:]).check())
+
+    def test_pickle(self):
+        again = pickle.loads(pickle.dumps(self.ours))
+        self.assertIs(type(again), dfs.Regular3)
+        for name in ("points", "weights", "simplices", "vertices", "power_volumes"):
+            np.testing.assert_array_equal(getattr(again, name), getattr(self.ours, name))
+
+    def test_refusals(self):
+        for weights, error, message in (
+                ([1, 2], ValueError, r"weights: expected an array of shape \(400,\), one for each point, got \(2,\)"),
+                (np.append(self.weights[1:], np.nan), ValueError, "weights: that of point 399 is not a finite number"),
+                (np.zeros((400, 1)), ValueError, r"got \(400, 1\)"), (["x"] * 400, TypeError, "weights: expected numbers"),
+                (np.ma.masked_array(self.weights), ValueError, "weights: a masked array"),
+                (1., ValueError, "weights: expected an array of shape")):
+            with self.assertRaisesRegex(error, message):
+                dfs.delaunay3(self.points, weights=weights)
+        with self.assertRaisesRegex(ValueError, "inside: the points have weights"):
+            dfs.delaunay3(self.points, [[0, 1, 2]], weights=self.weights, inside=True)
+        for name in ("circumcenters", "circumradii", "voronoi_volumes"):
+            with self.assertRaisesRegex(ValueError, f"{name}: the points have weights"):
+                getattr(self.ours, name)
+        with self.assertRaisesRegex(ValueError, "minimum_spanning_tree: the points have weights"):
+            self.ours.minimum_spanning_tree()
+
+
 class Inside(unittest.TestCase):
     """Of a cube with more points on its sides, each side cut up alike."""
 

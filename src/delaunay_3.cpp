@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_regular.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
@@ -34,6 +35,7 @@ namespace core = CGAL::Delaunay_from_surface_3::core;
 struct delaunay_3
 {
   core::Point_array points;
+  const double* weights; // null without
   CGAL::Delaunay_3_arrays<std::int32_t> arrays;
 };
 
@@ -116,9 +118,33 @@ void check_triangles(const std::int32_t* triangles, std::size_t number, std::siz
       throw Refusal{DELAUNAY_3_BAD_INDEX, k / 3};
 }
 
-Arrays built_of(const core::Point_array& points, const core::Executor& executor)
+void check_weights(const double* weights, std::size_t n)
 {
-  core::Given_points source(points);
+  refuse_null(weights, n);
+  for (std::size_t i = 0; i < n; ++i)
+    if (!core::is_finite_number(weights[i]))
+      throw Refusal{DELAUNAY_3_NOT_FINITE, i};
+}
+
+class Given_weighted_points final : public core::Weighted_point_source
+{
+public:
+  Given_weighted_points(const core::Point_array& points, const double* weights)
+    : m_points(points)
+    , m_weights(weights)
+  {
+  }
+  core::Point_array points() override { return m_points; }
+  const double* weights() override { return m_weights; }
+
+private:
+  const core::Point_array m_points;
+  const double* const m_weights;
+};
+
+template <class Source>
+Arrays built_of(Source&& source, const core::Executor& executor)
+{
   core::Build_options options;
   options.adds_apex = true;
   core::Observer nobody;
@@ -139,8 +165,26 @@ delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t
     const core::Thread_executor executor(checked_threads(threads));
     const core::Point_array checked = checked_points(points, n);
     check_triangles(triangles, number_of_triangles, n);
-    auto made = std::make_unique<delaunay_3>(delaunay_3{checked, built_of(checked, executor)});
-    *result = made.release();
+    *result = std::make_unique<delaunay_3>(
+                  delaunay_3{checked, nullptr, built_of(core::Given_points(checked), executor)})
+                  .release();
+  });
+}
+
+delaunay_3_status delaunay_3_build_weighted(const double* points, const double* weights, size_t n,
+                                            int threads, delaunay_3** result, size_t* where)
+{
+  if (result != nullptr)
+    *result = nullptr;
+  return status_of(where, [&] {
+    refuse_null(result);
+    const core::Thread_executor executor(checked_threads(threads));
+    const core::Point_array checked = checked_points(points, n);
+    check_weights(weights, n);
+    *result = std::make_unique<delaunay_3>(
+                  delaunay_3{checked, weights,
+                             built_of(Given_weighted_points(checked, weights), executor)})
+                  .release();
   });
 }
 
@@ -150,7 +194,7 @@ const char* delaunay_3_message(delaunay_3_status status)
   case DELAUNAY_3_OK:
     return "all is well";
   case DELAUNAY_3_NOT_FINITE:
-    return "a coordinate is not a finite number";
+    return "a coordinate or weight is not a finite number";
   case DELAUNAY_3_BAD_INDEX:
     return "a triangle has an index that is not one of a point";
   case DELAUNAY_3_BAD_ARGUMENT:
@@ -223,7 +267,14 @@ int delaunay_3_is_valid(const delaunay_3* d, int level)
     if (level < 0 || level > int(CGAL::Delaunay_validity_level::DELAUNAY))
       throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
     checked_points(d->points.size() > 0 ? d->points[0] : nullptr, d->points.size());
-    is_valid = core::is_valid(d->arrays, d->points, CGAL::Delaunay_validity_level(level));
+    const auto wanted = CGAL::Delaunay_validity_level(level);
+    if (d->weights == nullptr) {
+      is_valid = core::is_valid(d->arrays, d->points, wanted);
+    } else {
+      check_weights(d->weights, d->points.size());
+      is_valid = core::is_valid<core::Weighted_vertex>(d->arrays, d->points, wanted, core::Alone(),
+                                                       d->weights);
+    }
   });
   return status == DELAUNAY_3_OK ? is_valid : -int(status);
 }

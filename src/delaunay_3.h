@@ -2,9 +2,9 @@
  *
  * SPDX-License-Identifier: LGPL-3.0-or-later
  *
- * 3D Delaunay triangulations, for C and for all languages that can call C. Six functions compute
- * exactly, with any number of threads. The result equals CGAL's Delaunay_triangulation_3, but CGAL
- * is not needed.
+ * 3D Delaunay triangulations, for C and for all languages that can call C. Seven functions compute
+ * exactly, with any number of threads. The result equals CGAL's Delaunay_triangulation_3, or its
+ * Regular_triangulation_3 for points with weights, but CGAL is not needed.
  *
  *   delaunay_3* d;
  *   delaunay_3_cells cells;
@@ -30,7 +30,7 @@ typedef struct delaunay_3 delaunay_3;
 
 typedef enum delaunay_3_status {
   DELAUNAY_3_OK = 0,
-  DELAUNAY_3_NOT_FINITE,   /* a coordinate is not a finite number */
+  DELAUNAY_3_NOT_FINITE,   /* a coordinate or weight is not a finite number */
   DELAUNAY_3_BAD_INDEX,    /* a triangle has an index that is not one of a point */
   DELAUNAY_3_BAD_ARGUMENT, /* no thread, an unknown level, null for an array that has entries */
   DELAUNAY_3_TOO_MANY,     /* more than 2^30 cells, or 2^31 - 2 points or triangles */
@@ -44,7 +44,8 @@ typedef enum delaunay_3_status {
 /* Corner k of cell c is point vertices[c * stride + k]; the neighbour opposite to it is cell
  * neighbors[c * stride + k]. The simplices come first, positively oriented, and then the infinite
  * cells, whose last corner is -1. Each cell has dimension + 1 corners: 4 unless the points lie in
- * one plane. If points coincide, the first is the corner; vertex_of_point names it. */
+ * one plane. If points coincide, the first is the corner; vertex_of_point names it. It is -1 for a
+ * point that is hidden by others with larger weights, and in no cell. */
 typedef struct delaunay_3_cells
 {
   int dimension; /* -1 if there are no points */
@@ -58,12 +59,17 @@ typedef struct delaunay_3_cells
 
 /* Triangulates n points, given by three coordinates each. Triangles of a surface on the points,
  * given by three indices each, are checked and never change the result; there may be none. The last
- * two functions read the points again, so these must stay where they are. If a point or triangle is
+ * two functions read points and weights again, so these must stay where they are. If a point or triangle is
  * refused, *where is its number; after any failure, *result is null. `where` may be null, but
  * `result` may not; `points` and `triangles` may be null if there are none. */
 delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t* triangles,
                                    size_t number_of_triangles, int threads, delaunay_3** result,
                                    size_t* where);
+
+/* Does the same for points with weights, one for each, which may be negative: the regular
+ * triangulation, or weighted Delaunay triangulation. Weights are squared radii. */
+delaunay_3_status delaunay_3_build_weighted(const double* points, const double* weights, size_t n,
+                                            int threads, delaunay_3** result, size_t* where);
 
 /* Returns the meaning of a status, in English. */
 const char* delaunay_3_message(delaunay_3_status status);
@@ -78,7 +84,7 @@ void delaunay_3_free(delaunay_3* d); /* d may be null */
 delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, size_t n, int threads,
                                   int32_t* found, size_t* where);
 
-/* Returns 1 if it is the Delaunay triangulation, else 0; or, with a minus sign, the status that
+/* Returns 1 if it is the Delaunay or regular triangulation, else 0; or, with a minus sign, the status that
  * prevented the check (without memory it may still be valid). Level 0 checks that neighbours agree,
  * 1 also spheres of cells around vertices, 2 orientations, and 3 all, by Delaunay's lemma. */
 int delaunay_3_is_valid(const delaunay_3* d, int level);

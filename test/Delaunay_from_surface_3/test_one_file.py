@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What scripts/amalgamate makes includes no header of others, and serves a C program; its six functions one by one."""
+"""What scripts/amalgamate makes includes no header of others, and serves a C program; its seven functions one by one."""
 
 import ctypes
 import math
@@ -87,6 +87,41 @@ class OneFile(unittest.TestCase):
                     self.check_find(d, cells, points, threads)
                     self.c.delaunay_3_free(d)
         self.c.delaunay_3_free(None)
+
+    def build_weighted(self, points, weights, threads=1):
+        self.points, self.weights = array(ctypes.c_double, points), array(ctypes.c_double, weights)
+        d, where = ctypes.c_void_p(1), ctypes.c_size_t(99)
+        status = self.c.delaunay_3_build_weighted(self.points, self.weights, ctypes.c_size_t(len(points) // 3), threads,
+                                                  ctypes.byref(d), ctypes.byref(where))
+        return status, d, where.value
+
+    def test_weights(self):
+        rng = random.Random(2)
+        cube = [rng.random() for _ in range(3000)]
+        plane = [x for i in range(5) for j in range(5) for x in (i, j, i + j)]
+        for points, dimension in ((cube, 3), (plane, 2), ([0, 0, 0, 1, 2, 3, 2, 4, 6], 1), ([1, 1, 1] * 2, 0), ([], -1)):
+            n = len(points) // 3
+            for weights in ([0.] * n, [rng.random() * .02 - .01 for _ in range(n)], [9.] * (n > 0) + [0.] * (n - 1)):
+                for threads in (1, 2):
+                    status, d, _ = self.build_weighted(points, weights, threads)
+                    self.assertEqual(status, OK)
+                    cells = Cells()
+                    self.c.delaunay_3_get(d, ctypes.byref(cells))
+                    self.assertEqual((cells.dimension, cells.number_of_points), (dimension, n))
+                    self.assertEqual([self.c.delaunay_3_is_valid(d, level) for level in range(4)], [1] * 4)
+                    hidden = sum(cells.vertex_of_point[i] < 0 for i in range(n))
+                    self.assertEqual(hidden > 0, n > 4 and points is cube and weights[0] != weights[1] or
+                                     n > 1 and dimension < 3 and weights[0] == 9.)
+                    if hidden > 0:
+                        self.weights[next(i for i in range(n) if cells.vertex_of_point[i] < 0)] = 100.
+                        self.assertEqual(self.c.delaunay_3_is_valid(d, 3), 0)
+                        self.weights[0] = math.nan
+                        self.assertEqual(self.c.delaunay_3_is_valid(d, 3), -NOT_FINITE)
+                    self.c.delaunay_3_free(d)
+        for wrong in (math.nan, -math.inf):
+            self.assertEqual(self.build_weighted(cube, [0.] * 7 + [wrong] + [0.] * 992)[::2], (NOT_FINITE, 7))
+        self.assertEqual(self.c.delaunay_3_build_weighted(self.points, None, ctypes.c_size_t(10), 1,
+                                                          ctypes.byref(ctypes.c_void_p()), None), BAD_ARGUMENT)
 
     def check_find(self, d, cells, points, threads):
         """Points are in the first cell that has them as a corner."""

@@ -157,16 +157,16 @@ private:
   }
 
   // The cell of a vertex that others hide by now may be dead. The one inserted before, or hidden, has
-  // a living cell, unless other workers destroyed it; then the next cell that lives is taken.
+  // a living cell, unless other workers destroyed it; then the next one that lives is taken, among
+  // those known when the chunk began. If there is none, the walk clashes, and is put off.
   [[gnu::cold]] Id living_cell(Id dead) const
   {
     Id c = load_relaxed(m_complex.vertex(m_previous).cell);
     if (!is_dead(c))
       return c;
     c = dead;
-    do
+    for (std::size_t left = m_complex.cells_end(); left > 0 && is_dead(c); --left)
       c = std::size_t(c) + 1 < m_complex.cells_end() ? Id(c + 1) : Id(0);
-    while (is_dead(c) && c != dead);
     return c;
   }
 

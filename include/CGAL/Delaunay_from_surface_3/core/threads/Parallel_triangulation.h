@@ -156,6 +156,7 @@ public:
                     const Hints& hints, const GoFurther& go_further)
   {
     m_shared.begin();
+    note_cells(); // among which Starting_cells may look for a living one
     const std::size_t number = workers_of_chunk(first, last - first);
     Chunk<Hints, GoFurther> chunk(first, last, number, vertex_of, hints, go_further);
     for (bool is_first = true; is_first || chunk.is_full; is_first = false) {
@@ -321,7 +322,7 @@ private:
       for (std::size_t k = 0; k < own.put_off.size(); ++k) {
         if (k % m_rules.batch == 0 && !may_go_further(chunk, 0, own.put_off[k]))
           return false;
-        note_cells(); // among which Starting_cells may look for a living one
+        note_cells();
         while (!insert_point(chunk, 0, own.put_off[k], any)) {
           CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(chunk.is_full); // alone it does not clash
           m_shared.grow();
