@@ -143,7 +143,7 @@ constexpr bool is_point_of_kernel =
 
 // Returns the double that equals a number of an arithmetic type, or throws.
 template <class Number>
-double double_of(Number x)
+double double_of(Number x, const char* what = "coordinate")
 {
   const double d = double(x);
   bool is_equal = true;
@@ -153,8 +153,8 @@ double double_of(Number x)
   else if constexpr (std::numeric_limits<Number>::digits > 53)
     is_equal = d < double((std::numeric_limits<Number>::max)()) && Number(d) == x;
   if (!is_equal)
-    throw Surface_input_error("a coordinate is not a double: " + std::to_string(x) +
-                              "; remedy: subtract an origin that is near the points");
+    throw Surface_input_error(std::string("a ") + what + " is not a double: " + std::to_string(x) +
+                              "; remedy: subtract an origin that is near the " + what + "s");
   return d;
 }
 
@@ -206,6 +206,21 @@ void check_point(const Point& p, std::size_t i)
     if (const auto weight = CGAL::to_interval(p.weight()); !holds_finite_number(weight))
       throw Surface_input_error("vertex " + std::to_string(i) + ": its weight is " +
                                 std::to_string(weight.first) + ", not a finite number");
+}
+
+// Returns the weight of point i as a double, or throws. Other than arithmetic types are rounded.
+template <class Weight>
+double double_of_weight(const Weight& weight, std::size_t i)
+{
+  double w;
+  if constexpr (std::is_arithmetic<Weight>::value)
+    w = double_of(weight, "weight");
+  else
+    w = equal_double(weight).value_or(CGAL::to_double(weight));
+  if (!is_finite_number(w))
+    throw Surface_input_error("vertex " + std::to_string(i) + ": its weight, " + std::to_string(w) +
+                              ", is not a finite number");
+  return w;
 }
 
 // Appends p, converted and checked.
