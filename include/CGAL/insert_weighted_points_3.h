@@ -215,8 +215,8 @@ kernel. It inserts with one thread.
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
 that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
 made for a single thread. `Parallel_tag` requires TBB.
-\tparam Gt,Tds,Lp the parameters of `Regular_triangulation_3`, without restriction. The result is
-guaranteed only if `Gt` has exact predicates.
+\tparam Gt,Tds,Lp the parameters of `Regular_triangulation_3`, whose points are the
+`Weighted_point_3` of a kernel. The result is guaranteed only if `Gt` has exact predicates.
 \tparam PointRange a range of weighted points, of pairs of these and infos, or of items that
 `point_map` maps to weighted points
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -286,6 +286,8 @@ std::ptrdiff_t insert_points_3(Regular_triangulation_3<Gt, Tds, Lp>& rt,
 {
   using namespace Delaunay_from_surface_3::internal;
   using Triangulation = Regular_triangulation_3<Gt, Tds, Lp>;
+  static_assert(has_weight<typename Triangulation::Point>,
+                "the points of the triangulation are the Weighted_point_3 of a kernel");
   const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(weighted_points, np);
   const Index_graph no_graph;
   const Insertion_input input{read.points(), no_graph,        Identity_index_map(),

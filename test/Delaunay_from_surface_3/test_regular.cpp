@@ -230,13 +230,21 @@ struct Visitor : CGAL::Default_surface_insertion_visitor_3
 {
   std::string replaced;
   std::size_t asked = 0, stop_before = std::size_t(-1);
+  bool throws = false;
 
   void notice(CGAL::Surface_insertion_notice what, const std::string& reason)
   {
     if (what == CGAL::Surface_insertion_notice::CORE_IS_REPLACED)
       replaced = reason;
   }
-  bool go_further(std::size_t) { return asked++ != stop_before; }
+  bool go_further(std::size_t)
+  {
+    if (asked++ != stop_before)
+      return true;
+    if (throws)
+      throw std::runtime_error("the visitor throws");
+    return false;
+  }
 };
 
 // Inserts, checks, and returns why the core does not insert.
@@ -446,6 +454,30 @@ BOOST_AUTO_TEST_CASE(exact_kernel)
   }
 }
 
+// Where the core would go past predicates, or these are not exact, CGAL inserts.
+struct Kernel_with_own_predicate : Kernel
+{
+  struct Power_side_of_oriented_power_sphere_3 : Kernel::Power_side_of_oriented_power_sphere_3
+  {
+  };
+  Power_side_of_oriented_power_sphere_3 power_side_of_oriented_power_sphere_3_object() const
+  {
+    return {};
+  }
+};
+template <class Gt>
+constexpr bool is_served = DFS::internal::serves_geom_traits<CGAL::Regular_triangulation_3<Gt>>();
+static_assert(is_served<Kernel> && is_served<Exact_kernel>, "");
+static_assert(!is_served<CGAL::Simple_cartesian<double>>, "");
+static_assert(!is_served<Kernel_with_own_predicate>, "");
+
+BOOST_AUTO_TEST_CASE(predicates_that_are_not_the_ones_of_a_kernel)
+{
+  using Tr = CGAL::Regular_triangulation_3<Kernel_with_own_predicate>;
+  BOOST_TEST(check<Tr>(copies()) ==
+             "the predicates of the geometric traits are not the exact ones of a kernel");
+}
+
 BOOST_AUTO_TEST_CASE(triangulation_that_is_not_empty)
 {
   for (const auto& [name, points] : sets_of_points())
@@ -460,6 +492,40 @@ BOOST_AUTO_TEST_CASE(triangulation_that_is_not_empty)
       BOOST_TEST(visitor.replaced == "the triangulation is not empty");
       check_equal(tr, plain);
     }
+}
+
+// New points hide more vertices than they become.
+BOOST_AUTO_TEST_CASE(vertices_that_are_lost)
+{
+  Points points = cube(300, 0, 0.001);
+  Triangulation tr, plain;
+  CGAL::insert_points_3(tr, points);
+  const auto before = std::ptrdiff_t(tr.number_of_vertices());
+  const Points all = all_hidden_but_four(), heavy(all.end() - 4, all.end());
+  BOOST_TEST(CGAL::insert_points_3(tr, heavy) == 4 - before);
+  points.insert(points.end(), heavy.begin(), heavy.end());
+  plain.insert(points.begin(), points.end());
+  check_equal(tr, plain);
+}
+
+// Sets of points that are equal, cospherical and in few planes, of all sizes.
+BOOST_AUTO_TEST_CASE(small_lattices)
+{
+  for (int seed = 0; seed < 300; ++seed) {
+    CGAL::Random random(seed);
+    const int n = random.get_int(1, 80), size = random.get_int(1, 5),
+              heaviest = random.get_int(1, 7);
+    Points points;
+    for (int i = 0; i < n; ++i) {
+      const int x = random.get_int(0, size), y = random.get_int(0, size);
+      points.push_back(
+          weighted(x, y, random.get_int(0, size), random.get_int(-heaviest, heaviest) / 2.));
+    }
+    BOOST_TEST_CONTEXT(seed)
+    {
+      check(points);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(stops)
@@ -480,6 +546,12 @@ BOOST_AUTO_TEST_CASE(stops)
     const auto [gained, vertices] = stop_before(empty, number);
     BOOST_TEST(gained == 0);
     BOOST_TEST(vertices.empty());
+    BOOST_TEST(empty.number_of_vertices() == 0u);
+    Visitor visitor;
+    visitor.stop_before = number;
+    visitor.throws = true;
+    BOOST_CHECK_THROW(CGAL::insert_points_3(empty, points, parameters::visitor(visitor)),
+                      std::runtime_error);
     BOOST_TEST(empty.number_of_vertices() == 0u);
     CGAL::insert_points_3(empty, points);
     check_equal(empty, Triangulation(points.begin(), points.end()));
@@ -616,6 +688,17 @@ BOOST_AUTO_TEST_CASE(parallel_tag)
       CGAL::insert_points_3(parallel, points);
       check_equal(parallel, plain);
     }
+
+  // The parallel insertion of CGAL can go on from there.
+  Parallel::Lock_data_structure locks(CGAL::Bbox_3(-1, -1, -1, 2, 2, 2), 20);
+  const Points points = cube(5000, 0, 0.001), more = cube(3000, 0, 0.002);
+  Parallel tr(Kernel(), &locks);
+  CGAL::insert_points_3(tr, points);
+  BOOST_TEST(tr.get_lock_data_structure() == &locks);
+  tr.insert(more.begin(), more.end());
+  Triangulation plain(points.begin(), points.end());
+  plain.insert(more.begin(), more.end());
+  check_equal(tr, plain);
 }
 
 #else
