@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_regular.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/Delaunay_from_surface_3/surface/soup_edges.h>
@@ -92,7 +93,8 @@ py::tuple views_of(Arrays&& moved, bool with_neighbors)
 }
 
 // Returns the finite cells that the core makes of the points, if it was not stopped.
-Arrays arrays_of(core::Point_source& points, CGAL::Delaunay_from_surface_3::Insertion_order* kept,
+template <class Points>
+Arrays arrays_of(Points& points, CGAL::Delaunay_from_surface_3::Insertion_order* kept,
                  unsigned int seed, core::Observer& observer, const core::Executor& executor)
 {
   python::refuse_obstacle();
@@ -119,14 +121,13 @@ void check_faces(const py::object& faces, std::size_t n)
     });
 }
 
-py::tuple triangulated(const py::array& array, const py::object& faces, bool neighbors,
-                       unsigned int seed, const py::object& progress, std::size_t threads,
-                       Kept* kept)
+template <class Points>
+py::tuple triangulated(Points& points, const py::object& faces, bool neighbors, unsigned int seed,
+                       const py::object& progress, std::size_t threads, Kept* kept)
 {
   const Use_of use(kept);
   const core::Rounding_to_nearest rounding;
   const core::Thread_executor executor((std::min)(threads, std::size_t(core::Marks::most_workers)));
-  python::Copied_points points(array);
   check_faces(faces, points.size());
   python::Interruptible_observer observer(points.size(), progress, rounding);
   Arrays arrays;
@@ -145,14 +146,20 @@ py::tuple triangulated(const py::array& array, const py::object& faces, bool nei
   return views_of(std::move(arrays), neighbors);
 }
 
-py::tuple delaunay3(const py::array& points, const py::object& faces, bool neighbors,
-                    unsigned int seed, const py::object& progress, std::size_t threads, Kept* kept)
+py::tuple delaunay3(const py::array& array, const py::object& faces, bool neighbors,
+                    unsigned int seed, const py::object& progress, std::size_t threads, Kept* kept,
+                    const py::object& weights)
 {
   try {
+    if (weights.is_none()) {
+      python::Copied_points points(array);
+      return triangulated(points, faces, neighbors, seed, progress, threads, kept);
+    }
+    python::Copied_weighted_points points(array, weights.cast<py::array_t<double>>());
     return triangulated(points, faces, neighbors, seed, progress, threads, kept);
   } catch (const std::bad_alloc&) {
     const std::string message =
-        "there is not enough memory to triangulate " + std::to_string(points.shape(0)) + " points";
+        "there is not enough memory to triangulate " + std::to_string(array.shape(0)) + " points";
     PyErr_SetString(PyExc_MemoryError, message.c_str());
     throw py::error_already_set();
   }

@@ -283,6 +283,60 @@ py::array voronoi_volumes(const Points& points, const Numbers& simplices)
   return array_from(std::move(result), {py::ssize_t(n)});
 }
 
+using Weights = py::array_t<double, py::array::c_style>;
+
+// Calls write(c, corners with weights) for each tetrahedron c.
+template <class Write>
+void measure_weighted(const Points& points, const Weights& weights, const Numbers& simplices,
+                      std::size_t threads, const Write& write)
+{
+  const Rows rows(simplices);
+  if (weights.ndim() != 1 || weights.shape(0) != points.shape(0))
+    throw py::value_error("weights: expected one for each point");
+  const double* const weight = weights.data();
+  measure(points, simplices, threads, [&](std::size_t c, const auto& corners) {
+    std::array<double, 4> weighted[4];
+    for (std::size_t k = 0; k < 4; ++k)
+      weighted[k] = {corners[k][0], corners[k][1], corners[k][2],
+                     weight[std::size_t(rows.entry(c, k))]};
+    write(c, weighted);
+  });
+}
+
+py::tuple power_spheres(const Points& points, const Weights& weights, const Numbers& simplices,
+                        std::size_t threads)
+{
+  const auto m = std::size_t(simplices.shape(0));
+  std::vector<double> centers(3 * m), squared_radii(m);
+  measure_weighted(points, weights, simplices, threads, [&](std::size_t c, const auto& corners) {
+    const core::Power_sphere sphere = core::power_sphere_of(corners);
+    for (std::size_t i = 0; i < 3; ++i)
+      centers[3 * c + i] = corners[0][i] + sphere.center[i];
+    squared_radii[c] = sphere.squared_radius;
+  });
+  return py::make_tuple(array_from(std::move(centers), {py::ssize_t(m), 3}),
+                        array_from(std::move(squared_radii), {py::ssize_t(m)}));
+}
+
+// Returns the volumes of power cells, and for each edge of each tetrahedron its share of the facet
+// that crosses it.
+py::tuple power_diagram(const Points& points, const Weights& weights, const Numbers& simplices,
+                        std::size_t threads)
+{
+  const Rows rows(simplices);
+  const auto n = std::size_t(points.shape(0)), m = std::size_t(simplices.shape(0));
+  std::vector<double> areas(6 * m), shares(4 * m), volumes(n);
+  measure_weighted(points, weights, simplices, threads, [&](std::size_t c, const auto& corners) {
+    const core::Power_shares of = core::power_shares_of(corners);
+    std::copy(of.areas.begin(), of.areas.end(), areas.begin() + std::ptrdiff_t(6 * c));
+    std::copy(of.volumes.begin(), of.volumes.end(), shares.begin() + std::ptrdiff_t(4 * c));
+  });
+  for (std::size_t i = 0; i < 4 * m; ++i)
+    volumes[std::size_t(rows.number(i / 4, i % 4, n))] += shares[i];
+  return py::make_tuple(array_from(std::move(volumes), {py::ssize_t(n)}),
+                        array_from(std::move(areas), {py::ssize_t(m), 6}));
+}
+
 py::array transform(const Points& points, const Numbers& simplices, std::size_t threads)
 {
   const auto m = std::size_t(simplices.shape(0));
@@ -335,7 +389,7 @@ py::array barycentric(const Points& points, const Numbers& simplices, const Poin
 }
 
 bool is_valid(const Points& points, const Numbers& simplices, const Numbers& vertices_of_points,
-              int dimension, int level, std::size_t threads)
+              int dimension, int level, std::size_t threads, const py::object& weights)
 {
   python::refuse_obstacle();
   const Rows rows(simplices);
@@ -344,8 +398,13 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
       dimension < -1 || dimension > 3 ||
       rows.corners() != std::size_t((std::max)(dimension, 0)) + 1)
     return false;
-  std::vector<double> coordinates;
+  std::vector<double> coordinates, old_weights;
   python::copy_points(python::Points_view(points), n, "points: point", coordinates);
+  const bool are_weighted = !weights.is_none();
+  if (are_weighted) {
+    const py::array_t<double> of_points = python::array_of_weights(weights, n);
+    old_weights.assign(of_points.data(), of_points.data() + n);
+  }
   const auto vertex = vertices_of_points.unchecked<1>();
   const python::Unlocked unlocked;
   const core::Rounding_to_nearest rounding;
@@ -353,7 +412,9 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
   std::vector<Index> old_vertices(n); // copied, since another thread may write meanwhile
   for (std::size_t i = 0; i < n; ++i) {
     old_vertices[i] = vertex(py::ssize_t(i));
-    if (old_vertices[i] < 0 || std::size_t(old_vertices[i]) > i) // not the first at its place
+    const bool is_hidden = are_weighted && old_vertices[i] == -1;
+    if (!is_hidden && // not the first at its place
+        (old_vertices[i] < 0 || std::size_t(old_vertices[i]) > i))
       return false;
   }
   std::vector<std::array<Index, 4>> cells(rows.size(), {-1, -1, -1, -1});
@@ -364,17 +425,24 @@ bool is_valid(const Points& points, const Numbers& simplices, const Numbers& ver
   const std::vector<Index> met =
       number_as_met(cells.empty() ? nullptr : cells[0].data(), 4 * cells.size(), n, executor);
   std::vector<Index> number_of(n), vertices(n);
-  std::vector<double> met_coordinates(3 * n);
+  std::vector<double> met_coordinates(3 * n), met_weights(old_weights.size());
   for (std::size_t i = 0; i < n; ++i)
     number_of[std::size_t(met[i])] = Index(i);
   for (std::size_t i = 0; i < n; ++i) {
-    vertices[i] = number_of[std::size_t(old_vertices[std::size_t(met[i])])];
+    const Index old_vertex = old_vertices[std::size_t(met[i])];
+    vertices[i] = old_vertex < 0 ? old_vertex : number_of[std::size_t(old_vertex)];
+    if (are_weighted)
+      met_weights[i] = old_weights[std::size_t(met[i])];
     std::copy_n(coordinates.data() + 3 * std::size_t(met[i]), 3, met_coordinates.data() + 3 * i);
   }
   const auto arrays = core::complete_arrays<Index>(dimension, cells, std::move(vertices), executor);
-  return arrays.has_value() &&
-         core::is_valid_if_linked(*arrays, core::Point_array(met_coordinates.data(), n),
-                                  CGAL::Delaunay_validity_level(level), executor);
+  if (!arrays.has_value())
+    return false;
+  const core::Point_array met_points(met_coordinates.data(), n);
+  const auto wanted = CGAL::Delaunay_validity_level(level);
+  return are_weighted ? core::is_valid_if_linked<core::Weighted_vertex>(
+                            *arrays, met_points, wanted, executor, met_weights.data())
+                      : core::is_valid_if_linked(*arrays, met_points, wanted, executor);
 }
 
 } // namespace
@@ -384,6 +452,7 @@ void python::define_queries(py::module_& m)
   m.def("array_of_points", [](const py::object& object, const std::string& name) {
     return python::array_of_points(object, name);
   });
+  m.def("array_of_weights", &python::array_of_weights);
   m.def("neighbors", &neighbors);
   m.def("find_simplex", &find_simplex);
   m.def("adjacent_vertices", &adjacent_vertices);
@@ -391,6 +460,8 @@ void python::define_queries(py::module_& m)
   m.def("volumes", &volumes);
   m.def("circumspheres", &circumspheres);
   m.def("voronoi_volumes", &voronoi_volumes);
+  m.def("power_spheres", &power_spheres);
+  m.def("power_diagram", &power_diagram);
   m.def("transform", &transform);
   m.def("barycentric", &barycentric);
   m.def("is_valid", &is_valid);

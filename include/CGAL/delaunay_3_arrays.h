@@ -35,8 +35,9 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Makes arrays of the points, by the core: in the order `kept`, if one is given, and else in its own.
-template <class Index, class Executor, class NamedParameters>
-Delaunay_3_arrays<Index> insert_into_arrays(Point_source& points, Insertion_order* kept,
+// A source with weights calls for build_regular.h.
+template <class Index, class Source, class Executor, class NamedParameters>
+Delaunay_3_arrays<Index> insert_into_arrays(Source& points, Insertion_order* kept,
                                             const std::optional<std::string>& irregularity,
                                             const Executor& executor, const NamedParameters& np,
                                             Build_options options = Build_options())

@@ -226,10 +226,19 @@ std::ptrdiff_t insert_points_3(Delaunay_triangulation_3<Gt, Tds, Lp, Slds>& tr,
 
 /// \cond SKIP_IN_MANUAL
 template <class ConcurrencyTag = Default, class Triangulation, class... Arguments>
-Delaunay_from_surface_3::internal::If_refused<Triangulation> insert_points_3(Triangulation&,
-                                                                             const Arguments&...)
+std::enable_if_t<!Delaunay_from_surface_3::internal::is_regular<Triangulation>,
+                 Delaunay_from_surface_3::internal::If_refused<Triangulation>>
+insert_points_3(Triangulation&, const Arguments&...)
 {
   return Delaunay_from_surface_3::internal::refuse_triangulation<Triangulation>();
+}
+
+// insert_weighted_points_3.h has the overloads that take precedence.
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class... Arguments>
+std::ptrdiff_t insert_points_3(Regular_triangulation_3<Gt, Tds, Lp>&, const Arguments&...)
+{
+  return Delaunay_from_surface_3::internal::refuse_triangulation<
+      Regular_triangulation_3<Gt, Tds, Lp>>();
 }
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 /// \endcond

@@ -15,6 +15,22 @@
 #include <stdexcept>
 
 namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+template <class Index>
+void check_that_nothing_was_dropped(const Delaunay_3_arrays<Index>& arrays)
+{
+  if (arrays.number_of_cells() > 0 && arrays.neighbors_data() == nullptr)
+    throw std::invalid_argument("the neighbours of the arrays have been dropped");
+  if (arrays.number_of_cells() > 0 && arrays.number_of_cells() == arrays.number_of_simplices())
+    throw std::invalid_argument("the infinite cells of the arrays have been dropped");
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
 
 /// \cond SKIP_IN_MANUAL
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
@@ -48,13 +64,40 @@ bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const Po
                                 Delaunay_validity_level level = Delaunay_validity_level::DELAUNAY)
 {
   using namespace Delaunay_from_surface_3::internal;
-  if (arrays.number_of_cells() > 0 && arrays.neighbors_data() == nullptr)
-    throw std::invalid_argument("the neighbours of the arrays have been dropped");
-  if (arrays.number_of_cells() > 0 && arrays.number_of_cells() == arrays.number_of_simplices())
-    throw std::invalid_argument("the infinite cells of the arrays have been dropped");
+  check_that_nothing_was_dropped(arrays);
   Read_coordinates<PointRange> read(points);
   const Rounding_to_nearest rounding; // as the bounds of the filters need it
   return is_valid(arrays, read.points(), level);
+}
+
+/*!
+\ingroup PkgDelaunayFromSurface3Arrays
+
+does the same for the regular triangulation of points with weights. The last level checks also that
+hidden points, and no others, have the vertex `none`.
+
+<b>Complexity</b>: a walk more for each hidden point
+
+\param arrays the arrays to be checked
+\param points the points of the arrays
+\param weights the weight of each point; any range that `regular_3_arrays()` takes
+\param level how much is checked
+
+\throws Surface_input_error also if a weight is not a finite number, or if there are not as many
+weights as points
+
+\sa `regular_3_arrays()`
+*/
+template <class Index, class PointRange, class WeightRange>
+bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const PointRange& points,
+                                const WeightRange& weights,
+                                Delaunay_validity_level level = Delaunay_validity_level::DELAUNAY)
+{
+  using namespace Delaunay_from_surface_3::internal;
+  check_that_nothing_was_dropped(arrays);
+  Read_weighted_points<PointRange, WeightRange> read(points, weights);
+  const Rounding_to_nearest rounding;
+  return is_valid<Weighted_vertex>(arrays, read.points(), level, Alone(), read.weights());
 }
 
 /// \cond SKIP_IN_MANUAL

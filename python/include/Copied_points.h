@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace python {
 
@@ -49,6 +50,29 @@ private:
   const Points_view m_view;
   const std::size_t m_size;
   Vector m_copy;
+};
+
+// The same with weights, which are copied once.
+class Copied_weighted_points final
+  : public CGAL::Delaunay_from_surface_3::core::Weighted_point_source
+{
+public:
+  // Keeps a reference to `array`.
+  Copied_weighted_points(const py::array& array, const py::array_t<double>& weights)
+    : m_points(array)
+    , m_weights(weights.data(), weights.data() + weights.size())
+  {
+  }
+
+  std::size_t size() const { return m_points.size(); }
+
+  CGAL::Delaunay_from_surface_3::core::Point_array points() override { return m_points.points(); }
+  void give_up() override { m_points.give_up(); }
+  const double* weights() override { return m_weights.data(); }
+
+private:
+  Copied_points m_points;
+  const std::vector<double> m_weights;
 };
 
 } // namespace python

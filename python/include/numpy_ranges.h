@@ -227,6 +227,23 @@ void copy_points(const Points_view& view, std::size_t n, const char* name, Vecto
     }
 }
 
+// Returns the weights of n points as a contiguous array of doubles, and refuses those that are not
+// finite.
+inline py::array_t<double> array_of_weights(const py::object& object, std::size_t n)
+{
+  refuse_mask("weights", object);
+  const py::array array = array_of("weights", object, "fiu", "numbers", "float64");
+  if (array.ndim() != 1 || std::size_t(array.shape(0)) != n)
+    throw py::value_error("weights: expected an array of shape (" + std::to_string(n) +
+                          ",), one for each point, got " + shape_of(array));
+  const py::array_t<double> weights(py::array(array.attr("astype")("float64", "C"))); // a copy
+  for (std::size_t i = 0; i < n; ++i)
+    if (!std::isfinite(weights.data()[i]))
+      throw py::value_error("weights: that of point " + std::to_string(i) +
+                            " is not a finite number");
+  return weights;
+}
+
 // Refuses indices that were at least 2^63 before they were converted.
 template <class View>
 void refuse_wrapped(const View& view, std::size_t rows, std::size_t columns)

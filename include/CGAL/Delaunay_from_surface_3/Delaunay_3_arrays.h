@@ -20,8 +20,8 @@ namespace CGAL {
 /*!
 \ingroup PkgDelaunayFromSurface3Arrays
 
-is a 3D Delaunay triangulation as arrays of numbers, returned by `delaunay_3_arrays()`. It contains
-no object of CGAL.
+is a 3D Delaunay triangulation as arrays of numbers, returned by `delaunay_3_arrays()`, or a regular
+one, returned by `regular_3_arrays()`. It contains no object of CGAL.
 
 \code{.cpp}
 const auto arrays = CGAL::delaunay_3_arrays(points);
@@ -36,7 +36,8 @@ The first cells are the tetrahedra. From number `number_of_simplices()` on follo
 cells, one for each facet of the convex hull. The last vertex of an infinite cell is `none`. A point
 beyond the facet of the other three forms a positively oriented tetrahedron when it replaces `none`.
 Neighbour i shares the facet opposite to vertex i. Of several equal points, the one with the
-smallest index is the vertex.
+smallest index is the vertex. Points with weights are equal if their weights are, too; those that
+are hidden have no vertex, but `none`.
 
 If all points lie in a plane, on a line, or coincide, the dimension d is 2, 1 or 0. A cell then has
 d + 1 vertices and neighbours, and the remaining entries are `none`. In a plane all triangles have
@@ -55,7 +56,7 @@ class Delaunay_3_arrays
                 "an index can be -1");
 
 public:
-  /// the infinite vertex, or an entry without vertex or neighbour.
+  /// the infinite vertex, an entry without vertex or neighbour, or the vertex of a hidden point.
   static constexpr Index none = -1;
 
   /// constructs the triangulation of no points, whose dimension is -1.
@@ -104,7 +105,7 @@ public:
   /// returns the number of points that were given.
   std::size_t number_of_points() const { return m_vertices_of_points.size(); }
 
-  /// returns the number of distinct points, in linear time.
+  /// returns the number of distinct points, without hidden ones, in linear time.
   std::size_t number_of_vertices() const
   {
     std::size_t count = 0;
@@ -132,7 +133,7 @@ public:
   /// returns whether `c` is an infinite cell or `none`.
   bool is_infinite(Index c) const { return c < 0 || std::size_t(c) >= m_number_of_simplices; }
 
-  /// returns the smallest index of a point equal to point `i`.
+  /// returns the smallest index of a point equal to point `i`, or `none` if it is hidden.
   Index vertex_of_point(std::size_t i) const { return m_vertices_of_points[i]; }
   ///@}
 
@@ -155,7 +156,7 @@ public:
   /// `separate()` or `drop_neighbors()`.
   std::size_t stride() const { return m_stride; }
 
-  /// returns the vertex of each point.
+  /// returns the vertex of each point, `none` for hidden ones.
   const std::vector<Index>& vertices_of_points() const { return m_vertices_of_points; }
   ///@}
 

@@ -16,7 +16,7 @@ points make it faster; they never change the result.
 from __future__ import annotations
 
 import warnings
-from typing import Callable, Iterable, List, NamedTuple, Optional, SupportsIndex, Tuple
+from typing import Callable, Iterable, List, NamedTuple, Optional, SupportsIndex, Tuple, overload
 
 import numpy as np
 
@@ -24,12 +24,14 @@ from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads, whole_number
 from ._dask import DaskTiles, delaunay3_dask
 from ._delaunay_from_surface import InsertionOrder, Stopped, __version__ as __version__
+from ._regular import PowerFacets, Regular3, WeightedAlphaComplex
 from ._result import AlphaComplex, Delaunay3, InsideFigures
 from ._tiles import Tile, Tiles, delaunay3_tiles
-from ._types import Faces, Indices, Points
+from ._types import ArrayLike, Faces, Indices, Points
 
-__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "InsideFigures", "Stopped", "SurfaceComponent", "Tile",
-           "Tiles", "delaunay3", "delaunay3_dask", "delaunay3_tiles", "subgraph", "surface_topology"]
+__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "InsideFigures", "PowerFacets", "Regular3", "Stopped",
+           "SurfaceComponent", "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3", "delaunay3_dask", "delaunay3_tiles",
+           "subgraph", "surface_topology"]
 
 
 class SurfaceComponent(NamedTuple):
@@ -48,10 +50,22 @@ class SurfaceComponent(NamedTuple):
     """Whether its triangles can be turned alike; else `genus` is the number of cross-caps."""
 
 
-def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool = False, inside: bool = False, seed: SupportsIndex = 0,
-              progress: Optional[Callable[[float], object]] = None,
+@overload
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: None = None, neighbors: bool = False,
+              inside: bool = False, seed: SupportsIndex = 0, progress: Optional[Callable[[float], object]] = None,
+              threads: Optional[SupportsIndex] = 1, order: Optional[InsertionOrder] = None) -> Delaunay3: ...
+
+
+@overload
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: ArrayLike, neighbors: bool = False,
+              inside: bool = False, seed: SupportsIndex = 0, progress: Optional[Callable[[float], object]] = None,
+              threads: Optional[SupportsIndex] = 1, order: Optional[InsertionOrder] = None) -> Regular3: ...
+
+
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optional[ArrayLike] = None, neighbors: bool = False,
+              inside: bool = False, seed: SupportsIndex = 0, progress: Optional[Callable[[float], object]] = None,
               threads: Optional[SupportsIndex] = 1, order: Optional[InsertionOrder] = None) -> Delaunay3:
-    """Return the Delaunay triangulation of points in space.
+    """Return the Delaunay triangulation of points in space, or the regular triangulation of points with weights.
 
     Parameters
     ----------
@@ -62,6 +76,9 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     faces
         Indices of points: an integer array of shape (m, k), or a sequence of sequences of any lengths.
         They need not be a manifold. They are checked, and used by `inside`; the simplices do not depend on them.
+    weights
+        The weight of each point, a squared radius: (n,) finite numbers, converted to float64. The result is then a
+        `Regular3`, in which points may be hidden. It has no `inside`.
     neighbors
         Whether the neighbours are kept: they and the simplices are then views of one array, 16 bytes apart.
         Else they are found anew when they are first asked for.
@@ -88,7 +105,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     Raises
     ------
     ValueError
-        If an array is masked or has the wrong shape, a coordinate is not a finite number, or an index, the
+        If an array is masked or has the wrong shape, a coordinate or weight is not a finite number, or an index, the
         seed or the number of threads is out of range. If `inside` is asked of a surface that has none: less volume is
         surely inside, with a number near a whole one other than 0, than in doubt, and its openings have more than 3/10
         of its area, or there are several wide ones. So it is with patches, sheets and short tubes. It has none, either,
@@ -105,14 +122,20 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, neighbors: bool 
     chosen = whole_number("seed", seed, 0, 2 ** 32 - 1)
     number = number_of_threads("threads", threads)
     array = np.asarray(_core.array_of_points(points, "points"))  # not one of a derived class
+    array_of_weights = None if weights is None else _core.array_of_weights(weights, len(array))
     if inside:
+        if weights is not None:
+            raise ValueError("inside: the points have weights: those of the faces may be hidden")
         if faces is None:
             raise ValueError("inside: there are no faces")
         if not (isinstance(faces, memoryview) or hasattr(faces, "__array__") or hasattr(faces, "__dlpack__")):
             faces = _kept(faces)
     if order is not None and not isinstance(order, InsertionOrder):
         raise TypeError(f"order: expected an InsertionOrder, got {type(order).__name__}")
-    simplices, across, vertices, dimension = _core.delaunay3(array, faces, neighbors, chosen, progress, number, order)
+    simplices, across, vertices, dimension = _core.delaunay3(array, faces, neighbors, chosen, progress, number, order,
+                                                             array_of_weights)
+    if array_of_weights is not None:
+        return Regular3(array_of_weights, array, simplices, across, vertices, dimension, number)
     if faces is None or not inside:
         return Delaunay3(array, simplices, across, vertices, dimension, number)
     neighbors_of = _core.neighbors(simplices, len(array), number) if across is None else across

@@ -151,6 +151,11 @@ class Delaunay3:
         return 3
 
     @property
+    def weights(self) -> Optional[Reals]:
+        """None: only the points of a `Regular3` have weights."""
+        return None
+
+    @property
     def npoints(self) -> int:
         """How many points were given."""
         return len(self.points)
@@ -207,7 +212,7 @@ class Delaunay3:
     @cached_property
     def coplanar(self) -> Indices:
         """(k, 3) int32: points that are no vertices, with a simplex and the vertex in the same place."""
-        point = np.flatnonzero(self.vertices != np.arange(self.npoints)).astype(np.int32)
+        point = np.flatnonzero((self.vertices != np.arange(self.npoints)) & (self.vertices >= 0)).astype(np.int32)
         vertex = self.vertices[point]
         return np.stack([point, self.vertex_to_simplex[vertex], vertex], axis=1)
 
@@ -327,7 +332,7 @@ class Delaunay3:
         if level not in LEVELS:
             raise ValueError(f"check: expected one of {', '.join(LEVELS)}, got {level!r}")
         return _core.is_valid(self.points, self.simplices, self.vertices, self.dimension, LEVELS.index(level),
-                              self._threads)
+                              self._threads, self.weights)
 
     def to_pyvista(self) -> Any:
         """Return a pyvista.UnstructuredGrid of the simplices."""
@@ -358,16 +363,7 @@ class Delaunay3:
 
     def _triangles(self, points: Reals) -> Tuple[Indices, Reals]:
         """Each triangle once, and the radius of its smallest ball that is empty."""
-        simplex = np.repeat(np.arange(self.nsimplex), 4)
-        corner = np.tile(np.arange(4), self.nsimplex)
-        across = np.asarray(self.neighbors).reshape(-1)
-        once = across < simplex
-        simplex, corner, across = simplex[once], corner[once], across[once]
-        others = np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])
-        triangles = np.sort(self.simplices[simplex[:, None], others[corner]], axis=1)
-        apex = self.simplices[simplex, corner]
-        back = np.argmax(self.neighbors[across] == simplex[:, None], axis=1)
-        beyond = self.simplices[across, back]
+        triangles, apex, beyond, simplex, across = self._facets()
         exponent, u, w, above, below = self._scaled(2, *(points[k] - points[triangles[:, 0]] for k in (
             triangles[:, 1], triangles[:, 2], apex, beyond)))
         normal = np.cross(u, w)
@@ -380,6 +376,19 @@ class Delaunay3:
         radii_of_simplices = np.append(self.circumradii, np.inf)
         larger = np.minimum(radii_of_simplices[simplex], radii_of_simplices[across])
         return triangles, np.where(is_free, np.fmin(np.ldexp(radii, exponent), larger), larger)
+
+    def _facets(self) -> Tuple[Indices, Indices, Indices, Indices, Indices]:
+        """Each triangle once, the vertices on its two sides, and the simplices; the second is -1 outside, and its vertex
+        then means nothing."""
+        simplex = np.repeat(np.arange(self.nsimplex), 4)
+        corner = np.tile(np.arange(4), self.nsimplex)
+        across = np.asarray(self.neighbors).reshape(-1)
+        once = across < simplex
+        simplex, corner, across = simplex[once], corner[once], across[once]
+        others = np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])
+        triangles = np.sort(self.simplices[simplex[:, None], others[corner]], axis=1)
+        back = np.argmax(self.neighbors[across] == simplex[:, None], axis=1)
+        return triangles, self.simplices[simplex, corner], self.simplices[across, back], simplex, across
 
     @staticmethod
     def _scaled(number: int, *vectors: Reals) -> Tuple[Reals, ...]:

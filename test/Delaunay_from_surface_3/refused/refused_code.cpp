@@ -12,6 +12,7 @@
 #include <CGAL/bounded_degree_spanning_subgraph.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_points_3.h>
+#include <CGAL/insert_weighted_points_3.h>
 #include <CGAL/inside_of_surface_3.h>
 #include <CGAL/surface_of.h>
 
@@ -90,7 +91,9 @@ void call(Without_info& without_info, With_info& with_info, const std::vector<Po
   CGAL::insert_points_3(without_info, points, parameters::visitor(Thinning_visitor()));
   // expected: traits say by through_core who inserts
   CGAL::insert_points_3(without_info, points, std::vector<std::vector<int>>(), Old_traits());
-  // expected: weighted and periodic points are not served
+  // expected: points with weights are inserted by insert_points_3() of CGAL/insert_weighted_points_3.h
+  CGAL::insert_points_3(weighted, points, std::vector<std::vector<int>>());
+  // expected: points with weights are the Weighted_point_3 of a kernel
   CGAL::insert_points_3(weighted, points);
   // expected: points are those of a kernel, or have coordinates p[0], p[1] and p[2]
   CGAL::insert_points_3(without_info, infos);

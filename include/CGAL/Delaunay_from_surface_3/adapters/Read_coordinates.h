@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -89,6 +90,76 @@ private:
   const Point_map m_point_map;
   const std::size_t m_size;
   Large_vector<double> m_copy;
+};
+
+// Points, and their weights from another range, checked, as doubles; weights of a
+// std::vector<double> stay where they are.
+template <class PointRange, class WeightRange,
+          class NamedParameters = parameters::Default_named_parameters>
+class Read_weighted_points final : public Weighted_point_source
+{
+  static constexpr bool stays = std::is_same<WeightRange, std::vector<double>>::value;
+
+public:
+  // Keeps references to both ranges.
+  Read_weighted_points(const PointRange& points, const WeightRange& weights,
+                       const NamedParameters& np = parameters::default_values())
+    : m_points(points, np)
+    , m_weights(weights)
+  {
+    const auto n = std::size_t(std::distance(std::begin(weights), std::end(weights)));
+    if (n != m_points.size())
+      throw Surface_input_error("there are " + std::to_string(n) + " weights, but " +
+                                std::to_string(m_points.size()) + " points");
+    read();
+  }
+
+  Point_array points() override { return m_points.points(); }
+  const double* weights() override
+  {
+    if constexpr (stays) {
+      return m_weights.data();
+    } else {
+      if (m_copy.empty())
+        read();
+      return m_copy.data();
+    }
+  }
+  void give_up() override
+  {
+    m_points.give_up();
+    Large_vector<double>().swap(m_copy);
+  }
+
+private:
+  void read()
+  {
+    const Rounding_to_nearest rounding;
+    m_copy.reserve(stays ? 0 : m_points.size());
+    std::size_t i = 0;
+    for (const auto& weight : m_weights) {
+      const double w = double_of_weight(weight, i++);
+      if constexpr (!stays)
+        m_copy.push_back(w);
+    }
+  }
+
+  Read_coordinates<PointRange, NamedParameters> m_points;
+  const WeightRange& m_weights;
+  Large_vector<double> m_copy;
+};
+
+// Maps items to points: to those in the weighted points to which another map leads.
+template <class Weighted_point_map>
+struct Bare_point_map
+{
+  Weighted_point_map map;
+
+  template <class Item>
+  friend auto get(const Bare_point_map& of, const Item& item)
+  {
+    return get(of.map, item).point(); // a copy: the weighted point may be temporary
+  }
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

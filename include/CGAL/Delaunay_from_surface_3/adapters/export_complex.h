@@ -10,6 +10,7 @@
 // Cells are made in ascending order, each joined to its neighbours before it, so that a compact cell
 // is read once and its memory can take a handle, or go back to the system while CGAL's grows. Linear.
 
+#include <CGAL/Delaunay_from_surface_3/adapters/surface_input.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
@@ -284,11 +285,12 @@ export_vertices(Triangulation& tr, std::size_t end, const PointOf& point, const 
 // in_order(1), … first names them; in_order.is_own() says that this is the order of their numbers.
 // Returns the handles by vertex, the infinite vertex first, or null handles for numbers without a
 // vertex. If there are several workers, each fills containers of its own, which are then merged in
-// the order of the numbers.
-template <class Triangulation, class PointOf, class InOrder>
+// the order of the numbers. finish(cell) is called while cell(v) returns the cell of any vertex v, or
+// the one that the core found for a hidden point.
+template <class Triangulation, class PointOf, class InOrder, class Finish>
 std::vector<typename Triangulation::Vertex_handle>
 export_complex(Triangulation& tr, Built& built, const PointOf& point, const InOrder& in_order,
-               const Executor& executor)
+               const Executor& executor, const Finish& finish)
 {
   using Vertex_handle = typename Triangulation::Vertex_handle;
   auto& tds = tr.tds();
@@ -309,6 +311,7 @@ export_complex(Triangulation& tr, Built& built, const PointOf& point, const InOr
                      if (vertices[v] != Vertex_handle())
                        vertices[v]->set_cell(cells[cell_of[v]]);
                  });
+  finish([&](std::size_t v) { return cells[cell_of[v]]; });
   built.give_up_cells();
   return vertices;
 }
@@ -333,7 +336,8 @@ void fill_upper_levels(Triangulation& tr,
 }
 
 // Fills `tr`, which is empty, with the complex, and gives up its memory. Returns the vertices by
-// point, made in the order of insertion or in the order of the input. Linear.
+// point, made in the order of insertion or in the order of the input; a hidden point has a null
+// handle, and goes into its cell. Linear.
 template <class Triangulation>
 std::vector<typename Triangulation::Vertex_handle>
 export_built(Built& built, const std::vector<typename Triangulation::Point>& points,
@@ -349,14 +353,22 @@ export_built(Built& built, const std::vector<typename Triangulation::Point>& poi
   };
   const auto places = creates_in_input_order ? inverse(order, n) : std::vector<std::size_t>();
   const Creation_order in_order = {creates_in_input_order ? &places : nullptr, built.vertex_of};
-  const auto handles = export_complex(tr, built, point, in_order, executor);
+  constexpr bool may_hide = has_weight<typename Triangulation::Point>;
+  const auto hide_points = [&](const auto& cell) {
+    if constexpr (may_hide)
+      for (std::size_t k = 0; k < n; ++k)
+        if (built.vertex_of[k] == Compact_numbers::infinite)
+          cell(Compact_numbers::vertex_of_point(k))->hide_point(points[order[k]]);
+  };
+  const auto handles = export_complex(tr, built, point, in_order, executor, hide_points);
   fill_upper_levels(tr, handles);
 
   std::vector<Vertex_handle> vertices(n);
   for_each_block(executor, n, number_of_blocks(executor, n, 4096),
                  [&](std::size_t first, std::size_t last, std::size_t) {
                    for (std::size_t k = first; k < last; ++k)
-                     vertices[order[k]] = handles[built.vertex_of[k]];
+                     if (!may_hide || built.vertex_of[k] != Compact_numbers::infinite)
+                       vertices[order[k]] = handles[built.vertex_of[k]];
                  });
   return vertices;
 }

@@ -136,14 +136,14 @@ void give_points(const std::vector<Vertex_handle>& vertices, const std::vector<P
 }
 
 // Writes the pairs of names and handles to an output iterator, or calls a callable with each: as
-// two arguments, or as one pair.
-template <class Vertex_handle, class NameOf, class Output>
+// two arguments, or as one pair. Null handles are written if `writes_null`.
+template <bool writes_null, class Vertex_handle, class NameOf, class Output>
 void write_vertices(const std::vector<Vertex_handle>& vertices, const NameOf& name_of, Output out)
 {
   using Name = std::decay_t<decltype(name_of(std::size_t()))>;
   using Pair = std::pair<Name, Vertex_handle>;
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (vertices[i] != Vertex_handle()) {
+    if (writes_null || vertices[i] != Vertex_handle()) {
       if constexpr (std::is_invocable<Output&, Name, Vertex_handle>::value)
         out(name_of(i), vertices[i]);
       else if constexpr (std::is_invocable<Output&, Pair>::value)

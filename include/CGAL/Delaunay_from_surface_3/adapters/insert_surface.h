@@ -51,8 +51,8 @@ namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
 // Reads the coordinates of a caller's points as doubles. They are exact if all of them are doubles,
-// and else rounded, which is enough to make an order.
-template <class Point>
+// and else rounded, which is enough to make an order. Those with weights: insert_weighted_points_3.h.
+template <class Point, bool has_weights = has_weight<Point>>
 class Doubles_of_points final : public Point_source
 {
 public:
@@ -125,6 +125,25 @@ constexpr bool has_predicates_of_kernel()
                       decltype(std::declval<K>().compare_xyz_3_object())>::value;
 }
 
+// Returns the same about the predicates of regular triangulations.
+template <class GeomTraits, class Kernel>
+constexpr bool has_power_predicates_of_kernel()
+{
+  using Gt = const GeomTraits&;
+  using K = const Kernel&;
+  return std::is_same<decltype(std::declval<Gt>().orientation_3_object()),
+                      decltype(std::declval<K>().orientation_3_object())>::value &&
+         std::is_same<
+             decltype(std::declval<Gt>().power_side_of_oriented_power_sphere_3_object()),
+             decltype(std::declval<K>().power_side_of_oriented_power_sphere_3_object())>::value &&
+         std::is_same<decltype(std::declval<Gt>().coplanar_orientation_3_object()),
+                      decltype(std::declval<K>().coplanar_orientation_3_object())>::value &&
+         std::is_same<decltype(std::declval<Gt>().construct_point_3_object()),
+                      decltype(std::declval<K>().construct_point_3_object())>::value &&
+         std::is_same<decltype(std::declval<Gt>().compare_xyz_3_object()),
+                      decltype(std::declval<K>().compare_xyz_3_object())>::value;
+}
+
 // Predicates are exact if they are filtered, or compute with exact numbers.
 template <class GeomTraits>
 using Says_of_filters = typename GeomTraits::Has_filtered_predicates_tag;
@@ -147,9 +166,14 @@ constexpr bool serves_geom_traits()
 {
   using Geom_traits = typename Triangulation::Geom_traits;
   using Point = typename Triangulation::Point;
-  return std::is_same<typename Geom_traits::Point_3, Point>::value &&
-         has_predicates_of_kernel<Geom_traits, typename Kernel_traits<Point>::Kernel>() &&
-         has_exact_predicates<Geom_traits>();
+  using Kernel = typename Kernel_traits<Point>::Kernel;
+  if constexpr (has_weight<Point>)
+    return std::is_same<typename Geom_traits::Weighted_point_3, Point>::value &&
+           has_power_predicates_of_kernel<Geom_traits, Kernel>() &&
+           has_exact_predicates<Geom_traits>();
+  else
+    return std::is_same<typename Geom_traits::Point_3, Point>::value &&
+           has_predicates_of_kernel<Geom_traits, Kernel>() && has_exact_predicates<Geom_traits>();
 }
 
 // Returns what is in the way before anything is done; empty if nothing is.
@@ -297,6 +321,7 @@ insert_through_core(Triangulation& tr, const Input& input, const Plan& plan,
   options.uses_starting_places = uses_starting_places<Traits>();
   options.most_cells = asked.most_cells;
   options.inserts = obstacle.empty();
+  options.locates_hidden = has_weight<typename Triangulation::Point>;
   Insertion_order order;
   Order_view view = {};
   if constexpr (is_plan_of_core<Plan>) {
@@ -335,7 +360,10 @@ insert_through_core(Triangulation& tr, const Input& input, const Plan& plan,
   built.reset();
   doubles.give_up();
   observer.notice(Surface_insertion_notice::CORE_IS_REPLACED, obstacle);
-  return insert_through_cgal<Planned_hints_3>(tr, input.points, order, Index_graph(), observer);
+  if constexpr (has_weight<typename Triangulation::Point>)
+    return insert_with_weights(tr, input.points, order, observer);
+  else
+    return insert_through_cgal<Planned_hints_3>(tr, input.points, order, Index_graph(), observer);
 }
 
 template <class NamedParameters>
@@ -396,11 +424,12 @@ template <class Vertex_handle, class Input, class Infos, class Output>
 void give(const std::vector<Vertex_handle>& vertices, std::size_t number_of_new_vertices,
           const Input& input, const Infos& infos, Output& out, const Rounding_to_nearest& rounding)
 {
-  if (number_of_new_vertices < input.points.size())
+  constexpr bool may_hide = has_weight<typename std::decay_t<decltype(input.points)>::value_type>;
+  if (may_hide || number_of_new_vertices < input.points.size())
     give_points(vertices, input.points);
   rounding.in_mode_of_caller([&] {
     give_infos(vertices, infos);
-    write_vertices(vertices, input.name_of, out);
+    write_vertices<may_hide>(vertices, input.name_of, out);
   });
 }
 
@@ -438,7 +467,10 @@ std::ptrdiff_t insert_surface(Triangulation& tr, const Input& input, const Trait
   Inserted_points<typename Triangulation::Vertex_handle> inserted;
   if constexpr (goes_through_core<Traits>()) {
     if (input.points.size() < least_points_for_core<Traits>(tr, np)) {
-      inserted = insert_few_points(into, input.points);
+      if constexpr (has_weight<typename Triangulation::Point>)
+        inserted = insert_with_weights(into, input.points, Insertion_order(), observer);
+      else
+        inserted = insert_few_points(into, input.points);
     } else {
       inserted =
           insert_through_core<Traits>(into, input, traits.insertion_plan_object(options.seed),

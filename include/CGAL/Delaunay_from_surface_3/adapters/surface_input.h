@@ -100,6 +100,14 @@ std::optional<std::array<double, 3>> double_coordinates(const Point& p)
   }
 }
 
+// True if the type is the point with a weight of its kernel.
+template <class Point>
+using Weighted_point_of_kernel_of = typename Point::R::Weighted_point_3;
+
+template <class Point>
+constexpr bool has_weight =
+    std::is_same<Point, detected_or_t<void, Weighted_point_of_kernel_of, Point>>::value;
+
 // True if the type is arithmetic and has more than one byte: bool and char are not numbers.
 template <class Number>
 constexpr bool is_number = std::is_arithmetic<Number>::value && sizeof(Number) > 1;
@@ -135,7 +143,7 @@ constexpr bool is_point_of_kernel =
 
 // Returns the double that equals a number of an arithmetic type, or throws.
 template <class Number>
-double double_of(Number x)
+double double_of(Number x, const char* what = "coordinate")
 {
   const double d = double(x);
   bool is_equal = true;
@@ -145,24 +153,32 @@ double double_of(Number x)
   else if constexpr (std::numeric_limits<Number>::digits > 53)
     is_equal = d < double((std::numeric_limits<Number>::max)()) && Number(d) == x;
   if (!is_equal)
-    throw Surface_input_error("a coordinate is not a double: " + std::to_string(x) +
-                              "; remedy: subtract an origin that is near the points");
+    throw Surface_input_error(std::string("a ") + what + " is not a double: " + std::to_string(x) +
+                              "; remedy: subtract an origin that is near the " + what + "s");
   return d;
 }
 
 // Converts a point if kernels differ. A point of the same or a convertible type is taken as it is.
 // Any other goes through Cartesian_converter, exactly if the target's numbers can hold it, and
-// otherwise by to_double(). Coordinates without a point are doubles, or refused.
+// otherwise by to_double(). Coordinates without a point are doubles, or refused. A point gets no
+// weight that it does not bring.
 template <class Point, class SourcePoint>
 Point converted_point(const SourcePoint& p)
 {
-  constexpr bool is_served = std::is_convertible<const SourcePoint&, Point>::value ||
-                             is_point_of_kernel<SourcePoint> || has_coordinates<SourcePoint>;
-  static_assert(is_served, "points are those of a kernel, or have coordinates p[0], p[1] and p[2]; "
-                           "other items need a point_map, those of a Point_set_3 its own");
-  if constexpr (std::is_convertible<const SourcePoint&, Point>::value)
+  constexpr bool needs_weight = has_weight<Point>;
+  constexpr bool is_convertible = std::is_convertible<const SourcePoint&, Point>::value;
+  constexpr bool is_served = is_convertible || (needs_weight ? has_weight<SourcePoint>
+                                                             : is_point_of_kernel<SourcePoint> ||
+                                                                   has_coordinates<SourcePoint>);
+  static_assert(is_served || !needs_weight,
+                "points with weights are the Weighted_point_3 of a kernel; other items need a "
+                "point_map");
+  static_assert(is_served || needs_weight,
+                "points are those of a kernel, or have coordinates p[0], p[1] and p[2]; "
+                "other items need a point_map, those of a Point_set_3 its own");
+  if constexpr (is_convertible)
     return p;
-  else if constexpr (has_coordinates<SourcePoint>)
+  else if constexpr (has_coordinates<SourcePoint> && !needs_weight)
     return Point(double_of(p[0]), double_of(p[1]), double_of(p[2]));
   else if constexpr (is_served)
     return Cartesian_converter<typename Kernel_traits<SourcePoint>::Kernel,
@@ -186,6 +202,25 @@ void check_point(const Point& p, std::size_t i)
     if (!holds_finite_number(intervals[c]))
       throw Surface_input_error("vertex " + std::to_string(i) + ": its " + "xyz"[c] +
                                 " coordinate is not a finite number");
+  if constexpr (has_weight<Point>)
+    if (const auto weight = CGAL::to_interval(p.weight()); !holds_finite_number(weight))
+      throw Surface_input_error("vertex " + std::to_string(i) + ": its weight is " +
+                                std::to_string(weight.first) + ", not a finite number");
+}
+
+// Returns the weight of point i as a double, or throws. Other than arithmetic types are rounded.
+template <class Weight>
+double double_of_weight(const Weight& weight, std::size_t i)
+{
+  double w;
+  if constexpr (std::is_arithmetic<Weight>::value)
+    w = double_of(weight, "weight");
+  else
+    w = equal_double(weight).value_or(CGAL::to_double(weight));
+  if (!is_finite_number(w))
+    throw Surface_input_error("vertex " + std::to_string(i) + ": its weight, " + std::to_string(w) +
+                              ", is not a finite number");
+  return w;
 }
 
 // Appends p, converted and checked.

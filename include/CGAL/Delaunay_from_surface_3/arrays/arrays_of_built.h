@@ -10,6 +10,8 @@
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Big_integer.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Page_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -95,9 +97,46 @@ Page_array<Index> segments_of(const std::vector<Index>& line)
   return rows;
 }
 
-// Makes the arrays of points on a line or at one place. Throws if an Index cannot number the cells.
+// Returns whether b is hidden by a and c, points with weights and a < b < c on a line: raised to its
+// squared distance from b less its weight, b is above the segment that joins the others. As in CGAL,
+// a point on the segment is not hidden.
+inline bool is_hidden_between(const std::array<double, 4>& a, const std::array<double, 4>& b,
+                              const std::array<double, 4>& c)
+{
+  const Weighted_place ends[2] = {Weighted_place(a.data()), Weighted_place(c.data())};
+  const Big_differences<2, Weighted_place> from_b(ends, Weighted_place(b.data()));
+  const auto &before = from_b.rows[0], &after = from_b.rows[1];
+  const auto along = sign_of(after.x) != 0   ? &Row<Big_integer>::x
+                     : sign_of(after.y) != 0 ? &Row<Big_integer>::y
+                                             : &Row<Big_integer>::z;
+  return sign_of(before.w * (after.*along) - after.w * (before.*along)) * sign_of(after.*along) < 0;
+}
+
+// Takes hidden points out of `line`, where points are in their order, and makes their vertices -1.
 template <class Index>
-Delaunay_3_arrays<Index> arrays_on_line(const Point_array& points)
+void remove_hidden(std::vector<Index>& line, const Point_array& points, const double* weights,
+                   std::vector<Index>& vertices_of_points)
+{
+  const auto place = [&](Index i) {
+    const double* const p = points[std::size_t(i)];
+    return std::array<double, 4>{p[0], p[1], p[2], weights[i]};
+  };
+  std::size_t end = 0;
+  for (const Index c : line) {
+    while (end > 1 && is_hidden_between(place(line[end - 2]), place(line[end - 1]), place(c)))
+      vertices_of_points[std::size_t(line[--end])] = -1;
+    line[end++] = c;
+  }
+  line.resize(end);
+  for (Index& v : vertices_of_points)
+    if (v >= 0)
+      v = vertices_of_points[std::size_t(v)];
+}
+
+// Makes the arrays of points on a line or at one place, without weights if these are null. Throws if
+// an Index cannot number the cells.
+template <class Index>
+Delaunay_3_arrays<Index> arrays_on_line(const Point_array& points, const double* weights = nullptr)
 {
   using Arrays = Delaunay_3_arrays<Index>;
   const std::size_t n = points.size();
@@ -107,18 +146,23 @@ Delaunay_3_arrays<Index> arrays_on_line(const Point_array& points)
     const double* const p = points[std::size_t(i)];
     return std::array<double, 3>{p[0], p[1], p[2]};
   };
+  const auto is_lighter = [&](Index i, Index j) {
+    return weights != nullptr && weights[i] < weights[j];
+  };
   std::vector<Index> sorted(n);
   std::iota(sorted.begin(), sorted.end(), Index(0));
   std::sort(sorted.begin(), sorted.end(), [&](Index i, Index j) {
     const auto p = point(i), q = point(j);
-    return p != q ? p < q : i < j;
+    return p != q ? p < q : is_lighter(j, i) || (!is_lighter(i, j) && i < j);
   });
   std::vector<Index> line, vertices_of_points(n);
-  for (const Index i : sorted) {
+  for (const Index i : sorted) { // of points at one place, the heaviest first
     if (line.empty() || point(line.back()) != point(i))
       line.push_back(i);
-    vertices_of_points[std::size_t(i)] = line.back();
+    vertices_of_points[std::size_t(i)] = is_lighter(i, line.back()) ? Arrays::none : line.back();
   }
+  if (weights != nullptr)
+    remove_hidden(line, points, weights, vertices_of_points);
   if (line.size() > 1)
     return Arrays(1, line.size() - 1, line.size() + 1, segments_of(line),
                   std::move(vertices_of_points));
@@ -222,7 +266,8 @@ inline Numbers_of_cells partition_cells(Compact_cell* cells, std::size_t end,
   return {finite, all};
 }
 
-// Returns, for each vertex, the smallest index of its points.
+// Returns, for each vertex, the smallest index of its points; vertex 0, which is also that of hidden
+// points, and an apex have the name -1.
 template <class Index>
 std::vector<Index> names_of_vertices(const Built& built, const Executor& executor)
 {
@@ -237,14 +282,14 @@ std::vector<Index> names_of_vertices(const Built& built, const Executor& executo
         others[b].push_back(k);
   });
   for (const std::vector<std::size_t>& places : others)
-    for (const std::size_t k : places) {
+    for (const std::size_t k : places) { // -1 is the least of all
       Index& name = names[built.vertex_of[k]];
       name = (std::min)(name, Index(built.order.order[k]));
     }
-  return names; // the infinite vertex, 0, and an apex have the name -1
+  return names;
 }
 
-// Returns, for each point, the name of its vertex.
+// Returns, for each point, the name of its vertex, -1 if it is hidden.
 template <class Index>
 std::vector<Index> vertices_of_points(const Built& built, const std::vector<Index>& names,
                                       const Executor& executor)
@@ -310,9 +355,9 @@ Delaunay_3_arrays<Index> arrays_in_space(Built& built, const Executor& executor,
 // Makes the arrays of the complex that was built, with an apex if the points lie in a plane; empty
 // after a stop. Throws a std::length_error if there are more cells than an Index can number.
 // Linear, with as many threads as the executor has; leaving out infinite cells costs nothing here.
-template <class Index>
-Delaunay_3_arrays<Index> arrays_of_built(Built& built, Point_source& source,
-                                         const Executor& executor, bool keeps_infinite = true)
+template <class Index, class Source>
+Delaunay_3_arrays<Index> arrays_of_built(Built& built, Source& source, const Executor& executor,
+                                         bool keeps_infinite = true)
 {
   static_assert(sizeof(Index) == sizeof(Id), "the arrays are made in the memory of the cells");
   if (built.outcome == Insertion_outcome::TOO_MANY_CELLS)
@@ -323,7 +368,7 @@ Delaunay_3_arrays<Index> arrays_of_built(Built& built, Point_source& source,
   if (built.outcome == Insertion_outcome::COMPLETE)
     arrays = arrays_at_apex<Index>(built, executor);
   else if (built.outcome == Insertion_outcome::FLAT)
-    arrays = arrays_on_line<Index>(source.points());
+    arrays = arrays_on_line<Index>(source.points(), weights_of(source));
   if (!keeps_infinite)
     arrays.drop_infinite_cells();
   return arrays;

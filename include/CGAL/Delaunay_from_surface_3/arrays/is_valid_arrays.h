@@ -9,10 +9,12 @@
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_3_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Ordered_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/is_valid.h>
+#include <CGAL/Delaunay_from_surface_3/core/order/Sort_by_halves.h>
 #include <CGAL/Delaunay_from_surface_3/support/Disjoint_sets.h>
 #include <CGAL/Delaunay_from_surface_3/support/Executor.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -41,9 +43,10 @@ class Links_of_arrays
 
 public:
   // Keeps references. The arrays must still have neighbours and infinite cells.
-  Links_of_arrays(const Arrays& arrays, const Executor& executor)
+  Links_of_arrays(const Arrays& arrays, const Executor& executor, bool may_hide_points = false)
     : m_arrays(arrays)
     , m_executor(executor)
+    , m_may_hide_points(may_hide_points)
     , m_corners(std::size_t(arrays.dimension() + 1))
   {
   }
@@ -55,7 +58,8 @@ public:
                                             [&](std::size_t c) { return has_neighbors(c); });
   }
 
-  // Returns whether all vertices are points, each in a cell and with the least index at its place.
+  // Returns whether all vertices are points, each in a cell and with the least index at its place,
+  // and only those have none that may be hidden.
   bool have_vertices() const
   {
     if (!holds_for_all(m_executor, m_arrays.number_of_cells(),
@@ -69,6 +73,8 @@ public:
           is_in_cell[std::size_t(v)] = 1;
     for (std::size_t i = 0; i < is_in_cell.size(); ++i) {
       const Index v = m_arrays.vertex_of_point(i);
+      if (v == Arrays::none && m_may_hide_points)
+        continue;
       if (v < 0 || std::size_t(v) > i || is_in_cell[std::size_t(v)] == 0 ||
           m_arrays.vertex_of_point(std::size_t(v)) != v)
         return false;
@@ -176,22 +182,25 @@ private:
 
   const Arrays& m_arrays;
   const Executor& m_executor;
+  const bool m_may_hide_points;
   const std::size_t m_corners; // the number of corners of a cell
 };
 
 // Presents arrays of dimension 2 or 3 as the core's cells: in a plane each triangle gets an apex
 // off the plane on top (arrays_of_built.h).
-template <class Index>
+template <class Vertex, class Index>
 class Cells_of_arrays
 {
   using Arrays = Delaunay_3_arrays<Index>;
-  using Complex = Compact_complex<Compact_vertex>;
+  using Complex = Compact_complex<Vertex>;
 
 public:
-  // Keeps references. The links are valid; the dimension is that of the points.
-  Cells_of_arrays(const Arrays& arrays, const Point_array& points, const Starting_simplex& simplex)
+  // Keeps references. The links are valid; the dimension is that of the points. Weights are null if
+  // vertices have none.
+  Cells_of_arrays(const Arrays& arrays, const Point_array& points, const double* weights,
+                  const Starting_simplex& simplex)
     : m_arrays(arrays)
-    , m_vertices(vertices_of(points, simplex))
+    , m_vertices(vertices_of(points, weights, simplex))
   {
     if (is_flat() && arrays.number_of_simplices() > 0)
       m_is_turned = sign_of_cell(cell(0)) < 0;
@@ -207,7 +216,7 @@ public:
       if (!m_arrays.is_infinite(Index(c)) && sign_of_cell(here) <= 0)
         return false;
       Insertion_counts uncounted;
-      Compact_predicates<Compact_vertex> predicates(m_vertices, uncounted);
+      Compact_predicates<Vertex> predicates(m_vertices, uncounted);
       const auto neighbors = m_arrays.neighbors(c), corners = m_arrays.vertices(c);
       for (int k = 0; are_without_conflict && k <= m_arrays.dimension(); ++k) {
         const std::size_t d = std::size_t(neighbors[k]);
@@ -241,7 +250,50 @@ public:
     });
   }
 
+  // Returns whether each point without a vertex lies in a cell that is not in conflict with it, and
+  // has no vertex there, if are_right() and are_apart() hold. Each thread sorts a part of them in
+  // space, and walks from one to the next.
+  bool are_hidden(const Point_array& points, const Executor& executor) const
+  {
+    std::vector<std::size_t> hidden;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (m_arrays.vertex_of_point(i) == Arrays::none)
+        hidden.push_back(i);
+    const std::size_t blocks = number_of_blocks(executor, hidden.size(), 1024);
+    std::vector<char> is_wrong(blocks, 0);
+    for_each_block(
+        executor, hidden.size(), blocks, [&](std::size_t first, std::size_t last, std::size_t b) {
+          Sort_by_halves()(points, hidden.data() + first, hidden.data() + last);
+          Insertion_counts uncounted;
+          Compact_predicates<Vertex> predicates(m_vertices, uncounted);
+          Steps step(executor);
+          std::size_t c = 0;
+          for (std::size_t k = first; k < last && !is_wrong[b]; ++k) {
+            const Id v = vertex(Index(hidden[k]));
+            step(64); // about as many cells are on the way
+            c = cell_with(v, c);
+            is_wrong[b] = m_arrays.is_infinite(Index(c)) || predicates.vertex_at(cell(c), v) != 0 ||
+                          predicates.is_in_conflict(cell(c), v);
+          }
+        });
+    return std::find(is_wrong.begin(), is_wrong.end(), 1) == is_wrong.end();
+  }
+
 private:
+  // Returns the finite cell that contains v, or an infinite one if v is beyond the hull, by a walk
+  // from cell c. In a regular triangulation, the walk never returns to a cell.
+  std::size_t cell_with(Id v, std::size_t c) const
+  {
+    for (int k = 0; k <= m_arrays.dimension() && !m_arrays.is_infinite(Index(c));) {
+      Compact_cell with_v = cell(c);
+      with_v.v[m_is_turned && k < 2 ? 1 - k : k] = v;
+      const bool is_beyond = sign_of_cell(with_v) < 0;
+      c = is_beyond ? std::size_t(m_arrays.neighbors(c)[std::size_t(k)]) : c;
+      k = is_beyond ? 0 : k + 1;
+    }
+    return c;
+  }
+
   // Returns the orientation of a cell with x in place of its vertex k. x is on the same side as the
   // first corner of cell 0 that is not in the plane of the other three vertices.
   int side_of(const Compact_cell& first, Compact_cell cell, unsigned k) const
@@ -270,19 +322,19 @@ private:
   }
 
   // Returns a complex with the vertices in the order of the points; its cells are not used.
-  static Complex vertices_of(const Point_array& points, const Starting_simplex& simplex)
+  static Complex vertices_of(const Point_array& points, const double* weights,
+                             const Starting_simplex& simplex)
   {
     std::vector<std::size_t> numbers(points.size());
     std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-    Ordered_complex<Compact_vertex> made;
+    Ordered_complex<Vertex> made;
     made.order = {numbers.data(), numbers.size(), nullptr, 0, nullptr};
-    if (simplex.dimension == 3) {
-      made.start(points, nullptr);
-    } else {
-      const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
-                                      points[simplex.points[2]]);
-      made.start(points, apex.data());
-    }
+    std::array<double, 3> apex;
+    if (simplex.dimension == 2)
+      apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],
+                           points[simplex.points[2]]);
+    made.start(points, simplex.dimension == 2 ? apex.data() : nullptr, Alone(),
+               Compact_numbers::max_cells, weights);
     return std::move(made.complex);
   }
 
@@ -341,41 +393,59 @@ bool is_line_of_segments(const Delaunay_3_arrays<Index>& arrays, const Point_arr
   return true;
 }
 
-// Returns whether arrays are valid up to a level, if their neighbours are known to be right.
+// Returns whether points have the coordinates of their vertices, and the weights if there are any.
 template <class Index>
+bool are_equal_to_vertices(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
+                           const double* weights)
+{
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Index v = arrays.vertex_of_point(i);
+    if (v >= 0 && (!std::equal(points[i], points[i] + 3, points[std::size_t(v)]) ||
+                   (weights != nullptr && weights[i] != weights[v])))
+      return false;
+  }
+  return true;
+}
+
+// Returns whether arrays are valid up to a level, if their neighbours are known to be right. Weights
+// are null if a Vertex has none.
+template <class Vertex = Compact_vertex, class Index>
 bool is_valid_if_linked(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
-                        Delaunay_validity_level level, const Executor& executor)
+                        Delaunay_validity_level level, const Executor& executor,
+                        const double* weights = nullptr)
 {
   using Level = Delaunay_validity_level;
-  const Links_of_arrays<Index> links(arrays, executor);
+  const Links_of_arrays<Index> links(arrays, executor, weights != nullptr);
   if (arrays.number_of_points() != points.size() || !links.have_vertices() ||
       (level >= Level::EULER && points.size() > 0 && !links.are_spheres()))
     return false;
   if (level < Level::ORIENTATION)
     return true;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!std::equal(points[i], points[i] + 3, points[std::size_t(arrays.vertex_of_point(i))]))
-      return false;
+  if (!are_equal_to_vertices(arrays, points, weights))
+    return false;
   const Starting_simplex simplex =
       starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
   if (simplex.dimension != arrays.dimension())
     return false;
-  if (simplex.dimension < 1)
-    return true;
-  if (simplex.dimension == 1)
-    return is_line_of_segments(arrays, points);
-  const Cells_of_arrays<Index> cells(arrays, points, simplex);
+  if (simplex.dimension <= 1)
+    return (simplex.dimension < 1 || is_line_of_segments(arrays, points)) &&
+           (weights == nullptr || level < Level::DELAUNAY ||
+            arrays_on_line<Index>(points, weights).vertices_of_points() ==
+                arrays.vertices_of_points());
+  const Cells_of_arrays<Vertex, Index> cells(arrays, points, weights, simplex);
   return cells.are_right(level >= Level::DELAUNAY, executor) &&
-         (level < Level::DELAUNAY || cells.are_apart(executor));
+         (level < Level::DELAUNAY || (cells.are_apart(executor) &&
+                                      (weights == nullptr || cells.are_hidden(points, executor))));
 }
 
 // Returns whether arrays, which must have neighbours and infinite cells, are valid up to a level.
-template <class Index>
+template <class Vertex = Compact_vertex, class Index>
 bool is_valid(const Delaunay_3_arrays<Index>& arrays, const Point_array& points,
-              Delaunay_validity_level level, const Executor& executor = Alone())
+              Delaunay_validity_level level, const Executor& executor = Alone(),
+              const double* weights = nullptr)
 {
-  return Links_of_arrays<Index>(arrays, executor).are_valid() &&
-         is_valid_if_linked(arrays, points, level, executor);
+  return Links_of_arrays<Index>(arrays, executor, weights != nullptr).are_valid() &&
+         is_valid_if_linked<Vertex>(arrays, points, level, executor, weights);
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -54,47 +54,55 @@ inline bool is_larger(const Scaled_double& s, const Scaled_double& t)
                                   : std::abs(quotient(s, t)) > 1;
 }
 
-// Holds the differences of N points and an origin, divided by 2^unit, with error bounds
-// (balanced_signs.h). The differences are at most 4, so that underflow adds an error of less than
-// 2^-1000 to a polynomial of degree 4.
-template <class Numbers, int N>
+// Holds the differences of N points and an origin, divided by 2^unit, and those of their weights, if
+// any, by its square, with error bounds (balanced_signs.h). The differences are at most 4, and 16, so
+// that underflow adds an error of less than 2^-1000 to a polynomial of degree 4.
+template <class Numbers, int N, class Place>
 struct Bounded_rows
 {
   using Number = Bounded_number<typename Numbers::Number>;
   Row<Number> rows[N];
   int unit;
 
-  Bounded_rows(const double* const* points, const double* origin)
+  Bounded_rows(const Place* points, Place origin)
   {
     double largest = 0;
     for (int k = 0; k < 3 * N; ++k)
       largest = (std::max)(largest, std::abs(points[k / 3][k % 3] - origin[k % 3]));
+    if constexpr (is_weighted<Place>)
+      for (int k = 0; k < N; ++k)
+        largest = (std::max)(largest, std::sqrt(std::abs(origin.weight() - points[k].weight())));
     const auto exponent =
         (std::max)(std::uint64_t(1), (std::min)(biased_exponent(largest), std::uint64_t(2044)));
     unit = int(exponent) - 1022;
     const double scale = power_of_2(2045 - exponent);
+    const auto bounded = [](const auto& d) { return Number{d, std::abs(Numbers::high(d))}; };
     const auto difference = [&](int k, int i) {
-      const auto d = Numbers::difference(points[k][i], origin[i], scale);
-      return Number{d, std::abs(Numbers::high(d))};
+      return bounded(Numbers::difference(points[k][i], origin[i], scale));
     };
     for (int k = 0; k < N; ++k)
-      rows[k] = {difference(k, 0), difference(k, 1), difference(k, 2)};
+      if constexpr (is_weighted<Place>) // the square of the scale may be too large for a double
+        rows[k] = {difference(k, 0), difference(k, 1), difference(k, 2),
+                   bounded(Numbers::difference(origin.weight(), points[k].weight(), scale) *
+                           Numbers::difference(scale, 0, 1))};
+      else
+        rows[k] = {difference(k, 0), difference(k, 1), difference(k, 2)};
   }
 
   // Returns whether the error of n is negligible beside d; false if a number is not finite.
   static bool is_known(const Number& n, const Number& d)
   {
-    return Numbers::error * n.size + 0x1p-1000 <= 0x1p-44 * std::abs(Numbers::high(d.value));
+    return Numbers::error * n.size + 0x1p-1000 < 0x1p-44 * std::abs(Numbers::high(d.value));
   }
   static Scaled_double rounded(const Number& n) { return {Numbers::high(n.value), 0}; }
 };
 
 // Holds the same differences in integers.
-template <int N>
-struct Integer_rows : Big_differences<N>
+template <int N, class Place>
+struct Integer_rows : Big_differences<N, Place>
 {
   using Number = Big_integer;
-  using Big_differences<N>::Big_differences;
+  using Big_differences<N, Place>::Big_differences;
 
   static bool is_known(const Number&, const Number&) { return true; }
   static Scaled_double rounded(const Number& n)
@@ -107,17 +115,19 @@ struct Integer_rows : Big_differences<N>
 
 // Calls measure(rows), with the differences in the numbers of one stage after the other, until it
 // returns true. Points that are not finite have no measure.
-template <int N, class Measure>
-void measure_in_stages(const double* const* points, const double* origin, const Measure& measure)
+template <int N, class Place, class Measure>
+void measure_in_stages(const Place* points, Place origin, const Measure& measure)
 {
-  if (measure(Bounded_rows<Bounded_doubles, N>(points, origin)) ||
-      measure(Bounded_rows<Bounded_double_doubles<Portable_products>, N>(points, origin)))
+  if (measure(Bounded_rows<Bounded_doubles, N, Place>(points, origin)) ||
+      measure(Bounded_rows<Bounded_double_doubles<Portable_products>, N, Place>(points, origin)))
     return;
+  constexpr int size = is_weighted<Place> ? 4 : 3;
   bool are_finite = true;
-  for (int i = 0; i < 3 * N; ++i)
-    are_finite = are_finite && std::isfinite(points[i / 3][i % 3]) && std::isfinite(origin[i % 3]);
+  for (int i = 0; i < size * N; ++i)
+    are_finite =
+        are_finite && std::isfinite(points[i / size][i % size]) && std::isfinite(origin[i % size]);
   if (are_finite)
-    measure(Integer_rows<N>(points, origin));
+    measure(Integer_rows<N, Place>(points, origin));
 }
 
 constexpr double no_measure = std::numeric_limits<double>::quiet_NaN();
@@ -213,6 +223,27 @@ inline Circumsphere circumsphere_of(const Corners_of_tetrahedron& corners)
   return sphere;
 }
 
+// Represents the sphere that is orthogonal to those of four points whose squared radii are weights.
+struct Power_sphere
+{
+  std::array<double, 3> center; // relative to the first point
+  double squared_radius;        // negative if the sphere is imaginary
+};
+
+// Returns the power sphere of points (x, y, z, weight). Its centre is as accurate as that of a
+// circumsphere; the squared radius is its squared distance from a point less the weight there, which
+// may have most digits in common.
+inline Power_sphere power_sphere_of(const std::array<double, 4> (&corners)[4])
+{
+  const Weighted_place others[3] = {Weighted_place(corners[1].data()),
+                                    Weighted_place(corners[2].data()),
+                                    Weighted_place(corners[3].data())};
+  Circumsphere sphere;
+  measure_in_stages<3>(others, Weighted_place(corners[0].data()),
+                       [&](const auto& in) { return sphere.find(in); });
+  return {sphere.center, dot(sphere.center, sphere.center) - corners[0][3]};
+}
+
 // Finds the shares that the corners of a triangle have of the tetrahedron on it whose apex is the
 // centre of the sphere: for each of the six flags, a corner, the middle of an edge, the centre of
 // the triangle and the apex form a tetrahedron with three right angles. o is the apex relative to
@@ -260,6 +291,95 @@ inline std::array<double, 4> voronoi_shares_of(const Corners_of_tetrahedron& cor
         return false;
       for (std::size_t k = 0; k < 3; ++k)
         sums[f[k]] += parts[k];
+    }
+    shares = sums;
+    return true;
+  });
+  return shares;
+}
+
+// Represents what a tetrahedron adds to the power diagram of its corners. Each edge is crossed by a
+// facet, between the power cells of its ends; in each triangle at the edge, the centres of edge and
+// triangle, where the two and three powers are least and equal, and that of the tetrahedron form a
+// right triangle that belongs to it. Shares are signed, as those of Voronoi's rule.
+struct Power_shares
+{
+  std::array<double, 6> areas;   // of edges 01, 02, 03, 12, 13, 23
+  std::array<double, 4> volumes; // of corners
+};
+
+inline std::size_t number_of_edge(std::size_t i, std::size_t j)
+{
+  return i < j ? i * (5 - i) / 2 + j - 1 : number_of_edge(j, i);
+}
+
+// Adds the shares of the edges and corners of one triangle, whose corners `at` are given relative to
+// an origin with the weight there less their own. o is the centre of the tetrahedron relative to the
+// first corner. The centre of the triangle has barycentric coordinates of[k] / (2 |n|^2).
+template <class Rows, class Number>
+bool add_power_shares(const std::array<std::array<Number, 3>, 4>& at,
+                      const std::array<Number, 4>& lifts, const unsigned char (&f)[3],
+                      const std::array<double, 3>& o, int unit, Power_shares& sums)
+{
+  const auto u = minus(at[f[1]], at[f[0]]), v = minus(at[f[2]], at[f[0]]);
+  const auto n = cross(v, u); // inwards
+  if (!is_known<Rows>(n))
+    return false;
+  const Scaled_double length = Rows::rounded(n[largest_of<Rows>(n)]);
+  std::array<double, 3> normal;
+  for (std::size_t i = 0; i < 3; ++i)
+    normal[i] = quotient(Rows::rounded(n[i]), length);
+  const double height = dot(normal, o) / (4 * dot(normal, normal));
+  const auto uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), nn = dot(n, n);
+  const auto of_u = uu + lifts[f[1]] - lifts[f[0]], of_v = vv + lifts[f[2]] - lifts[f[0]];
+  const auto of_1 = of_u * vv - of_v * uv, of_2 = of_v * uu - of_u * uv;
+  const std::array<Number, 3> of = {nn + nn - of_1 - of_2, of_1, of_2};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = f[(k + 1) % 3], j = f[(k + 2) % 3];
+    const auto edge = minus(at[i], at[j]);
+    const Number square = dot(edge, edge), of_weights = lifts[j] - lifts[i];
+    const double d = std::sqrt(quotient(Rows::rounded(square), {1, 0}, 2 * unit));
+    const double area = quotient(Rows::rounded(of[k]), length, 2 * unit) * height / d;
+    const auto from = [&](const Number& twice) { // the distance of an end, times d
+      return area * quotient(Rows::rounded(twice), {6, 0}, 2 * unit) / d;
+    };
+    sums.areas[number_of_edge(i, j)] += area;
+    sums.volumes[i] += from(square + of_weights);
+    sums.volumes[j] += from(square - of_weights);
+  }
+  return true;
+}
+
+// Returns the shares of a tetrahedron with corners (x, y, z, weight), NaNs if coordinates are not
+// finite: the sum over the tetrahedra of an edge is the area of the facet that crosses it, and that
+// over those of a vertex the volume of its power cell.
+inline Power_shares power_shares_of(const std::array<double, 4> (&corners)[4])
+{
+  constexpr double none = no_measure;
+  Power_shares shares = {{none, none, none, none, none, none}, {none, none, none, none}};
+  const Weighted_place others[3] = {Weighted_place(corners[1].data()),
+                                    Weighted_place(corners[2].data()),
+                                    Weighted_place(corners[3].data())};
+  measure_in_stages<3>(others, Weighted_place(corners[0].data()), [&](const auto& in) {
+    using Rows = std::decay_t<decltype(in)>;
+    using Number = typename Rows::Number;
+    Circumsphere sphere;
+    if (!sphere.find(in))
+      return false;
+    const auto b = vector_of(in.rows[0]);
+    std::array<std::array<Number, 3>, 4> at = {minus(b, b)};
+    std::array<Number, 4> lifts = {at[0][0]};
+    for (std::size_t k = 1; k < 4; ++k) {
+      at[k] = vector_of(in.rows[k - 1]);
+      lifts[k] = in.rows[k - 1].w - dot(at[k], at[k]);
+    }
+    Power_shares sums = {};
+    for (const auto& f : facet_corners) {
+      std::array<double, 3> o;
+      for (std::size_t i = 0; i < 3; ++i)
+        o[i] = sphere.center[i] - (corners[f[0]][i] - corners[0][i]);
+      if (!add_power_shares<Rows>(at, lifts, f, o, in.unit, sums))
+        return false;
     }
     shares = sums;
     return true;

@@ -68,10 +68,9 @@ inline bool is_order(const Insertion_order& order, std::size_t n)
 // Builds in the order of the last call, for points that have moved a little since. If it has fewer
 // or more points, or costs too much by now, the core's own order takes its place in `kept`, which is
 // empty meanwhile, and stays empty after an exception or if the points lie on a line.
-template <class Executor>
-std::unique_ptr<Built> build_again(Insertion_order& kept, Point_source& points,
-                                   Build_options options, Observer& observer,
-                                   const Executor& executor)
+template <class Source, class Executor>
+std::unique_ptr<Built> build_again(Insertion_order& kept, Source& points, Build_options options,
+                                   Observer& observer, const Executor& executor)
 {
   if (kept.order.size() == points.points().size()) {
     if (!is_order(kept, kept.order.size()))

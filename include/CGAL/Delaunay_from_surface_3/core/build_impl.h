@@ -124,15 +124,6 @@ Insertion_outcome insert_in_rounds(Insert& insert, const Order_view& order, Obse
   return Insertion_outcome::COMPLETE;
 }
 
-inline const double* weights_of(Point_source&)
-{
-  return nullptr;
-}
-inline const double* weights_of(Weighted_point_source& source)
-{
-  return source.weights();
-}
-
 // Makes the order, unless one is given, and the complex with the four points that come first.
 template <class Vertex, class Source>
 void begin_to_build(Ordered_complex<Vertex>& built, Source& source, const Build_options& options,

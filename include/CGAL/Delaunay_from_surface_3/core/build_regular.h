@@ -20,10 +20,7 @@
 #if !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED) || defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY)
 #include <CGAL/Delaunay_from_surface_3/core/build_impl.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Parallel_triangulation.h>
-
-#include <cstddef>
 #endif
 
 namespace CGAL {
@@ -37,27 +34,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 std::unique_ptr<Built> build(Weighted_point_source& points, const Build_options& options,
                              Observer& observer, const Executor& executor);
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
-
 #if !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED) || defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY)
-
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
-
-// A vertex with a weight, behind its coordinates, so that one vector has all four.
-struct Weighted_vertex
-{
-  using Place = Weighted_place;
-  static constexpr bool has_weight = true;
-  static constexpr std::size_t size = 4;
-
-  double coordinates[4];
-  Id cell; // any cell of the vertex, or for a hidden one a cell that it was in, or that hid it
-  Id label;
-};
-
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
-
-inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE std::unique_ptr<Built> build(Weighted_point_source& points,
                                                                  const Build_options& options,
@@ -69,10 +46,9 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE std::unique_ptr<Built> build(Weighted_point_
              : build_by<Weighted_vertex, Insert_alone>(points, options, observer, executor);
 }
 
-} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
-
 #endif
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
 } // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -100,6 +100,16 @@ inline bool is_finite_number(double x)
   return (bits >> 52 & 0x7ff) != 0x7ff;
 }
 
+// Returns null if there are no weights.
+inline const double* weights_of(Point_source&)
+{
+  return nullptr;
+}
+inline const double* weights_of(Weighted_point_source& source)
+{
+  return source.weights();
+}
+
 // Points that are available all the time.
 class Given_points final : public Point_source
 {

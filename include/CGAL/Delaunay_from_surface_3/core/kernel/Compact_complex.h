@@ -31,6 +31,18 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
+// A vertex with a weight, behind its coordinates, so that one vector has all four.
+struct Weighted_vertex
+{
+  using Place = Weighted_place;
+  static constexpr bool has_weight = true;
+  static constexpr std::size_t size = 4;
+
+  double coordinates[4];
+  Id cell; // any cell of the vertex, or for a hidden one a cell that it was in, or that hid it
+  Id label;
+};
+
 template <class Vertex_>
 class Compact_complex : public Compact_numbers
 {

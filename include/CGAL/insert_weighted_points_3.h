@@ -1,0 +1,392 @@
+// Copyright (c) 2026 The authors of Delaunay_from_surface_3
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INSERT_WEIGHTED_POINTS_3_H
+#define CGAL_INSERT_WEIGHTED_POINTS_3_H
+
+#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
+#include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_regular.h>
+#include <CGAL/insert_points_3.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Iterator_range.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Delaunay_from_surface_3 {
+namespace internal {
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Reads coordinates and weights as doubles.
+template <class Point>
+class Doubles_of_points<Point, true> final : public Weighted_point_source
+{
+public:
+  // Keeps a reference. Linear.
+  explicit Doubles_of_points(const std::vector<Point>& points)
+    : m_points(points)
+    , m_positions(points)
+    , m_not_double(points.size())
+  {
+    read();
+  }
+
+  Point_array points() override { return m_positions.points(); }
+  const double* weights() override
+  {
+    if (m_weights.empty())
+      read();
+    return m_weights.data();
+  }
+  void give_up() override
+  {
+    m_positions.give_up();
+    Large_vector<double>().swap(m_weights);
+  }
+
+  // Why they are not exact; empty if they are.
+  std::string obstacle() const
+  {
+    return m_not_double < m_points.size()
+               ? "the weight of point " + std::to_string(m_not_double) + " is not a double"
+               : m_positions.obstacle();
+  }
+
+private:
+  void read()
+  {
+    m_weights.reserve(m_points.size());
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      const std::optional<double> exact = equal_double(m_points[i].weight());
+      if (!exact)
+        m_not_double = (std::min)(m_not_double, i);
+      m_weights.push_back(exact ? *exact : CGAL::to_double(m_points[i].weight()));
+    }
+  }
+
+  const std::vector<Point>& m_points;
+  Doubles_of_points<Point, false> m_positions;
+  Large_vector<double> m_weights;
+  std::size_t m_not_double; // the first point whose weight is none, or the number of points
+};
+
+// Calls the core for the weights, whatever the type of the executor.
+template <class Point>
+std::unique_ptr<Built> build(Doubles_of_points<Point, true>& points, const Build_options& options,
+                             Observer& observer, const Alone& executor)
+{
+  return build(static_cast<Weighted_point_source&>(points), options, observer,
+               static_cast<const Executor&>(executor));
+}
+
+// Inserts points with weights by CGAL, in the loop of the paper. Vertices that a point hides are
+// destroyed, so walks start from the cell of the insertion before, and not from a vertex.
+template <class Triangulation>
+class Regular_target
+{
+  using Point = typename Triangulation::Point;
+  using Cell = typename Triangulation::Cell_handle;
+  using Vertex = typename Triangulation::Vertex_handle;
+
+public:
+  struct Location
+  {
+    Cell cell;
+    typename Triangulation::Locate_type type;
+    int li, lj;
+  };
+  static constexpr bool uses_subgraph = false;
+
+  // Keeps references.
+  Regular_target(Triangulation& tr, const std::vector<Point>& points,
+                 const std::vector<std::size_t>& order)
+    : m_tr(tr)
+    , m_points(points)
+    , m_order(order)
+  {
+  }
+
+  std::size_t size() const { return m_order.size(); }
+  Insertion_counts counts() const { return {}; }
+  Cell start(std::size_t) const { return m_cell; }
+  void trace() const {}
+
+  Location locate(std::size_t k, Cell start) const
+  {
+    Location location = {};
+    location.cell =
+        m_tr.locate(m_points[m_order[k]], location.type, location.li, location.lj, start);
+    return location;
+  }
+
+  template <class Hints>
+  void insert(std::size_t k, const Location& at, const Hints&)
+  {
+    const Vertex v = m_tr.insert(m_points[m_order[k]], at.type, at.cell, at.li, at.lj);
+    m_cell = v == Vertex() ? at.cell : v->cell();
+  }
+
+  // Returns the vertices by point; a point that is hidden, or not inserted, has none.
+  std::vector<Vertex> vertices()
+  {
+    const auto power_side = m_tr.geom_traits().power_side_of_oriented_power_sphere_3_object();
+    std::vector<Vertex> vertices(m_points.size());
+    for (std::size_t k = 0; k < size(); ++k) {
+      const Location at = locate(k, m_cell);
+      const Point& p = m_points[m_order[k]];
+      if (at.type == Triangulation::VERTEX &&
+          power_side(at.cell->vertex(at.li)->point(), p) == ON_ORIENTED_BOUNDARY)
+        vertices[m_order[k]] = at.cell->vertex(at.li);
+      if (at.cell != Cell())
+        m_cell = at.cell;
+    }
+    return vertices;
+  }
+
+private:
+  Triangulation& m_tr;
+  const std::vector<Point>& m_points;
+  const std::vector<std::size_t>& m_order;
+  Cell m_cell;
+};
+
+// Inserts in the order given, or, if it is empty, in that of the input.
+template <class Triangulation, class Observer>
+Inserted_points<typename Triangulation::Vertex_handle>
+insert_with_weights(Triangulation& tr, const std::vector<typename Triangulation::Point>& points,
+                    Insertion_order order, Observer& observer)
+{
+  if (order.order.empty() && !points.empty()) {
+    order.order.resize(points.size());
+    std::iota(order.order.begin(), order.order.end(), std::size_t(0));
+    order.round_ends.push_back(points.size());
+  }
+  Regular_target<Triangulation> target(tr, points, order.order);
+  Inserted_points<typename Triangulation::Vertex_handle> inserted;
+  inserted.is_complete = insert_in_traced_rounds(order, target, target, observer);
+  inserted.vertices = target.vertices();
+  return inserted;
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+} // namespace internal
+} // namespace Delaunay_from_surface_3
+
+/// \cond SKIP_IN_MANUAL
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+/// \endcond
+
+/*!
+\ingroup PkgDelaunayFromSurface3Points
+
+inserts points with weights into a regular triangulation. The result equals that of
+`rt.insert(first, last)`: it has the same cells and vertices, and hides the same set of points, each
+in a cell that contains it. Two things are not determined by the points, here and there: which of
+two cells a hidden point on their common facet is kept in, and how often equal hidden points are
+kept. If the cell base does not keep hidden points, they are discarded.
+
+`insert_surface_vertices_3()` describes the state of `rt` after refused input, a stop or an
+exception: if it was empty, it is unchanged.
+
+If no `point_map` is given, pairs of a point and an info (`std::pair`, or the tuples of a
+`boost::zip_iterator`) set the infos of the vertices; the infos of hidden points are lost. Of
+several points of equal position and weight, the one with the smallest index determines the point
+and info of their vertex.
+
+CGAL's own insertion takes over if `rt` is not empty, if the points lie in one plane, if a
+coordinate or a weight is not a double, or if the predicates of `Gt` are not the exact ones of a
+kernel. It inserts with one thread.
+
+<b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
+
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
+that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
+made for a single thread. `Parallel_tag` requires TBB.
+\tparam Gt,Tds,Lp the parameters of `Regular_triangulation_3`, without restriction. The result is
+guaranteed only if `Gt` has exact predicates.
+\tparam PointRange a range of weighted points, of pairs of these and infos, or of items that
+`point_map` maps to weighted points
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param rt the triangulation into which the points are inserted
+\param weighted_points the points
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+below; any other does not compile
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{maps the items of `weighted_points` to weighted points}
+    \cgalParamType{a model of `ReadablePropertyMap` from the items to the points of `rt`, to a type
+      convertible to these, or to the weighted points of another kernel, which are converted as in
+      `insert_surface_vertices_3()`}
+    \cgalParamDefault{`CGAL::Identity_property_map`}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{the seed of the insertion order, as in the overload for
+      `Delaunay_triangulation_3`}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{0}
+  \cgalParamNEnd
+  \cgalParamNBegin{preserve_order}
+    \cgalParamDescription{whether the vertices are created in the order of the input: the i-th
+      finite vertex of the vertex iterator of `rt` is then the i-th distinct point that is not
+      hidden. This requires an empty `rt` and input that the core can handle.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told about the progress, and can stop the work. It is copied unless it
+      is passed by `std::ref()`.}
+    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that receives from time to
+      time the fraction of the points that are inserted, a `double` from 0 to 1, and stops the work
+      by returning `false`}
+    \cgalParamDefault{`Default_surface_insertion_visitor_3`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_to_vertex_output_iterator}
+    \cgalParamDescription{receives for every point a pair of its index and its vertex handle in
+      `rt`, in ascending order of the indices. A hidden point has the handle `Vertex_handle()`, and
+      so has, after a stop, a point that was not inserted into an `rt` that was not empty.}
+    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or
+      a callable that takes such a pair, or an index and a handle}
+    \cgalParamDefault{`Emptyset_iterator`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+The infos of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
+`Delaunay_from_surface_3::vertex_info_range()`; the sequence then begins with one of these.
+
+\return the number of vertices that `rt` has gained, which is negative if the points hide more
+vertices than they become; 0 after a stop if it was empty
+
+\throws Surface_input_error if a coordinate or a weight is not a finite number, the numbers of infos
+and points differ, or the input order cannot be preserved as requested; `rt` is then unchanged
+
+Example: \ref Delaunay_from_surface_3/weighted_alpha_shape.cpp
+
+\sa `Regular_from_points_3`
+*/
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class PointRange,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::ptrdiff_t insert_points_3(Regular_triangulation_3<Gt, Tds, Lp>& rt,
+                               const PointRange& weighted_points,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using namespace Delaunay_from_surface_3::internal;
+  using Triangulation = Regular_triangulation_3<Gt, Tds, Lp>;
+  const Read_items<Triangulation, PointRange, CGAL_NP_CLASS> read(weighted_points, np);
+  const Index_graph no_graph;
+  const Insertion_input input{read.points(), no_graph,        Identity_index_map(),
+                              std::nullopt,  Identity_name(), read.infos()};
+  return insert_surface<Executor_by_tag<ConcurrencyTag, Triangulation>, internal_np::point_t>(
+      rt, input, Surface_insertion_traits_3(), np);
+}
+
+/// \ingroup PkgDelaunayFromSurface3Points
+/// does the same for the points in the range [`first`, `last`) of a model of `InputIterator`.
+template <class ConcurrencyTag = Default, class Gt, class Tds, class Lp, class InputIterator,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+#ifdef DOXYGEN_RUNNING
+std::ptrdiff_t
+#else
+std::enable_if_t<Delaunay_from_surface_3::internal::is_iterator<InputIterator>, std::ptrdiff_t>
+#endif
+insert_points_3(Regular_triangulation_3<Gt, Tds, Lp>& rt, InputIterator first, InputIterator last,
+                const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return insert_points_3<ConcurrencyTag>(rt, make_range(first, last), np);
+}
+
+/// \cond SKIP_IN_MANUAL
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+/// \endcond
+
+/*!
+\ingroup PkgDelaunayFromSurface3Points
+
+is a `Regular_triangulation_3` that inserts ranges by `insert_points_3()`, as
+`Delaunay_from_points_3` does without weights. Used as the triangulation type of `Alpha_shape_3`,
+`Fixed_alpha_shape_3` or your own templates, it makes these faster without any other change.
+
+\tparam Gt,Tds,Lp the parameters of `Regular_triangulation_3`. With a `Tds` for `Parallel_tag`, many
+threads insert.
+*/
+template <class Gt, class Tds = Default, class Lp = Default>
+class Regular_from_points_3 : public Regular_triangulation_3<Gt, Tds, Lp>
+{
+  template <class Iterator>
+  static constexpr bool is_range_of =
+      Delaunay_from_surface_3::internal::is_iterator<Iterator> &&
+      !std::is_convertible<Iterator,
+                           typename Regular_triangulation_3<Gt, Tds, Lp>::Weighted_point>::value;
+
+public:
+  /// the base class.
+  using Base = Regular_triangulation_3<Gt, Tds, Lp>;
+
+  /// constructs an empty triangulation.
+  explicit Regular_from_points_3(const Gt& gt = Gt())
+    : Base(gt)
+  {
+  }
+
+  /// constructs the triangulation of the points in the range [`first`, `last`), which may be pairs
+  /// of a weighted point and an info. The arguments `rest` are passed to the constructor of `Base`:
+  /// geometric traits, a lock data structure, both, or nothing.
+  template <class InputIterator, class... Rest>
+  Regular_from_points_3(InputIterator first, InputIterator last, const Rest&... rest)
+    : Base(rest...)
+  {
+    insert(first, last);
+  }
+
+  /// constructs an empty triangulation with a lock data structure.
+  template <class LockDataStructure>
+  explicit Regular_from_points_3(LockDataStructure* lock_ds, const Gt& gt = Gt())
+    : Base(lock_ds, gt)
+  {
+  }
+  /// \cond SKIP_IN_MANUAL
+  template <class LockDataStructure>
+  Regular_from_points_3(const Gt& gt, LockDataStructure* lock_ds)
+    : Base(gt, lock_ds)
+  {
+  }
+  /// \endcond
+
+  /// inserts the points in the range [`first`, `last`), or the pairs of a point and an info, by
+  /// `insert_points_3()`, and returns the number of vertices gained.
+  template <class InputIterator>
+#ifdef DOXYGEN_RUNNING
+  std::ptrdiff_t
+#else
+  std::enable_if_t<is_range_of<InputIterator>, std::ptrdiff_t>
+#endif
+  insert(InputIterator first, InputIterator last)
+  {
+    return insert_points_3(static_cast<Base&>(*this), first, last);
+  }
+
+  /// inserts one point by `Regular_triangulation_3::insert()`, to which `rest` is passed.
+  template <class... Rest>
+  typename Base::Vertex_handle insert(const typename Base::Weighted_point& p, const Rest&... rest)
+  {
+    return Base::insert(p, rest...);
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_INSERT_WEIGHTED_POINTS_3_H

@@ -1,0 +1,225 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""The result of delaunay3(points, weights=…)."""
+
+from __future__ import annotations
+
+import numbers
+from functools import cached_property
+from typing import Any, NamedTuple, NoReturn, Tuple
+
+import numpy as np
+
+from . import _delaunay_from_surface as _core
+from ._result import Delaunay3
+from ._types import Indices, Radius, Reals, Spheres
+
+CORNERS_OF_EDGES = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]])
+
+
+class WeightedAlphaComplex(NamedTuple):
+    """The simplices of `Regular3.alpha_complex()`."""
+
+    simplices: Indices
+    """(j,) int32: numbers of tetrahedra, ascending."""
+
+    triangles: Indices
+    """(k, 3) int32: indices of points, ascending; those of the tetrahedra included."""
+
+    edges: Indices
+    """(e, 2) int32: the same."""
+
+    vertices: Indices
+    """(v,) int32: the same."""
+
+
+class PowerFacets(NamedTuple):
+    """The facets of the power diagram, each between the cells of two points."""
+
+    points: Indices
+    """(k, 2) int32: the two points, ascending; in lexicographical order."""
+
+    areas: Reals
+    """(k,) float64: their areas; -1 where they are unbounded."""
+
+
+class Regular3(Delaunay3):
+    """The regular triangulation of points with weights (weighted Delaunay triangulation), and their power diagram.
+
+    A weight is a squared radius: the power of a place to a point is its squared distance from the point less the weight,
+    and the point's power cell is where no other point has less power. Some points may have no cell: they are hidden, and
+    in no simplex. If all weights are equal it is the Delaunay triangulation. Negative weights are fine; adding a number
+    to all of them changes nothing.
+
+    All that `Delaunay3` has is here with the same meaning, but what is about empty spheres: it is refused, or has another
+    name.
+    """
+
+    def __init__(self, weights: Reals, *of_triangulation: Any) -> None:
+        super().__init__(*of_triangulation)
+        self._weights = weights
+
+    def __repr__(self) -> str:
+        return f"{super().__repr__()[:-1]}, {len(self.hidden)} hidden points>".replace("<Delaunay3", "<Regular3")
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        kind, arguments = super().__reduce__()
+        return (kind, (self._weights, *arguments))
+
+    @property
+    def weights(self) -> Reals:
+        """(n,) float64: a copy of the weights that were given."""
+        return self._weights
+
+    @cached_property
+    def hidden(self) -> Indices:
+        """(k,) int32: the points that are hidden, ascending: `vertices` has -1 for them."""
+        return np.flatnonzero(self.vertices < 0).astype(np.int32)
+
+    @cached_property
+    def _power_spheres(self) -> Spheres:
+        return _core.power_spheres(self.points, self._weights, self.simplices, self._threads)
+
+    @property
+    def power_centers(self) -> Reals:
+        """(m, 3) float64: the points of equal power to the corners of each tetrahedron, the power diagram's vertices."""
+        self._needs_space("power_centers")
+        return self._power_spheres[0]
+
+    @property
+    def squared_power_radii(self) -> Reals:
+        """(m,) float64: the power of these points to the corners: the squared radius of the sphere orthogonal to theirs.
+        It may be negative."""
+        self._needs_space("squared_power_radii")
+        return self._power_spheres[1]
+
+    @cached_property
+    def _power_diagram(self) -> Tuple[Reals, Reals]:
+        return _core.power_diagram(self.points, self._weights, self.simplices, self._threads)
+
+    @cached_property
+    def power_volumes(self) -> Reals:
+        """(n,) float64: the volume of each point's power cell; -1 where it is unbounded, as on the convex hull, and 0 for
+        hidden points. Equal points have the cell of their vertex."""
+        self._needs_space("power_volumes")
+        volumes = self._power_diagram[0].copy()
+        volumes[self.convex_hull] = -1
+        return np.where(self.vertices < 0, 0, volumes[self.vertices])
+
+    @cached_property
+    def power_facets(self) -> PowerFacets:
+        """The facets of the power diagram: one crosses each edge of the triangulation, at right angles, perhaps beyond
+        its ends. With their areas and the lengths of the edges they are the derivatives of the volumes: a facet's area
+        over twice the length is that of one point's volume by the other's weight, with a minus sign."""
+        self._needs_space("power_facets")
+        ends = np.sort(self.simplices[:, CORNERS_OF_EDGES].reshape(-1, 2), axis=1).astype(np.int64)
+        codes, place = np.unique(ends[:, 0] * self.npoints + ends[:, 1], return_inverse=True)
+        areas = np.bincount(place.reshape(-1), self._power_diagram[1].reshape(-1), len(codes))
+        hull = np.sort(self.convex_hull[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1).astype(np.int64)
+        areas[np.searchsorted(codes, hull[:, 0] * self.npoints + hull[:, 1])] = -1
+        return PowerFacets(np.stack(np.divmod(codes, self.npoints), axis=1).astype(np.int32), areas)
+
+    def alpha_complex(self, alpha: Radius) -> WeightedAlphaComplex:  # type: ignore[override]
+        """Return the weighted alpha complex: the simplices with an empty orthogonal sphere whose squared radius is at most
+        the square of `alpha`, and all their faces. In floating point, but no face has a larger value than what it bounds.
+
+        It has the shape of the union of balls whose squared radii are the weights plus the square of `alpha`: with
+        `alpha=0` that of the balls given by the weights. An empty orthogonal sphere has the same power to all corners, and
+        no less to any other point.
+        """
+        self._needs_space("alpha_complex")
+        if not isinstance(alpha, numbers.Real) or not alpha >= 0:
+            raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
+        exponent = self._exponent()
+        points = np.ldexp(np.asarray(self.points, dtype=float), -exponent)
+        weights = np.ldexp(np.ldexp(self._weights, -exponent), -exponent)
+        most = np.ldexp(float(alpha), -exponent) ** 2
+        with np.errstate(all="ignore"):
+            radii = np.ldexp(np.ldexp(self.squared_power_radii, -exponent), -exponent)
+            triangles, of_triangles = self._weighted_triangles(points, weights, radii)
+            edges, of_edges = self._weighted_edges(points, weights, triangles, of_triangles)
+            vertices, of_vertices = self._weighted_vertices(points, weights, edges, of_edges)
+        return WeightedAlphaComplex(np.flatnonzero(radii <= most).astype(np.int32), triangles[of_triangles <= most],
+                                    edges[of_edges <= most], vertices[of_vertices <= most])
+
+    def _exponent(self) -> int:
+        """That of a power of 2 by which lengths are divided, so that their squares neither overflow nor vanish."""
+        largest = max(np.max(np.abs(self.points)), np.sqrt(np.max(np.abs(self._weights))))
+        return int(np.frexp(largest)[1])
+
+    def _weighted_triangles(self, points: Reals, weights: Reals, radii: Reals) -> Tuple[Indices, Reals]:
+        """Each triangle once, and the squared radius of its smallest orthogonal sphere that is empty."""
+        triangles, apex, beyond, simplex, across = self._facets()
+        a, u, w = points[triangles[:, 0]], points[triangles[:, 1]], points[triangles[:, 2]]
+        u, w = u - a, w - a
+        uu, uw, ww = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w)))
+        of_u, of_w = (square + weights[triangles[:, 0]] - weights[triangles[:, k]] for k, square in ((1, uu), (2, ww)))
+        normal = np.cross(u, w)
+        twice = 2 * np.einsum("ij,ij->i", normal, normal)
+        center = ((of_u * ww - of_w * uw) / twice)[:, None] * u + ((of_w * uu - of_u * uw) / twice)[:, None] * w
+        own = np.einsum("ij,ij->i", center, center) - weights[triangles[:, 0]]
+        power = self._powers(points, weights, a + center)
+        is_free = power(apex) >= own
+        is_free &= (across < 0) | (power(beyond) >= own)
+        of_simplices = np.append(radii, np.inf)
+        larger = np.minimum(of_simplices[simplex], of_simplices[across])
+        return triangles, np.where(is_free, np.fmin(own, larger), larger)
+
+    def _weighted_edges(self, points: Reals, weights: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
+        """The same for edges."""
+        pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [0, 2]], triangles[:, [1, 2]]])
+        third = np.concatenate([triangles[:, 2], triangles[:, 1], triangles[:, 0]])
+        a, u = points[pairs[:, 0]], points[pairs[:, 1]] - points[pairs[:, 0]]
+        uu = np.einsum("ij,ij->i", u, u)
+        share = (uu + weights[pairs[:, 0]] - weights[pairs[:, 1]]) / (2 * uu)
+        own = share * share * uu - weights[pairs[:, 0]]
+        is_free = self._powers(points, weights, a + share[:, None] * u)(third) >= own
+        return self._merged(pairs, own, is_free, np.tile(radii, 3))
+
+    def _weighted_vertices(self, points: Reals, weights: Reals, edges: Indices, radii: Reals) -> Tuple[Indices, Reals]:
+        """The same for vertices."""
+        vertex, other = np.concatenate([edges, edges[:, ::-1]]).T
+        own = -weights[vertex]
+        is_free = self._powers(points, weights, points[vertex])(other) >= own
+        vertices, values = self._merged(vertex[:, None], own, is_free, np.tile(radii, 2))
+        return vertices[:, 0], values
+
+    def _merged(self, faces: Indices, own: Reals, is_free: Any, larger: Reals) -> Tuple[Indices, Reals]:
+        """Each face once: its own value where all are free that have it, but none above the least of what it bounds."""
+        codes = faces[:, 0].astype(np.int64) * self.npoints + faces[:, -1]
+        order = np.argsort(codes, kind="stable")
+        first = np.flatnonzero(np.append(True, codes[order][1:] != codes[order][:-1]))
+        least = np.minimum.reduceat(larger[order], first)
+        all_free = np.logical_and.reduceat(is_free[order], first)
+        return faces[order[first]], np.where(all_free, np.fmin(own[order[first]], least), least)
+
+    @staticmethod
+    def _powers(points: Reals, weights: Reals, places: Reals) -> Any:
+        def power(of: Indices) -> Reals:
+            d = points[of] - places
+            return np.einsum("ij,ij->i", d, d) - weights[of]
+        return power
+
+    def _refuse(self, name: str, instead: str) -> NoReturn:
+        raise ValueError(f"{name}: the points have weights: {instead}")
+
+    @property
+    def circumcenters(self) -> Reals:
+        """Refused: spheres through the corners are not empty here."""
+        self._refuse("circumcenters", "use power_centers")
+
+    @property
+    def circumradii(self) -> Reals:
+        """Refused as well."""
+        self._refuse("circumradii", "use squared_power_radii")
+
+    @property
+    def voronoi_volumes(self) -> Reals:
+        """Refused as well."""
+        self._refuse("voronoi_volumes", "use power_volumes")
+
+    def minimum_spanning_tree(self) -> Indices:
+        """Refused: the edges here need not have one."""
+        self._refuse("minimum_spanning_tree", "triangulate them without")
