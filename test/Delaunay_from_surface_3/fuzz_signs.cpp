@@ -3,12 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Every stage of the compact kernel's predicates next to exact rational numbers and, where a
-// determinant is 0, to CGAL's perturbation over these. A stage may leave a sign open, and must
-// never say a wrong one. See fuzz_campaign.h for the options.
+// determinant is 0, to CGAL's perturbation over these: of points, and of the same with weights. A
+// stage may leave a sign open, and must never say a wrong one. See fuzz_campaign.h for the options.
 
 #include "check_signs.h"
 #include "fuzz_campaign.h"
 #include "hostile_points.h"
+#include "hostile_weights.h"
 #include "insertion_case.h" // to_string()
 
 #include <algorithm>
@@ -25,11 +26,13 @@ namespace {
 
 using namespace fuzz;
 
-// As the kernel does it: a power of 2 that makes all coordinates less than 2^58 in absolute value.
-// Returns whether that is exact; where it is not, the kernel does not serve.
-bool scale(Points& points)
+// As the kernel does it: a power of 2 that makes all coordinates, and the square roots of weights,
+// less than 2^58 in absolute value. Returns whether that is exact.
+bool scale(Points& points, Weights& weights)
 {
   double largest = 0;
+  for (const double w : weights)
+    largest = (std::max)(largest, std::sqrt(std::abs(w)));
   for (const Coordinates& p : points)
     for (const double c : p)
       largest = (std::max)(largest, std::abs(c));
@@ -42,6 +45,11 @@ bool scale(Points& points)
       is_exact = is_exact && std::ldexp(scaled, exponent - 58) == c;
       c = scaled;
     }
+  for (double& w : weights) {
+    const double scaled = std::ldexp(w, 2 * (58 - exponent));
+    is_exact = is_exact && std::ldexp(scaled, 2 * (exponent - 58)) == w;
+    w = scaled;
+  }
   return is_exact;
 }
 
@@ -49,11 +57,29 @@ class Signs : public Subject
 {
   static constexpr std::size_t quintuples_per_case = 40;
 
+  // Points, with weights or without, before and after they were scaled.
+  struct Scaled
+  {
+    Points own_points, points;
+    Weights own_weights, weights;
+    bool is_exact = false;
+
+    Scaled() = default;
+    Scaled(const Points& p, const Weights& w)
+      : own_points(p)
+      , points(p)
+      , own_weights(w)
+      , weights(w)
+    {
+      is_exact = scale(points, weights);
+    }
+  };
+
   struct Case
   {
     const Category* category;
-    Points points;
-    bool is_served;
+    const Weighting* weighting;
+    Scaled plain, weighted;
     std::vector<std::array<std::size_t, 9>> quintuples; // cell, point, four opposite vertices
   };
 
@@ -62,21 +88,43 @@ class Signs : public Subject
     Random r(seed);
     Case c;
     c.category = &categories[r.below(number_of_categories)];
-    c.points = hostile_points(*c.category, r, 5 + r.below(r.one_in(2) ? 5 : 60));
-    c.is_served = scale(c.points);
+    Points points = hostile_points(*c.category, r, 5 + r.below(r.one_in(2) ? 5 : 60));
+    c.plain = Scaled(points, {});
     c.quintuples.resize(quintuples_per_case);
     for (auto& quintuple : c.quintuples)
       for (std::size_t& i : quintuple)
-        i = r.below(c.points.size());
+        i = r.below(points.size());
+    c.weighting = &weightings[r.below(number_of_weightings)];
+    if (r.one_in(2))
+      points = c.plain.points;
+    const Weights weights = hostile_weights(*c.weighting, r, points);
+    c.weighted = Scaled(points, weights);
     return c;
   }
 
-  static Points nine_points(const Case& c, std::size_t i)
+  template <class Item>
+  static std::vector<Item> nine(const std::vector<Item>& items, const Case& c, std::size_t i)
   {
-    Points points;
+    std::vector<Item> some;
     for (const std::size_t k : c.quintuples[i])
-      points.push_back(c.points[k]);
-    return points;
+      if (!items.empty())
+        some.push_back(items[k]);
+    return some;
+  }
+
+  // Where scaling rounds, the kernel asks only the first filters, and integers of any width.
+  template <class Place>
+  static void check_signs(const Scaled& s, const Case& c, std::size_t i, Checked_signs& signs,
+                          Checked_signs& rounded_signs)
+  {
+    const Quintuple quintuple = quintuple_of(nine(s.points, c, i), nine(s.weights, c, i));
+    if (s.is_exact) {
+      check_cell<Place>(quintuple, signs);
+      check_infinite_cell<Place>(quintuple, signs);
+    } else
+      check_rounded_cell<Place>(quintuple,
+                                quintuple_of(nine(s.own_points, c, i), nine(s.own_weights, c, i)),
+                                rounded_signs);
   }
 
 public:
@@ -86,15 +134,14 @@ public:
   {
     const Case c = make_case(seed);
     tally.count(std::string("category: ") + c.category->name);
-    if (!c.is_served)
-      tally.count("not served");
-    else {
-      Checked_signs signs(tally);
-      for (const std::size_t i : parts) {
-        const Quintuple quintuple = quintuple_of(nine_points(c, i));
-        check_cell(quintuple, signs);
-        check_infinite_cell(quintuple, signs);
-      }
+    tally.count(std::string("weights: ") + c.weighting->name);
+    tally.count("rounded", !c.plain.is_exact);
+    tally.count("rounded with weights", !c.weighted.is_exact);
+    Checked_signs signs(tally), rounded(tally, "rounded "), weighted(tally, "weighted "),
+        rounded_weighted(tally, "rounded weighted ");
+    for (const std::size_t i : parts) {
+      check_signs<const double*>(c.plain, c, i, signs, rounded);
+      check_signs<Weighted_place>(c.weighted, c, i, weighted, rounded_weighted);
     }
     return "";
   }
@@ -103,8 +150,16 @@ public:
   {
     const Case c = make_case(seed);
     std::string text = std::string("category: ") + c.category->name;
-    for (const std::size_t i : parts)
-      text += "\ncell, point, opposite vertices:" + to_string(nine_points(c, i));
+    for (const std::size_t i : parts) {
+      text += "\ncell, point, opposite vertices:" + to_string(nine(c.plain.own_points, c, i));
+      text += std::string("\nwith weights (") + c.weighting->name +
+              "):" + to_string(nine(c.weighted.own_points, c, i));
+      char number[40];
+      for (const double w : nine(c.weighted.own_weights, c, i)) {
+        std::snprintf(number, sizeof(number), "\n  %a,", w);
+        text += number;
+      }
+    }
     return text;
   }
 };

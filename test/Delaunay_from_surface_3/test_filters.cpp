@@ -10,6 +10,7 @@
 #include <boost/test/included/unit_test.hpp>
 
 #include "Perturbed_predicates.h"
+#include "check_signs.h"
 #include "hostile_points.h"
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
@@ -184,14 +185,16 @@ void check(Five f, const Record& apex, Tallies& tallies)
   if (orientation < 0)
     std::swap(f[0], f[1]);
   const int sphere = exact_sphere(f);
-  const double* const v[4] = {f[0].data(), f[1].data(), f[2].data(), f[3].data()};
-  tallies.second.count(close_sphere_sign_with<Portable_products>({v, f[4].data()}), sphere);
-  tallies.second.count(close_sphere_sign({v, f[4].data()}), sphere);
-  if (std::none_of(v, v + 4, [&](const double* q) { return is_same_place(q, f[4].data()); })) {
+  const double *const v[4] = {f[0].data(), f[1].data(), f[2].data(), f[3].data()}, *const p =
+                                                                                       f[4].data();
+  const Exact_differences<4> differences(v, p);
+  tallies.second.count(close_sphere_sign_with<Portable_products>(differences), sphere);
+  tallies.second.count(close_sphere_sign(differences), sphere);
+  if (std::none_of(v, v + 4, [&](const double* q) { return is_same_place(q, p); })) {
     const auto perturbed = [&] { return perturbed_sphere(f); };
-    tallies.exact.count(exact_sign<Exact_sphere>(v, f[4].data()), sphere, perturbed);
+    tallies.exact.count(exact_sign<Exact_sphere>(v, p), sphere, perturbed);
     Exact_tally two_digits;
-    two_digits.count(sign_from_two_digits<Exact_sphere>(v, f[4].data()), sphere, perturbed);
+    two_digits.count(sign_from_two_digits<Exact_sphere>(v, p), sphere, perturbed);
     tallies.exact.wrong += two_digits.wrong;
   }
   check_view<Sphere_filter>(f, sphere, tallies);
@@ -502,6 +505,36 @@ BOOST_AUTO_TEST_CASE(hostile_categories)
 #endif
 }
 
+// Weights, by all stages. Points that are lifted into a hyperplane are many.
+BOOST_AUTO_TEST_CASE(weights)
+{
+  fuzz::Random random(14);
+  fuzz::Tally tally;
+  fuzz::Checked_signs signs(tally);
+  for (const fuzz::Category& category : fuzz::categories)
+    for (const fuzz::Weighting& weighting : fuzz::weightings) {
+      BOOST_TEST_INFO_SCOPE(category.name << ", weights: " << weighting.name);
+      fuzz::Points points;
+      for (const Record& p : scaled(hostile_points(category, random, 12)))
+        points.push_back({p[0], p[1], p[2]});
+      fuzz::Weights weights = hostile_weights(weighting, random, points);
+      for (double& w : weights) // as large as the kernel has them
+        w = std::abs(w) < 0x1p116 ? w : 0;
+      for (int i = 0; i < 4; ++i) {
+        fuzz::Points nine;
+        fuzz::Weights their_weights;
+        for (int k = 0; k < 9; ++k) {
+          const std::size_t j = random.below(points.size());
+          nine.push_back(points[j]);
+          their_weights.push_back(weights[j]);
+        }
+        const fuzz::Quintuple quintuple = fuzz::quintuple_of(nine, their_weights);
+        BOOST_CHECK_NO_THROW(fuzz::check_cell<Weighted_place>(quintuple, signs));
+        BOOST_CHECK_NO_THROW(fuzz::check_infinite_cell<Weighted_place>(quintuple, signs));
+      }
+    }
+}
+
 // What the kernel asks of points that no power of 2 scales exactly: any doubles.
 BOOST_AUTO_TEST_CASE(any_width)
 {
@@ -579,24 +612,32 @@ BOOST_AUTO_TEST_CASE(perturbation_in_all_orders)
 using Plain_big = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                                 boost::multiprecision::et_off>;
 
-template <int Halves>
-Fixed_integer<Halves> fixed(const Plain_big& n)
+// In columns, not carried.
+template <int Halves, int Size>
+Uncarried_integer<Halves, Size> in_columns(const Plain_big& n)
 {
-  Uncarried_integer<Halves, Fixed_integer<Halves>::size> sum = {};
+  Uncarried_integer<Halves, Size> sum = {};
   Plain_big rest = abs(n);
   for (auto& column : sum.columns) {
     const auto digit = static_cast<std::int64_t>(Plain_big(rest & ((Plain_big(1) << 60) - 1)));
     rest >>= 60;
     if (&column == std::end(sum.columns) - 1)
-      column = static_cast<std::int64_t>(Plain_big((rest << 60) + digit));
+      column = static_cast<Double_digit>(Plain_big((rest << 60) + digit));
     else
       column = digit;
     column = n < 0 ? -column : column;
   }
-  return carried(sum);
+  return sum;
 }
 
-// Coordinates as large as the width allows, of all signs, and determinants near 0.
+template <int Halves>
+Fixed_integer<Halves> fixed(const Plain_big& n)
+{
+  return carried(in_columns<Halves, Fixed_integer<Halves>::size>(n));
+}
+
+// Coordinates and differences of weights as large as the width allows, of all signs, and
+// determinants near 0.
 template <int Halves>
 void check_width()
 {
@@ -613,16 +654,28 @@ void check_width()
     return random.one_in(2) ? n : Plain_big(-n);
   };
   std::size_t zeros = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     Row<Plain_big> big[4];
     Row<Fixed_integer<Halves>> rows[4];
+    const bool is_weighted = i >= 2000, is_equal = random.one_in(2);
+    const auto weight = [&]() -> Plain_big {
+      return random.one_in(3) ? 0 : coordinate() * largest;
+    };
+    const Plain_big one_weight = weight();
     for (int k = 0; k < 4; ++k) {
       big[k] = {coordinate(), coordinate(), coordinate()};
       if (k > 0 && random.one_in(4))
         big[k] = big[k - 1];
       if (k > 0 && random.one_in(4))
         big[k] = {big[k - 1].y, big[k - 1].x, Plain_big(-big[k - 1].z)};
-      rows[k] = {fixed<Halves>(big[k].x), fixed<Halves>(big[k].y), fixed<Halves>(big[k].z)};
+      const Fixed_integer<Halves> x = fixed<Halves>(big[k].x), y = fixed<Halves>(big[k].y),
+                                  z = fixed<Halves>(big[k].z);
+      rows[k] = {x, y, z};
+      if (is_weighted) {
+        const Plain_big dw = is_equal ? one_weight : weight();
+        big[k] = {big[k].x, big[k].y, big[k].z, dw};
+        rows[k] = {x, y, z, in_columns<2 * Halves, 2 * Fixed_integer<Halves>::size - 1>(dw)};
+      }
     }
     const Sphere_cofactors<Plain_big> expected(big[0], big[1], big[2], big[3]);
     const Sphere_cofactors<Fixed_integer<Halves>> cofactors(rows[0], rows[1], rows[2], rows[3]);

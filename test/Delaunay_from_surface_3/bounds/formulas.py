@@ -35,12 +35,21 @@ def evaluated(text, **names):
 
 
 class Row:
-    """Row<Number> of Sphere_filter.h; its w may be something else (balanced_signs.h)."""
+    """Row<Number> of Sphere_filter.h, with a difference of weights if one is given; its w may be something else
+    (balanced_signs.h)."""
 
-    def __init__(self, x, y, z, w=None):
+    def __init__(self, x, y, z, w=None, dw=None):
         self.x, self.y, self.z = self.s, self.t, _ = x, y, z
-        self.w = w if w is not None else evaluated(found(r"w\(carried\((.*?)\)\) \{", "Sphere_filter.h"),
-                                                   dx=x, dy=y, dz=z)
+        self.w = w if w is not None else self.lifted(x, y, z, dw)
+
+    @staticmethod
+    def lifted(x, y, z, dw):
+        square = evaluated(found(r"w\(carried\((dx[^()]*)\)\) \{", "Sphere_filter.h"), dx=x, dy=y, dz=z)
+        if dw is None:
+            return square
+        found(r"(w\(carried\(\(dx \* dx \+ dy \* dy \+ dz \* dz\) \+ dw\)\) \{)", "Sphere_filter.h")
+        found(r"(Row<double>\(dx, dy, dz\) , square\(w\) , size\(w \+ std::abs\(dw\)\) \{ w \+= dw; \})", "Sphere_filter.h")
+        return square + dw  # and the size as well, where dw is not negative
 
 
 def minor_of(a, b):
@@ -96,8 +105,12 @@ class Wide:
                              t=t, **self.minors)
 
     @staticmethod
-    def w(x, y, z):
-        return evaluated(found(r" w = (x \* x .*?);", "Sphere_filter.h"), x=x, y=y, z=z)
+    def w(x, y, z, dw=None):
+        square = evaluated(found(r" w = square = size = (x \* x .*?);", "Sphere_filter.h"), x=x, y=y, z=z)
+        if dw is None:
+            return square
+        found(r"(w = square \+ dw; size = square \+ max_of\(dw, -dw\);)", "Sphere_filter.h")
+        return square + dw
 
     @classmethod
     def columns(cls, rows):
@@ -118,10 +131,22 @@ class Wide:
             x, y, z, _ = cls.columns([rows[i], rows[i ^ 1], rows[i ^ 2], rows[i ^ 3]])
             found(r"(const Four_doubles facets = Wide_minors\(x, y\)\.times\(z\);)", "Sphere_filter.h")
             facets = cls.Minors(x, y, f"xy{i}_").times(z).named(f"facet{i}")
-            value.append(evaluated(found(r"const Four_doubles lifted = (.*?);", "Sphere_filter.h"),
+            value.append(evaluated(found(r"store_four\(value, (facets \* rows\.w)\);", "Sphere_filter.h"),
                                    facets=facets, rows=rows[i]).named(f"value{i}"))
         text = found(r"const double m = [^;]*; view\.sphere = certified_sign\((.*?), Filter", "Sphere_filter.h")
         return evaluated(text, value=value)
+
+
+def balanced_w(row, f, dw):
+    """That of a balanced row, of the sums f of two differences and a scaled difference of weights."""
+    found(r"(return difference\(a, o, scale\) \+ difference\(b, o, scale\);)", "balanced_signs.h")
+    found(r"(last = last \+ difference\(b\.weight\(\), a\.weight\(\), scales\.rows\[k\] \* scales\.w\);)", "balanced_signs.h")
+
+    def of_sums(pattern, **names):
+        text = re.sub(r"sum\(a\[(\d)\], b\[\1\], o\[\1\], scales\.w\)", r"f[\1]", found(pattern, "balanced_signs.h"))
+        return evaluated(text.replace("r[k]", "r"), r=row, f=f, **names)
+    last = of_sums(r"Bounded last = (r\[k\]\.z \* sum.*?);") + dw
+    return of_sums(r"r\[k\]\.w = (r\[k\]\.x \* sum.*?);", last=last)
 
 
 class None_row:

@@ -37,13 +37,17 @@ def limit_of(constant, unit=U):
     return binary(constant * unit * (1 - Fraction(1, 2**SLACK)))
 
 
-def of_square():
-    """The most by which a squared length is wrong, relative to itself: it is a sum of squares, none negative."""
-    x, y, z = (Products.leaf(k, 1) for k in "xyz")
-    most = max(Row(x, y, z).w.most(), Wide.w(x, y, z).most())
+def of_square(weighted=False):
+    """The most by which a squared length is wrong, relative to itself: it is a sum of squares, none negative. A size has
+    another such term, the absolute value of a difference of weights, and w is wrong by at most that share of the size."""
+    numbers = [Products.leaf(k, 1) for k in ["x", "y", "z", "dw"][:3 + weighted]]
+    most = max(Row.lifted(*numbers, *[None] * (not weighted)).most(), Wide.w(*numbers).most())
     bound = Fraction(most * 16 + 1, 16) * U
-    assert (1 + U) ** most - 1 < bound
+    assert ((1 + U) ** most - 1) * (1 - U) ** -most < bound  # also of the size as computed
     return bound
+
+
+SIZES = ["w", "the sizes of w"]
 
 
 # Determinants, of leaves of any kind.
@@ -84,13 +88,14 @@ def wide_facet(r):
 
 # Bounds by columns.
 
-def by_columns(determinants, constant, bound, columns):
-    """The largest of each column is 1: the bound is one of all columns to the power of 1."""
+def by_columns(determinants, constant, bound, columns, weighted=False):
+    """The largest of each column is 1: the bound is one of all columns to the power of 1. With weights the largest size is,
+    and no w is larger, as rounding is monotonic."""
     definitions, given = Definitions(RELATIVE), []
     for name in ROWS:
         for k in "xyz":
             given += [f"|{name}{k}| <= 1", f"|{name}{k} -/ {name.upper()}{k.upper()}| <= 1b-53"]
-        given += [f"|{name}w| <= 1", f"|{name}w -/ {name.upper()}W| <= {binary(of_square())}"]
+        given += [f"|{name}w| <= 1", f"|{name}w {'-' if weighted else '-/'} {name.upper()}W| <= {binary(of_square(weighted))}"]
     rows = [Row(*(Computed(definitions, name + k, name.upper() + k.upper()) for k in "xyzw")) for name in ROWS]
     limit, goals = limit_of(constant), []
     for n, determinant in enumerate(determinants):
@@ -105,10 +110,12 @@ def by_columns(determinants, constant, bound, columns):
                    definitions.lines, given, goals + [f"bound >= {limit}"])
 
 
-def columns_four(constant):
-    found(r"return four \* unit_of_double \* (\(\(x \* y\) \* \(z \* w\)\)) \+ tiny;", "Sphere_filter.h")
+def columns_four(constant, weighted=False):
+    found(r"return factor \* unit_of_double \* (\(\(x \* y\) \* \(z \* w\)\)) \+ tiny;", "Sphere_filter.h")
+    found(r"Column_sizes\(a, b, c, d\)\.bound_of_four\(w, (Bound_factors<R>::columns)\)", "Sphere_filter.h")
+    found(r"sizes\.bound_of_four\(largest_of\(rows\.size\), (Bound_factors<Row_of<Place>>::columns)\)", "Sphere_filter.h")
     return by_columns([sphere, wide_sphere, wide_view], constant,
-                      lambda c: f"add(mul({c}, mul(mul(1, 1), mul(1, 1))), 0)", "x, y, z, w")
+                      lambda c: f"add(mul({c}, mul(mul(1, 1), mul(1, 1))), 0)", f"x, y, z, {SIZES[weighted]}", weighted)
 
 
 def columns_three(constant):
@@ -117,9 +124,8 @@ def columns_three(constant):
                       lambda c: f"add(mul({c}, mul(mul(1, 1), 1)), 0)", "x, y, z")
 
 
-def columns_circle(constant):
-    found(r"(80|\d+) \* Filter_bounds::unit \* box \* m \+ Column_sizes::tiny", "Compact_predicates.h")
-    return by_columns([circle], constant, lambda c: f"add(mul(mul({c}, mul(1, 1)), 1), 0)", "s, t, w")
+def columns_circle(constant, weighted=False):
+    return by_columns([circle], constant, lambda c: f"add(mul(mul({c}, mul(1, 1)), 1), 0)", f"s, t, {SIZES[weighted]}", weighted)
 
 
 def columns_area(constant):
@@ -129,12 +135,13 @@ def columns_area(constant):
 
 # Bounds by lengths: the largest squared length, as computed, is 1.
 
-def rows_of_products(roundings):
-    return [Row(*(Products.leaf(name + k, roundings) for k in "xyz")) for name in ROWS]
+def rows_of_products(roundings, weighted=False):
+    return [Row(*(Products.leaf(name + k, roundings) for k in "xyz"), dw=Products.leaf(name + "dw", roundings) if weighted else None)
+            for name in ROWS]
 
 
-def most_roundings(determinants, roundings=1):
-    return max(determinant(rows_of_products(roundings)).most() for determinant in determinants)
+def most_roundings(determinants, roundings=1, weighted=False):
+    return max(determinant(rows_of_products(roundings, weighted)).most() for determinant in determinants)
 
 
 def by_lengths(roundings, products, bound, limit, why, unit=53, of_largest=None):
@@ -153,9 +160,12 @@ def by_lengths(roundings, products, bound, limit, why, unit=53, of_largest=None)
 HADAMARD = "for each w by an inequality of Hadamard type for permanents (Carlen, Lieb, Loss 2006)"
 
 
-def lengths_four(constant):
-    return by_lengths(most_roundings([sphere, wide_sphere, wide_view]), "4 * (2 / sqrt(3)) * M * M * sqrt(M)",
-                      f"add(mul({binary(constant * U)}, mul(mul(1, 1), root)), 0)", limit_of(constant), HADAMARD)
+def lengths_four(constant, weighted=False):
+    found(r"Bound_factors<R>::four \* unit \* (\(m \* m \* std::sqrt\(m\)\)) \+ tiny", "Sphere_filter.h")
+    found(r"m \* m \* sqrt_of\(m\) \* (\(Bound_factors<Row_of<Place>>::four \* Filter_bounds::unit\)) \+ Filter_bounds::tiny", "Sphere_filter.h")
+    return by_lengths(most_roundings([sphere, wide_sphere, wide_view], 1, weighted), "4 * (2 / sqrt(3)) * M * M * sqrt(M)",
+                      f"add(mul({binary(constant * U)}, mul(mul(1, 1), root)), 0)", limit_of(constant), HADAMARD,
+                      of_largest=of_square(weighted))
 
 
 def lengths_three(constant):
@@ -163,9 +173,10 @@ def lengths_three(constant):
                       f"add(mul({binary(constant * U)}, mul(1, root)), 0)", limit_of(constant), HADAMARD)
 
 
-def lengths_circle(constant):
-    return by_lengths(most_roundings([circle]), "3 * M * M", f"add(mul(mul({binary(constant * U)}, 1), 1), 0)",
-                      limit_of(constant), "for each w by the inequality of Cauchy and Schwarz")
+def lengths_circle(constant, weighted=False):
+    found(r"(Bound_factors<R>::circle \* Filter_bounds::unit \* m \* m \+ Filter_bounds::tiny)", "Compact_predicates.h")
+    return by_lengths(most_roundings([circle], 1, weighted), "3 * M * M", f"add(mul(mul({binary(constant * U)}, 1), 1), 0)",
+                      limit_of(constant), "for each w by the inequality of Cauchy and Schwarz", of_largest=of_square(weighted))
 
 
 def lengths_area(constant):
@@ -228,29 +239,25 @@ def of_double_doubles(definitions, given, constant, title):
 OF_PRODUCT = Fraction(1, 2**100)  # of double_double_product and double_double_sum
 
 
-def double_double_sphere(constant):
-    assert Fraction(1, 2**51) > U * 2 + OF_PRODUCT * 6
+def double_double_sphere(constant, weighted=False):
+    found(r"(r\[k\] = \{x, y, z, dw\}; sizes\[k\] = size_of\(Power_row\(x\.high, y\.high, z\.high, dw\.high\)\);)", "Double_double.h")
+    found(r"(r\[k\] = \{x, y, z\}; sizes\[k\] = r\[k\]\.w\.high;)", "Double_double.h")
+    of_largest = of_square(True) if weighted else Fraction(1, 2**51)  # as the first filter has it; as it is computed here
+    assert of_largest > U * 2 + OF_PRODUCT * 6
     limit = binary(constant * (1 - Fraction(1, 2**SLACK)))
-    return by_lengths(most_roundings([sphere], 0), "4 * (2 / sqrt(3)) * M * M * sqrt(M)",
-                      f"add(mul({binary(constant)}, mul(mul(1, 1), root)), 0)", limit, HADAMARD, 100, Fraction(1, 2**51))
+    return by_lengths(most_roundings([sphere], 0, weighted), "4 * (2 / sqrt(3)) * M * M * sqrt(M)",
+                      f"add(mul({binary(constant)}, mul(mul(1, 1), root)), 0)", limit, HADAMARD, 100, of_largest)
 
 
 # Balanced signs.
 
 def balanced_products(roundings, n=4):
-    """The products of rows D, w = D · F; `roundings`: of a difference."""
-    w = found(r"r\[k\]\.w = (r\[k\]\.x \* sum.*?);", "balanced_signs.h")
-    found(r"(return difference\(a, o, scale\) \+ difference\(b, o, scale\);)", "balanced_signs.h")
+    """The products of rows D, w = D · F + a difference of weights; `roundings`: of a difference."""
     rows = []
     for name in ROWS[:n]:
         row = Row(*(Products.leaf(name + k, roundings) for k in "xyz"))
-        for i, k in enumerate("xyz"):
-            f = Products.leaf(f"{name}{k}p", roundings) + Products.leaf(f"{name}{k}q", roundings)
-            w = w.replace(f"sum(a[{i}], b[{i}], o[{i}], scales.w)", f"f{i}")
-            rows.append(f)
-        x, y, z = rows[-3:]
-        del rows[-3:]
-        row.w = formulas.evaluated(w.replace("r[k]", "r"), r=row, f0=x, f1=y, f2=z)
+        f = [Products.leaf(f"{name}{k}p", roundings) + Products.leaf(f"{name}{k}q", roundings) for k in "xyz"]
+        row.w = formulas.balanced_w(row, f, Products.leaf(f"{name}dw", roundings))
         rows.append(row)
     return (sphere(rows) if n == 4 else beyond(rows)).most()
 
@@ -290,8 +297,13 @@ class Underflows:
         self.given.append(f"|{name}| <= {size}")
         return Underflowing(self, name, name)
 
+    def rounded_leaf(self, name, size):
+        """A difference of weights, each of which two products rounded when it was scaled, by less than 2^-1074."""
+        self.given += [f"|{name}| <= {size}", f"|{name}_o| <= {size}", f"|{name} - {name}_o| <= 1b-1073"]
+        return Underflowing(self, name, f"{name}_o")
 
-def underflow(determinants, size, tiny, makes_w=None):
+
+def underflow(determinants, size, tiny, size_of_weights, makes_w=None):
     """The coordinates of rows are at most `size`. Half of `tiny` is left for what underflows in the bound."""
     text, goals = Underflows(), []
     limit = Fraction(1)
@@ -300,54 +312,72 @@ def underflow(determinants, size, tiny, makes_w=None):
     for n, determinant in enumerate(determinants):
         rows = []
         for name in ROWS:
-            x, y, z = (text.leaf(f"{name}{k}_{n}", size) for k in "xyz")
-            rows.append(Row(x, y, z, makes_w(text, f"{name}_{n}", x, y, z) if makes_w else None))
+            row = Row(*(text.leaf(f"{name}{k}_{n}", size) for k in "xyz"), w=0)
+            dw = text.rounded_leaf(f"{name}dw_{n}", size_of_weights) if makes_w is None else text.leaf(f"{name}dw_{n}", size_of_weights)
+            row.w = makes_w(text, f"{name}_{n}", row, dw) if makes_w else Row.lifted(row.x, row.y, row.z, dw)
+            rows.append(row)
         result = determinant(rows)
         goals += [f"|{result.text} - {result.other}| <= {binary(limit)}", f"|{result.text}| <= 1b400"]
     return written(["t: as computed; o: with the same relative errors, and none from underflow. No operation overflows, as the result",
-                    "is the largest number."], text.lines, text.given, goals) + "\n" + "\n".join(text.hints) + "\n"
+                    "is the largest number. Without weights their differences are 0."],
+                   text.lines, text.given, goals) + "\n" + "\n".join(text.hints) + "\n"
 
 
 def underflow_lengths(tiny):
-    return underflow([sphere, wide_sphere], "1", tiny)
+    return underflow([sphere, wide_sphere], "1", tiny, "1")
 
 
 def underflow_columns(tiny):
-    return underflow([sphere], "1b60", tiny)
+    return underflow([sphere], "1b60", tiny, "1b120")
 
 
 def underflow_balanced(tiny):
-    def w(text, name, x, y, z):
+    def w(text, name, row, dw):
         f = [text.leaf(f"{name}p{k}", "1b60") + text.leaf(f"{name}q{k}", "1b60") for k in "xyz"]
-        return x * f[0] + y * f[1] + z * f[2]
-    return underflow([sphere], "1b60", tiny, w)
+        return formulas.balanced_w(row, f, dw)
+    found(r"(wanted = \(std::min\)\(1022 \+ 121 \+ 1023 - exponent, std::uint64_t\(2023\)\);)", "balanced_signs.h")
+    return underflow([sphere], "1b60", tiny, "1b122", w)
 
 
 def read(pattern, header):
     return lambda: formulas.number(found(pattern, header))
 
 
+def factor(name, weighted=False):
+    """One of Bound_factors."""
+    text = r"template <> struct Bound_factors<Power_row>" if weighted else r"template <class R> struct Bound_factors"
+    return lambda: formulas.number(found(text + r" \{ static constexpr double [^;]*?" + name + r" = (\d+)[,;]", "Sphere_filter.h"))
+
+
+def weighted(make):
+    return lambda constant: make(constant, True)
+
+
+DOUBLE_DOUBLES = read(r"bound = 1\. / (\d+)\. \* \(m \* m \* std::sqrt\(m\)\)", "Double_double.h")
+BOX = read(r"(\d+) \* Filter_bounds::unit \* box \* m \+ Column_sizes::tiny", "Compact_predicates.h")
+
+
 # Script: what makes it of a constant; the constant in the header; the least (of integers, or of powers of 2) that is proved.
 SCRIPTS = {
-    "lengths_four": (lengths_four, read(r"four_rows\(double m\) \{ return (\d+) \* unit \* \(m \* m \* std::sqrt\(m\)\) \+ tiny",
-                                        "Sphere_filter.h"), 74),
+    "lengths_four": (lengths_four, factor("four"), 74),
     "lengths_three": (lengths_three, read(r"three_rows\(double m\) \{ return (\d+) \* unit \* \(m \* std::sqrt\(m\)\) \+ tiny",
                                           "Sphere_filter.h"), 10),
-    "wide_lengths_four": (lengths_four, read(r"m \* m \* sqrt_of\(m\) \* \((\d+) \* Filter_bounds::unit\) \+ Filter_bounds::tiny",
-                                             "Sphere_filter.h"), 74),
-    "lengths_circle": (lengths_circle, read(r"(\d+) \* Filter_bounds::unit \* m \* m \+ Filter_bounds::tiny",
-                                            "Compact_predicates.h"), 37),
+    "lengths_circle": (lengths_circle, factor("circle"), 37),
     "lengths_area": (lengths_area, read(r"(\d+) \* Filter_bounds::unit \* m \+ Filter_bounds::tiny",
                                         "Compact_predicates.h"), 19),
-    "columns_four": (columns_four, read(r"four = (\d+), three", "Sphere_filter.h"), 378),
+    "columns_four": (columns_four, factor("columns"), 378),
     "columns_three": (columns_three, read(r"three = (\d+);", "Sphere_filter.h"), 47),
-    "columns_circle": (columns_circle, read(r"(\d+) \* Filter_bounds::unit \* box \* m", "Compact_predicates.h"), 71),
+    "columns_circle": (columns_circle, BOX, 71),
     "columns_area": (columns_area, read(r"(\d+) \* Filter_bounds::unit \* box \+", "Compact_predicates.h"), 35),
     "collinear": (collinear, read(r"bound = (\d+) \* Filter_bounds::unit \* m \+", "exact_signs.h"), 5),
     "double_double_product": (double_double_product, lambda: OF_PRODUCT, Fraction(1, 2**101)),
     "double_double_sum": (double_double_sum, lambda: OF_PRODUCT, Fraction(1, 2**102)),
-    "double_double_sphere": (double_double_sphere, lambda: 1 / formulas.number(
-        found(r"bound = 1\. / (\d+)\. \* \(m \* m \* std::sqrt\(m\)\)", "Double_double.h")), Fraction(1, 2**94)),
+    "double_double_sphere": (double_double_sphere, lambda: 1 / DOUBLE_DOUBLES(), Fraction(1, 2**94)),
+    "weighted_lengths_four": (weighted(lengths_four), factor("four", True), 79),
+    "weighted_lengths_circle": (weighted(lengths_circle), factor("circle", True), 40),
+    "weighted_columns_four": (weighted(columns_four), factor("columns", True), 402),
+    "weighted_columns_circle": (weighted(columns_circle), BOX, 77),
+    "weighted_double_double_sphere": (weighted(double_double_sphere), lambda: 1 / DOUBLE_DOUBLES(), Fraction(1, 2**94)),
     "balanced_doubles": (balanced_doubles, read(r"error = (\d+) \* Filter_bounds::unit;", "balanced_signs.h"), 18),
     "balanced_double_doubles": (balanced_double_doubles, read(r"error = (0x1p-\d+);", "balanced_signs.h"), Fraction(1, 2**96)),
     "underflow_lengths": (underflow_lengths, read(r"unit_of_double; static constexpr double tiny = (1e-\d+);", "Sphere_filter.h"), Fraction(1, 2**1066)),
@@ -356,7 +386,7 @@ SCRIPTS = {
 }
 
 
-SLOW = {"underflow_lengths", "underflow_balanced"}  # a minute each; the least was found once
+SLOW = {"underflow_lengths", "underflow_balanced"}  # minutes; the least was found once
 
 
 def smaller(constant):

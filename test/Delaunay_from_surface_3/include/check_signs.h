@@ -6,11 +6,12 @@
 #define DELAUNAY_FROM_SURFACE_3_TESTS_CHECK_SIGNS_H
 
 // The stages of the compact kernel's predicates, each next to the sign that it must have. A stage
-// may leave a sign open, and must never say a wrong one.
+// may leave a sign open, and must never say a wrong one. A Place is that of a point with a weight,
+// or of one without.
 
 #include "exact_signs_of_points.h"
 #include "fuzz_tally.h"
-#include "hostile_numbers.h" // Points
+#include "hostile_weights.h" // Points, Weights
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_predicates.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
@@ -32,7 +33,8 @@ using namespace CGAL::Delaunay_from_surface_3;
 using namespace CGAL::Delaunay_from_surface_3::internal;
 
 using Record = std::array<double, 4>; // as wide as what the kernel loads
-using Pointers = std::array<const double*, 4>;
+template <class Place>
+using Places = std::array<Place, 4>;
 
 // A cell, positively oriented; a point; and the vertices of its neighbours opposite to it.
 struct Quintuple
@@ -41,17 +43,19 @@ struct Quintuple
   Record p;
   std::array<Record, 4> opposite;
 
-  static Pointers pointers(const std::array<Record, 4>& r)
+  template <class Place>
+  static Places<Place> places(const std::array<Record, 4>& r)
   {
-    return {r[0].data(), r[1].data(), r[2].data(), r[3].data()};
+    return {Place(r[0].data()), Place(r[1].data()), Place(r[2].data()), Place(r[3].data())};
   }
 };
 
-// Of nine points, in this order. The fourth number of a record must not matter.
-inline Quintuple quintuple_of(const Points& points)
+// Of nine points, in this order. Without weights the fourth number of a record must not matter.
+inline Quintuple quintuple_of(const Points& points, const Weights& weights = {})
 {
   const auto record = [&](std::size_t k) {
-    return Record{points[k][0], points[k][1], points[k][2], std::nan("")};
+    return Record{points[k][0], points[k][1], points[k][2],
+                  weights.empty() ? std::nan("") : weights[k]};
   };
   return {{record(0), record(1), record(2), record(3)},
           record(4),
@@ -62,24 +66,32 @@ inline Quintuple quintuple_of(const Points& points)
 class Checked_signs
 {
 public:
-  explicit Checked_signs(Tally& tally)
+  // `prefix` stands before the names of stages.
+  explicit Checked_signs(Tally& tally, std::string prefix = "")
     : m_tally(tally)
+    , m_prefix(std::move(prefix))
   {
   }
 
   // `said` is 0 where the stage leaves the sign open.
   void may_say(const std::string& stage, int said, int truth)
   {
-    m_tally.count("stage: " + stage + (said == 0 ? ", open" : ", decided"));
+    m_tally.count("stage: " + m_prefix + stage + (said == 0 ? ", open" : ", decided"));
     if (said != 0 && said != truth)
-      fail(stage, said, truth);
+      fail(m_prefix + stage, said, truth);
   }
 
   void must_say(const std::string& stage, int said, int truth)
   {
-    m_tally.count("stage: " + stage + (truth == 0 ? ", zero" : ", decided"));
+    m_tally.count("stage: " + m_prefix + stage + (truth == 0 ? ", zero" : ", decided"));
     if (said != truth)
-      fail(stage, said, truth);
+      fail(m_prefix + stage, said, truth);
+  }
+
+  void must_see(const std::string& stage, bool zero, int truth)
+  {
+    if (zero != (truth == 0))
+      throw std::runtime_error(m_prefix + stage + (zero ? " sees a zero" : " misses a zero"));
   }
 
 private:
@@ -90,26 +102,58 @@ private:
   }
 
   Tally& m_tally;
+  std::string m_prefix;
 };
+
+// --- what they must say --------------------------------------------------------------------------
+
+template <class Place>
+int side_of_sphere(const Record& a, const Record& b, const Record& c, const Record& d,
+                   const Record& p, bool is_perturbed)
+{
+  if constexpr (is_weighted<Place>)
+    return side_of_power_sphere(a, b, c, d, p, is_perturbed);
+  else
+    return is_perturbed ? perturbed_side_of_sphere(a, b, c, d, p)
+                        : exact_side_of_sphere(a, b, c, d, p);
+}
+
+template <class Place>
+int side_of_circle(const Record& a, const Record& b, const Record& c, const Record& p,
+                   bool is_perturbed)
+{
+  if constexpr (is_weighted<Place>)
+    return side_of_power_circle(a, b, c, p, is_perturbed);
+  else
+    return is_perturbed ? perturbed_side_of_circle(a, b, c, p) : exact_side_of_circle(a, b, c, p);
+}
+
+inline std::string perturbed_or_not(int truth)
+{
+  return truth == 0 ? ", perturbed" : "";
+}
 
 // --- the stages ----------------------------------------------------------------------------------
 
-template <class Filter>
-void check_view(const std::string& name, const Quintuple& q, int sphere, Checked_signs& signs)
+template <class Filter, class Place>
+void check_view(const std::string& name, const Quintuple& q, const Quintuple& own, int sphere,
+                Checked_signs& signs)
 {
-  const Pointers v = Quintuple::pointers(q.v);
-  const Cell_view view = Filter::view(v.data(), q.p.data());
+  const Places<Place> v = Quintuple::places<Place>(q.v);
+  const Cell_view view = Filter::view(v.data(), Place(q.p.data()));
   signs.may_say(name + " view, sphere", view.sphere, sphere);
   for (unsigned k = 0; k < 4; ++k)
     signs.may_say(name + " view, facets", certified_sign(view.facets[k], view.facet_bound),
-                  exact_orientation(q.p, q.v[k ^ 1], q.v[k ^ 2], q.v[k ^ 3]));
+                  exact_orientation(own.p, own.v[k ^ 1], own.v[k ^ 2], own.v[k ^ 3]));
 }
 
-inline std::array<int, 4> signs_of_neighbors(const Quintuple& q)
+template <class Place>
+std::array<int, 4> signs_of_neighbors(const Quintuple& q)
 {
   std::array<int, 4> signs;
   for (unsigned k = 0; k < 4; ++k) // oriented negatively
-    signs[k] = -exact_side_of_sphere(q.opposite[k], q.v[k ^ 1], q.v[k ^ 2], q.v[k ^ 3], q.p);
+    signs[k] =
+        -side_of_sphere<Place>(q.opposite[k], q.v[k ^ 1], q.v[k ^ 2], q.v[k ^ 3], q.p, false);
   return signs;
 }
 
@@ -124,51 +168,48 @@ inline void check_neighbors(const std::string& name, const Sphere_signs& said,
 }
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS inline Sphere_signs wide_signs(const Quintuple& q)
+template <class Place>
+CGAL_DELAUNAY_FROM_SURFACE_3_IN_VECTORS Sphere_signs wide_signs(const Quintuple& q)
 {
-  const Pointers v = Quintuple::pointers(q.v), opposite = Quintuple::pointers(q.opposite);
-  return Wide_sphere_filter::signs(v.data(), opposite.data(), q.p.data());
+  const Places<Place> v = Quintuple::places<Place>(q.v),
+                      opposite = Quintuple::places<Place>(q.opposite);
+  return Wide_sphere_filter::signs(v.data(), opposite.data(), Place(q.p.data()));
 }
 #endif
 
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
 // Each width of integers that holds the numbers, also where a smaller one would do.
-template <class Determinant>
-void check_widths(const std::string& name, const double* const* v, const double* p, int truth,
-                  int perturbed_truth, Checked_signs& signs)
+template <class Determinant, class Place>
+void check_widths(const std::string& name, const Place* v, Place p, int truth, int perturbed_truth,
+                  Checked_signs& signs)
 {
   constexpr int n = Determinant::size;
   const auto check = [&](const std::string& width, const Exact_sign& said) {
-    if (said.is_perturbed != (truth == 0))
-      throw std::runtime_error(name + width + (truth == 0 ? " misses a zero" : " sees a zero"));
-    signs.must_say(name + width, said.sign, perturbed_truth);
+    signs.must_see(name + width, said.is_perturbed, truth);
+    signs.must_say(name + width + perturbed_or_not(truth), said.sign, perturbed_truth);
   };
-  const Exact_differences<n> exact_differences(v, p);
-  const Integer_differences<n> differences(exact_differences);
+  const Exact_differences<n, Place> exact_differences(v, p);
+  const Integer_differences<n, Place> differences(exact_differences);
   if (!differences.can_be_scaled())
     return;
   Row<Fixed_integer<1>> half[n];
   Row<Fixed_integer<2>> one[n];
   Row<Fixed_integer<4>> two[n];
-  if (differences.has_one_digit() && differences.has_half_a_digit()) {
-    differences.set_rows(half);
+  if (differences.has_one_digit() && differences.has_half_a_digit() && differences.set_rows(half))
     check(", 30 bits", Determinant::sign(half, HALF_DIGIT, v, p));
-  }
-  if (differences.has_one_digit()) {
-    differences.set_rows(one);
+  if (differences.has_one_digit() && differences.set_rows(one))
     check(", 60 bits", Determinant::sign(one, ONE_DIGIT, v, p));
-  }
   if (differences.set_rows(two))
     check(", 120 bits", Determinant::sign(two, TWO_DIGITS, v, p));
 }
 #endif
 
 // Balanced rows, also where nothing is to be gained by them.
-template <int N>
-void check_balanced(const std::string& name, const double* const* v, const double* p, int truth,
+template <int N, class Place>
+void check_balanced(const std::string& name, const Place* v, Place p, int truth,
                     Checked_signs& signs)
 {
-  const Balanced_signs<N> balanced(v, p);
+  const Balanced_signs<N, Place> balanced(v, p);
   using Portable = Bounded_double_doubles<Portable_products>;
   signs.may_say(name + ", balanced doubles", balanced.template sign<Bounded_doubles>(), truth);
   signs.may_say(name + ", balanced double doubles", balanced.template sign<Portable>(), truth);
@@ -178,73 +219,107 @@ void check_balanced(const std::string& name, const double* const* v, const doubl
 inline void check_exact(const std::string& name, const Exact_sign& said, int truth,
                         int perturbed_truth, Checked_signs& signs)
 {
-  signs.may_say(name, said.sign, perturbed_truth);
-  if (said.sign != 0 && said.is_perturbed != (truth == 0))
-    throw std::runtime_error(name + (truth == 0 ? " misses a zero" : " sees a zero"));
+  signs.may_say(name + ", stage " + std::to_string(said.stage) + perturbed_or_not(truth), said.sign,
+                perturbed_truth);
+  if (said.sign != 0)
+    signs.must_see(name, said.is_perturbed, truth);
 }
 
-inline bool is_vertex(const Quintuple& q, std::size_t n)
+template <class Place>
+bool is_vertex(const Quintuple& q, std::size_t n)
 {
   for (std::size_t k = 0; k < n; ++k)
-    if (std::equal(q.p.begin(), q.p.begin() + 3, q.v[k].begin()))
+    if (std::equal(q.p.begin(), q.p.begin() + 3 + is_weighted<Place>, q.v[k].begin()))
       return true;
   return false;
 }
 
-inline void check_cell(Quintuple q, Checked_signs& signs)
+// The first filters of a cell that is positively oriented. `own` are the points and weights before
+// they were scaled, which may have rounded some.
+template <class Place>
+void check_first_filters(const Quintuple& q, const Quintuple& own, Checked_signs& signs)
+{
+  const int sphere = side_of_sphere<Place>(own.v[0], own.v[1], own.v[2], own.v[3], own.p, false);
+  const Places<Place> v = Quintuple::places<Place>(q.v),
+                      opposite = Quintuple::places<Place>(q.opposite);
+  const Place p(q.p.data());
+  signs.may_say("first filter", sphere_sign(row(v[0], p), row(v[1], p), row(v[2], p), row(v[3], p)),
+                sphere);
+  signs.may_say("by columns", sphere_sign_by_columns(v.data(), p), sphere);
+  signs.may_say("first filter, beyond", beyond_sign(row(v[0], p), row(v[1], p), row(v[2], p)),
+                exact_orientation(own.v[0], own.v[1], own.v[2], own.p));
+  check_view<Sphere_filter, Place>("scalar", q, own, sphere, signs);
+  const std::array<int, 4> neighbors = signs_of_neighbors<Place>(own);
+  check_neighbors("scalar", Sphere_filter::neighbors(v.data(), opposite.data(), p, 15), neighbors,
+                  signs);
+#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
+  if (machine_has_vectors()) {
+    check_view<Wide_sphere_filter, Place>("wide", q, own, sphere, signs);
+    check_neighbors("wide", wide_signs<Place>(q), neighbors, signs);
+    signs.may_say("wide, by columns", wide_sphere_sign_by_columns(v.data(), p), sphere);
+  }
+#endif
+}
+
+template <class Place>
+void check_rounded_cell(Quintuple q, Quintuple own, Checked_signs& signs)
+{
+  const int orientation = exact_orientation(own.v[0], own.v[1], own.v[2], own.v[3]);
+  if (orientation < 0) {
+    std::swap(q.v[0], q.v[1]);
+    std::swap(own.v[0], own.v[1]);
+  }
+  if (orientation != 0)
+    check_first_filters<Place>(q, own, signs);
+}
+
+template <class Place = const double*>
+void check_cell(Quintuple q, Checked_signs& signs)
 {
   const int orientation = exact_orientation(q.v[0], q.v[1], q.v[2], q.v[3]);
   if (orientation == 0)
     return;
   if (orientation < 0)
     std::swap(q.v[0], q.v[1]);
-  const int sphere = exact_side_of_sphere(q.v[0], q.v[1], q.v[2], q.v[3], q.p);
-  const Pointers v = Quintuple::pointers(q.v), opposite = Quintuple::pointers(q.opposite);
-  const double* const p = q.p.data();
-  signs.may_say("first filter", sphere_sign(row(v[0], p), row(v[1], p), row(v[2], p), row(v[3], p)),
-                sphere);
-  check_view<Sphere_filter>("scalar", q, sphere, signs);
-  const std::array<int, 4> neighbors = signs_of_neighbors(q);
-  check_neighbors("scalar", Sphere_filter::neighbors(v.data(), opposite.data(), p, 15), neighbors,
-                  signs);
-#ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_VECTORS
-  if (machine_has_vectors()) {
-    check_view<Wide_sphere_filter>("wide", q, sphere, signs);
-    check_neighbors("wide", wide_signs(q), neighbors, signs);
-    signs.may_say("wide, by columns", wide_sphere_sign_by_columns(v.data(), p), sphere);
-  }
-#endif
-  if (is_vertex(q, 4)) // found before any exact stage is asked
+  check_first_filters<Place>(q, q, signs);
+  if (is_vertex<Place>(q, 4)) // found before any exact stage is asked
     return;
-  const int perturbed = perturbed_side_of_sphere(q.v[0], q.v[1], q.v[2], q.v[3], q.p);
-  signs.may_say("by columns", sphere_sign_by_columns(v.data(), p), sphere);
-  signs.may_say("portable double doubles", close_sphere_sign_with<Portable_products>({v.data(), p}),
+  const int sphere = side_of_sphere<Place>(q.v[0], q.v[1], q.v[2], q.v[3], q.p, false),
+            perturbed = side_of_sphere<Place>(q.v[0], q.v[1], q.v[2], q.v[3], q.p, true);
+  const Places<Place> v = Quintuple::places<Place>(q.v);
+  const Place p(q.p.data());
+  const Exact_differences<4, Place> differences(v.data(), p);
+  signs.may_say("portable double doubles", close_sphere_sign_with<Portable_products>(differences),
                 sphere);
-  signs.may_say("double doubles", close_sphere_sign({v.data(), p}), sphere);
+  signs.may_say("double doubles", close_sphere_sign(differences), sphere);
   check_balanced<4>("sphere", v.data(), p, sphere, signs);
   check_exact("exact sphere", exact_sign<Exact_sphere>(v.data(), p), sphere, perturbed, signs);
+  check_exact("any width, sphere", wide_sign<Exact_sphere>(v.data(), p), sphere, perturbed, signs);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
   check_widths<Exact_sphere>("sphere", v.data(), p, sphere, perturbed, signs);
 #endif
 }
 
 // The first three vertices as a facet of the convex hull.
-inline void check_infinite_cell(const Quintuple& q, Checked_signs& signs)
+template <class Place = const double*>
+void check_infinite_cell(const Quintuple& q, Checked_signs& signs)
 {
-  if (is_vertex(q, 3) || are_collinear(q.v[0], q.v[1], q.v[2]))
+  if (is_vertex<Place>(q, 3) || are_collinear(q.v[0], q.v[1], q.v[2]))
     return;
-  const Pointers v = Quintuple::pointers(q.v);
-  const double* const p = q.p.data();
+  const Places<Place> v = Quintuple::places<Place>(q.v);
+  const Place p(q.p.data());
   const int height = exact_orientation(q.v[0], q.v[1], q.v[2], q.p);
-  const int circle = height != 0 ? height : exact_side_of_circle(q.v[0], q.v[1], q.v[2], q.p);
-  const int perturbed =
-      height != 0 ? height : perturbed_side_of_circle(q.v[0], q.v[1], q.v[2], q.p);
+  const auto circle_or_height = [&](bool is_perturbed) {
+    return height != 0 ? height : side_of_circle<Place>(q.v[0], q.v[1], q.v[2], q.p, is_perturbed);
+  };
+  const int circle = circle_or_height(false), perturbed = circle_or_height(true);
   signs.may_say("first filter, beyond", beyond_sign(row(v[0], p), row(v[1], p), row(v[2], p)),
                 height);
   signs.may_say("beyond by columns", beyond_sign_by_columns(v.data(), p), height);
   signs.may_say("flat beyond", flat_beyond_sign(v.data(), p), circle);
   check_balanced<3>("height", v.data(), p, -height, signs);
   check_exact("exact beyond", exact_sign<Exact_beyond>(v.data(), p), circle, perturbed, signs);
+  check_exact("any width, beyond", wide_sign<Exact_beyond>(v.data(), p), circle, perturbed, signs);
 #ifdef CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER
   check_widths<Exact_beyond>("beyond", v.data(), p, circle, perturbed, signs);
 #endif

@@ -6,10 +6,11 @@
 #define DELAUNAY_FROM_SURFACE_3_TESTS_EXACT_SIGNS_OF_POINTS_H
 
 // The signs that the compact kernel's predicates must have, from rational numbers and plain CGAL. A
-// point is anything whose first three items are its coordinates.
+// point is anything whose first three items are its coordinates, and whose fourth is its weight.
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 namespace fuzz {
@@ -59,6 +60,42 @@ inline const Perturbing_triangulation& perturbing()
 {
   static const Perturbing_triangulation triangulation;
   return triangulation;
+}
+
+struct Perturbing_regular_triangulation : CGAL::Regular_triangulation_3<Rational_kernel>
+{
+  using Base = CGAL::Regular_triangulation_3<Rational_kernel>;
+  using Base::side_of_bounded_power_circle;
+  using Base::side_of_oriented_power_sphere;
+};
+
+inline const Perturbing_regular_triangulation& perturbing_with_weights()
+{
+  static const Perturbing_regular_triangulation triangulation;
+  return triangulation;
+}
+
+template <class P>
+Rational_kernel::Weighted_point_3 exact_with_weight(const P& p)
+{
+  return {exact(p), p[3]};
+}
+
+template <class P>
+int side_of_power_sphere(const P& a, const P& b, const P& c, const P& d, const P& p,
+                         bool is_perturbed)
+{
+  return int(perturbing_with_weights().side_of_oriented_power_sphere(
+      exact_with_weight(a), exact_with_weight(b), exact_with_weight(c), exact_with_weight(d),
+      exact_with_weight(p), is_perturbed));
+}
+
+template <class P>
+int side_of_power_circle(const P& a, const P& b, const P& c, const P& p, bool is_perturbed)
+{
+  return int(perturbing_with_weights().side_of_bounded_power_circle(
+      exact_with_weight(a), exact_with_weight(b), exact_with_weight(c), exact_with_weight(p),
+      is_perturbed));
 }
 
 template <class P>

@@ -1,16 +1,16 @@
 #@ -Eprecision=128 -Eno-auto-dichotomy
-# No product of the determinant goes through more than 16 roundings (counted), and their absolute
+# No product of the determinant goes through more than 17 roundings (counted), and their absolute
 # values sum up to at most `products`: for each w by an inequality of Hadamard type for permanents (Carlen, Lieb, Loss 2006).
 
 @add = add_rel<53>;
 @sub = sub_rel<53>;
 @mul = mul_rel<53>;
 
-roundings = (1 + d1) * (1 + d2) * (1 + d3) * (1 + d4) * (1 + d5) * (1 + d6) * (1 + d7) * (1 + d8) * (1 + d9) * (1 + d10) * (1 + d11) * (1 + d12) * (1 + d13) * (1 + d14) * (1 + d15) * (1 + d16) - 1;
+roundings = (1 + d1) * (1 + d2) * (1 + d3) * (1 + d4) * (1 + d5) * (1 + d6) * (1 + d7) * (1 + d8) * (1 + d9) * (1 + d10) * (1 + d11) * (1 + d12) * (1 + d13) * (1 + d14) * (1 + d15) * (1 + d16) * (1 + d17) - 1;
 M = 1 / (1 + dm); # exactly, where it is 1 as computed
 root = sqrt(1) * (1 + dr);
 products = 4 * (2 / sqrt(3)) * M * M * sqrt(M);
-bound = add(mul(5b-49, mul(mul(1, 1), root)), 0);
+bound = add(mul(11b-50, mul(mul(1, 1), root)), 0);
 
 { |d1| <= 1b-53
   /\ |d2| <= 1b-53
@@ -28,8 +28,9 @@ bound = add(mul(5b-49, mul(mul(1, 1), root)), 0);
   /\ |d14| <= 1b-53
   /\ |d15| <= 1b-53
   /\ |d16| <= 1b-53
-  /\ |dm| <= 81b-57
+  /\ |d17| <= 1b-53
+  /\ |dm| <= 97b-57
   /\ |dr| <= 1b-53
 ->
-  |roundings * products| <= 5497558138875b-89
-  /\ bound >= 5497558138875b-89 }
+  |roundings * products| <= 12094627905525b-90
+  /\ bound >= 12094627905525b-90 }
