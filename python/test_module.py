@@ -699,7 +699,7 @@ class Regular(unittest.TestCase):
         self.assertEqual(set(again.hidden) - set(hidden), {i + 400 for i in range(30) if i in hidden})
         heavy = dfs.delaunay3(np.vstack([self.points, [.5, .5, .5]]), weights=np.append(np.zeros(400), 100))
         self.assertEqual(heavy.dimension, 3)
-        self.assertGreater(len(heavy.hidden), 350)
+        self.assertGreater(len(heavy.hidden), 300)
 
     def test_power_diagram(self):
         ours = self.ours
@@ -717,12 +717,13 @@ class Regular(unittest.TestCase):
             self.assertAlmostEqual(mine.sum(), cell.area, delta=1e-6 * cell.area + 1e-9)
         # Areas are derivatives of volumes.
         step = 1e-7
-        i, j = pairs[np.argmax(areas)]
+        inner_areas = np.where((volumes[pairs] > 0).all(axis=1), areas, 0)
+        i, j = pairs[np.argmax(inner_areas)]
         moved = self.weights.copy()
         moved[j] += step
         change = (dfs.delaunay3(self.points, weights=moved).power_volumes[i] - volumes[i]) / step
         length = np.linalg.norm(self.points[i] - self.points[j])
-        self.assertAlmostEqual(change, -areas.max() / (2 * length), delta=1e-3 * abs(change))
+        self.assertAlmostEqual(change, -inner_areas.max() / (2 * length), delta=1e-3 * abs(change))
         lattice = np.array(list(itertools.product(range(5), repeat=3)), dtype=float)
         inner = ((lattice > 0) & (lattice < 4)).all(axis=1)
         ones = dfs.delaunay3(lattice, weights=np.full(125, -2.))
@@ -776,7 +777,7 @@ class Regular(unittest.TestCase):
         flat = dfs.delaunay3(rows, weights=self.weights)
         self.assertEqual(flat.dimension, 2)
         self.assertGreater(len(flat.hidden), 0)
-        line = dfs.delaunay3(np.arange(30.).reshape(10, 3), weights=[0] * 4 + [100] + [0] * 5)
+        line = dfs.delaunay3(np.arange(30.).reshape(10, 3), weights=[0] * 4 + [10000] + [0] * 5)
         self.assertEqual((line.dimension, cell_set(line.simplices)), (1, {(0, 4), (4, 9)}))
         self.assertTrue(flat.check() and line.check())
         self.assertEqual(dfs.delaunay3([[1, 2, 3]] * 3, weights=[1, 2, 2]).vertices.tolist(), [-1, 1, 1])

@@ -193,8 +193,8 @@ public:
       look_at(points[i]);
     if (one_more != nullptr)
       look_at(one_more);
-    for (std::size_t i = 0; weights != nullptr && i < points.size(); ++i)
-      look_at_weight(std::abs(weights[i]));
+    if (weights != nullptr)
+      look_at_weights(weights, points.size());
     choose();
   }
 
@@ -232,24 +232,31 @@ private:
     }
   }
 
-  // Its square root counts as a coordinate.
-  void look_at_weight(double size)
+  // The square root of their largest difference counts as a coordinate. They may be much larger
+  // themselves, if only they stay finite.
+  void look_at_weights(const double* weights, std::size_t n)
   {
-    m_largest = (std::max)(m_largest, std::sqrt(size));
-    m_least_weight = size == 0 ? m_least_weight : (std::min)(m_least_weight, size);
+    const auto [least, most] = std::minmax_element(weights, weights + n);
+    m_largest = n == 0 ? 0 : (std::max)(m_largest, 2 * std::sqrt(*most / 4 - *least / 4));
+    for (std::size_t i = 0; i < n; ++i) {
+      const double size = std::abs(weights[i]);
+      m_largest_weight = (std::max)(m_largest_weight, size);
+      m_least_weight = size == 0 ? m_least_weight : (std::min)(m_least_weight, size);
+    }
   }
 
   void choose()
   {
     constexpr double least = (std::numeric_limits<double>::min)();
-    int exponent = 0;
+    int exponent = 0, of_weight = 0;
     std::frexp(m_largest, &exponent);
-    m_factor = std::ldexp(1., (std::min)(58 - exponent, 1000));
+    std::frexp(m_largest_weight, &of_weight);
+    m_factor = std::ldexp(1., (std::min)({58 - exponent, 1000, (1000 - of_weight) / 2}));
     m_is_exact = m_factor >= 1 || (m_least * m_factor > least && weight(m_least_weight) > least);
   }
 
   double m_largest = 0, m_least = (std::numeric_limits<double>::max)();
-  double m_least_weight = (std::numeric_limits<double>::max)();
+  double m_largest_weight = 0, m_least_weight = (std::numeric_limits<double>::max)();
   double m_factor = 0; // 0 if doubles cannot be trusted, so that no filter decides anything
   bool m_is_exact = false;
 };
@@ -280,8 +287,8 @@ public:
       return k < order.size ? points[order.order[k]] : apex;
     };
     const auto with_weight = [&](const auto& p, std::size_t k, const auto& scale) -> Coordinates {
-      if constexpr (Vertex::has_weight)
-        return {p[0], p[1], p[2], k < order.size ? scale(weights[order.order[k]]) : 0};
+      if constexpr (Vertex::has_weight) // that of the apex does not matter, if it is no larger
+        return {p[0], p[1], p[2], scale(weights[order.order[k < order.size ? k : 0]])};
       else
         return {p[0], p[1], p[2]};
     };
