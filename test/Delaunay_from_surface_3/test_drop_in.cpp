@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Delaunay_from_points_3 and Regular_from_points_3 in the place of CGAL's classes: in that of a user, and in those of CGAL's
-// algorithms that stand on it.
+// Delaunay_from_points_3 and Regular_from_points_3 in the place of CGAL's classes: in those of a
+// user, and in those of CGAL's algorithms that stand on them.
 
 #define BOOST_TEST_MODULE test_drop_in
 #include <boost/test/included/unit_test.hpp>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points with weights into a Regular_triangulation_3, next to CGAL's own insertion: cells, vertices,
-// the set of hidden points, and where these are kept.
+// Points with weights into a Regular_triangulation_3, next to CGAL's own insertion: cells,
+// vertices, the set of hidden points, and where these are kept.
 
 #define BOOST_TEST_MODULE test_regular
 #include <boost/test/included/unit_test.hpp>
