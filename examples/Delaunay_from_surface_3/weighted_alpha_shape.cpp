@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The weighted alpha shape of a chain of balls like a molecule: with alpha 0 it is dual to the union
-// of the balls. The type of the triangulation is all that differs from plain CGAL.
+// The weighted alpha shape of a chain of balls like a molecule: with alpha 0 it is dual to the
+// union of the balls. The type of the triangulation is all that differs from plain CGAL.
 
 #include <CGAL/insert_weighted_points_3.h>
 

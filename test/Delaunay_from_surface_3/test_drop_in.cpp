@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Delaunay_from_points_3 in the place of CGAL's class: in that of a user, and in those of CGAL's
-// algorithms that stand on it.
+// Delaunay_from_points_3 and Regular_from_points_3 in the place of CGAL's classes: in those of a
+// user, and in those of CGAL's algorithms that stand on them.
 
 #define BOOST_TEST_MODULE test_drop_in
 #include <boost/test/included/unit_test.hpp>
@@ -19,7 +19,9 @@
 #include <CGAL/Fixed_alpha_shape_3.h>
 #include <CGAL/Fixed_alpha_shape_cell_base_3.h>
 #include <CGAL/Fixed_alpha_shape_vertex_base_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/insert_weighted_points_3.h>
 
 #include <array>
 #include <cstddef>
@@ -44,8 +46,9 @@ std::vector<Point> points_of_sphere()
 
 // The facets of a shape by their points.
 template <class Shape>
-std::set<std::set<Point>> facets_of(const Shape& shape)
+auto facets_of(const Shape& shape)
 {
+  using Point = typename Shape::Point;
   std::set<std::set<Point>> facets;
   for (auto f = shape.finite_facets_begin(); f != shape.finite_facets_end(); ++f)
     if (shape.classify(*f) == Shape::REGULAR || shape.classify(*f) == Shape::SINGULAR) {
@@ -144,6 +147,38 @@ BOOST_AUTO_TEST_CASE(alpha_shapes)
   check_shapes<CGAL::Delaunay_triangulation_3<Kernel, Tds<Fixed_vertex, Fixed_cell>>,
                CGAL::Delaunay_from_points_3<Kernel, Tds<Fixed_vertex, Fixed_cell>>,
                Fixed_alpha_shape>();
+}
+
+template <class T, template <class> class Shape_of>
+void check_weighted_shapes()
+{
+  using Plain = CGAL::Regular_triangulation_3<Kernel, T>;
+  using Ours = CGAL::Regular_from_points_3<Kernel, T>;
+  CGAL::Random random(2);
+  std::vector<Kernel::Weighted_point_3> balls;
+  for (const Point& p : points_of_sphere())
+    balls.emplace_back(p, random.get_double(0, 0.05));
+  for (const double alpha : {-0.01, 0., 0.03}) {
+    const Shape_of<Plain> plain(balls.begin(), balls.end(), alpha);
+    const Shape_of<Ours> ours(balls.begin(), balls.end(), alpha);
+    BOOST_TEST(!facets_of(ours).empty());
+    BOOST_TEST((facets_of(ours) == facets_of(plain)));
+    BOOST_TEST((static_cast<const Plain&>(ours) == static_cast<const Plain&>(plain)));
+    Ours tr(balls.begin(), balls.end());
+    BOOST_TEST((facets_of(Shape_of<Ours>(tr, alpha)) == facets_of(plain)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(weighted_alpha_shapes)
+{
+  using Vb = CGAL::Regular_triangulation_vertex_base_3<Kernel>;
+  using Cb = CGAL::Regular_triangulation_cell_base_3<Kernel>;
+  check_weighted_shapes<
+      Tds<CGAL::Alpha_shape_vertex_base_3<Kernel, Vb>, CGAL::Alpha_shape_cell_base_3<Kernel, Cb>>,
+      Alpha_shape>();
+  check_weighted_shapes<Tds<CGAL::Fixed_alpha_shape_vertex_base_3<Kernel, Vb>,
+                            CGAL::Fixed_alpha_shape_cell_base_3<Kernel, Cb>>,
+                        Fixed_alpha_shape>();
 }
 
 BOOST_AUTO_TEST_CASE(advancing_front)

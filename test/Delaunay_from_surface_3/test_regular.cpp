@@ -2,22 +2,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Points with weights into a Regular_triangulation_3, next to CGAL's own insertion: cells, vertices,
-// the set of hidden points, and where these are kept.
+// Points with weights into a Regular_triangulation_3, next to CGAL's own insertion: cells,
+// vertices, the set of hidden points, and where these are kept.
 
 #define BOOST_TEST_MODULE test_regular
 #include <boost/test/included/unit_test.hpp>
 
-#include <CGAL/Alpha_shape_3.h>
-#include <CGAL/Alpha_shape_cell_base_3.h>
-#include <CGAL/Alpha_shape_vertex_base_3.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/vertex_info.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Fixed_alpha_shape_3.h>
-#include <CGAL/Fixed_alpha_shape_cell_base_3.h>
-#include <CGAL/Fixed_alpha_shape_vertex_base_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
@@ -589,52 +583,6 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite)
 }
 
 // --- the class ---------------------------------------------------------------------------------
-
-namespace {
-
-template <class Shape>
-std::set<std::set<Numbers>> facets_of(const Shape& shape)
-{
-  std::set<std::set<Numbers>> facets;
-  for (auto f = shape.finite_facets_begin(); f != shape.finite_facets_end(); ++f)
-    if (shape.classify(*f) == Shape::REGULAR || shape.classify(*f) == Shape::SINGULAR) {
-      std::set<Numbers> corners;
-      for (int k = 1; k < 4; ++k)
-        corners.insert(numbers(f->first->vertex((f->second + k) & 3)->point()));
-      facets.insert(corners);
-    }
-  return facets;
-}
-
-template <template <class> class Shape_of, class T>
-void check_alpha_shape(double alpha)
-{
-  using Ours = CGAL::Regular_from_points_3<Kernel, T>;
-  const Points points = protein(500);
-  Shape_of<Ours> shape(points.begin(), points.end(), alpha);
-  Shape_of<CGAL::Regular_triangulation_3<Kernel, T>> plain(points.begin(), points.end(), alpha);
-  BOOST_TEST(facets_of(shape).size() > 10u);
-  BOOST_TEST((facets_of(shape) == facets_of(plain)));
-  Ours tr(points.begin(), points.end());
-  Shape_of<Ours> from_triangulation(tr, alpha);
-  BOOST_TEST((facets_of(from_triangulation) == facets_of(plain)));
-}
-
-template <class Tr>
-using Alpha_shape = CGAL::Alpha_shape_3<Tr>;
-template <class Tr>
-using Fixed_alpha_shape = CGAL::Fixed_alpha_shape_3<Tr>;
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(alpha_shapes)
-{
-  check_alpha_shape<Fixed_alpha_shape,
-                    Tds<CGAL::Fixed_alpha_shape_vertex_base_3<Kernel, Vertex_base>,
-                        CGAL::Fixed_alpha_shape_cell_base_3<Kernel, Cell_base<Kernel>>>>(0);
-  check_alpha_shape<Alpha_shape, Tds<CGAL::Alpha_shape_vertex_base_3<Kernel, Vertex_base>,
-                                     CGAL::Alpha_shape_cell_base_3<Kernel, Cell_base<Kernel>>>>(0);
-}
 
 BOOST_AUTO_TEST_CASE(the_class)
 {
