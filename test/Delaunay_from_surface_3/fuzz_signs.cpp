@@ -57,7 +57,7 @@ class Signs : public Subject
 {
   static constexpr std::size_t quintuples_per_case = 40;
 
-  // Points, with weights or without, before and after they were scaled.
+  // Points, with weights or without, before they were scaled, if that rounds any, and after it.
   struct Scaled
   {
     Points own_points, points;
@@ -72,6 +72,10 @@ class Signs : public Subject
       , weights(w)
     {
       is_exact = scale(points, weights);
+      if (is_exact) {
+        own_points = points;
+        own_weights = weights;
+      }
     }
   };
 

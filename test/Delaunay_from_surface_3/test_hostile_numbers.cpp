@@ -58,13 +58,17 @@ BOOST_AUTO_TEST_CASE(kept_inputs)
 {
   Insertion_case all;
   for (const fuzz::Kept_input& kept : fuzz::kept_inputs) {
-    const fuzz::Quintuple quintuple = fuzz::quintuple_of(kept.points);
+    const fuzz::Quintuple quintuple = fuzz::quintuple_of(kept.points, kept.weights);
     fuzz::Tally tally;
     fuzz::Checked_signs signs(tally);
     BOOST_TEST_CONTEXT(kept.constants)
     {
       BOOST_CHECK_NO_THROW(fuzz::check_cell(quintuple, signs));
       BOOST_CHECK_NO_THROW(fuzz::check_infinite_cell(quintuple, signs));
+      if (!kept.weights.empty()) {
+        BOOST_CHECK_NO_THROW(fuzz::check_cell<fuzz::Weighted_place>(quintuple, signs));
+        BOOST_CHECK_NO_THROW(fuzz::check_infinite_cell<fuzz::Weighted_place>(quintuple, signs));
+      }
     }
     Insertion_case c;
     c.points = kept.points;

@@ -9,6 +9,7 @@
 // as small as it can be: a cell, a point, and four opposite vertices.
 
 #include "hostile_points.h"
+#include "hostile_weights.h"
 
 namespace fuzz {
 
@@ -16,6 +17,7 @@ struct Kept_input
 {
   const char* constants; // as the table in bounds/README.md names them
   Points points;
+  Weights weights = {};
 };
 
 inline const Kept_input kept_inputs[] = {
@@ -29,7 +31,7 @@ inline const Kept_input kept_inputs[] = {
       {-0x1.5626c7e2755ep+56, -0x1.ccc8bc7ce592p+56, 0x1.e9d07c194ee7p+56},
       {0x1.a173ee096891p+56, -0x1p+57, 0x1p+57},
       {-0x1.635bc60905f2p+55, 0x1.ce9446ca48e4p+55, -0x1.191599dee3fp+54}}},
-    {"wide_lengths_four",
+    {"lengths_four, in vectors",
      {{-0x1.8015a59cee64p+55, -0x1.47a3b174daf2p+56, 0x1p+57},
       {-0x1.8d9ac1378ca9p+56, -0x1.07886c8a415p+54, -0x1p+57},
       {-0x1p+57, -0x1.fc860a95f2c8p+56, -0x1.7f5ffd64f0adp+56},
@@ -139,6 +141,45 @@ inline const Kept_input kept_inputs[] = {
       {0x1.ee1fbb64c4159p-559, 0x1.5643513891814p-558, -0x1.d279606ed69dep-557},
       {0x1.73448d9ca1121p-558, -0x1.b35c7e75c8de7p-557, -0x1.869ce1402a0e6p-558},
       {0x1.ee1fbb64c4159p-559, 0x1.5643513891814p-558, -0x1.d279606ed69dep-557}}},
+    {"weighted_lengths_four",
+     {{-0x1.8015a59cee64p+54, -0x1.47a3b174daf2p+55, 0x1p+56},
+      {-0x1.8d9ac1378ca9p+55, -0x1.07886c8a415p+53, -0x1p+56},
+      {-0x1p+56, -0x1.fc860a95f2c8p+55, -0x1.7f5ffd64f0adp+55},
+      {-0x1.5626c7e2755ep+55, -0x1.ccc8bc7ce592p+55, 0x1.e9d07c194ee7p+55},
+      {0x1.010581b641fp+51, 0x1.d8df56f838e6p+55, -0x1p+56},
+      {-0x1.10170959b07cp+53, 0x1.8c658588581p+53, 0x1p+56},
+      {-0x1.8015a59cee64p+54, -0x1.47a3b174daf2p+55, 0x1p+56},
+      {-0x1.8015a59cee64p+54, -0x1.47a3b174daf2p+55, 0x1p+56},
+      {0x1p+56, -0x1.b56b25ab0f0fp+55, 0x1.b50871c1d36cp+55}},
+     {-0x1.53f520f84ab2dp+114, -0x1.7cdeb1efd6607p+113, -0x1.7f505ed6a574bp+113,
+      -0x1.6fa07cffdaea6p+114, -0x1.0a7b2c1335ccp+114, -0x1.88e11fb4564cdp+114,
+      -0x1.53f520f84ab2dp+114, -0x1.53f520f84ab2dp+114, -0x1.c52289d2ab315p+113}},
+    {"weighted_columns_four",
+     {{0x1.8042213d767cp+53, 0x1p+56, -0x1.70b39d6a5a3p+52},
+      {-0x1.635bc60905f2p+54, 0x1.ce9446ca48e4p+54, -0x1.191599dee3fp+53},
+      {-0x1.93a122b76938p+53, 0x1p+56, -0x1.08b8a84ecaa9p+55},
+      {-0x1.62c6b92f577cp+54, -0x1p+56, -0x1.6ea75162be88p+55},
+      {0x1.f38ab3aa44b8p+53, -0x1.ae2d2140d93fp+55, 0x1.c536119becaap+54},
+      {-0x1.125be83e4713p+55, -0x1.00ac0cf077cap+54, 0x1p+56},
+      {-0x1.5626c7e2755ep+55, -0x1.ccc8bc7ce592p+55, 0x1.e9d07c194ee7p+55},
+      {0x1.a173ee096891p+55, -0x1p+56, 0x1p+56},
+      {-0x1.635bc60905f2p+54, 0x1.ce9446ca48e4p+54, -0x1.191599dee3fp+53}},
+     {-0x1.469db151b5881p+114, -0x1.fca7331a01556p+113, -0x1.43d88a6f88098p+114,
+      -0x1.338beb85be92p+112, -0x1.29bb55028dd9bp+113, -0x1.879fb4a2507dep+114,
+      -0x1.6fa07cffdaea6p+114, -0x1.00b2ab1f40bebp+114, -0x1.fca7331a01556p+113}},
+    {"weighted_lengths_circle",
+     {{0x0p+0, -0x1.999999999999ap+55, 0x0p+0},
+      {0x0p+0, 0x1.999999999999ap+55, 0x1.999999999999ap+56},
+      {0x0p+0, -0x1.999999999999ap+55, 0x1.999999999999ap+56},
+      {0x0p+0, 0x0p+0, 0x0p+0},
+      {0x0p+0, 0x1.999999999999ap+56, -0x1.999999999999ap+56},
+      {0x0p+0, -0x1.999999999999ap+55, 0x1.999999999999ap+55},
+      {0x0p+0, -0x1.999999999999ap+55, -0x1.999999999999ap+55},
+      {0x0p+0, -0x1.999999999999ap+55, 0x1.999999999999ap+55},
+      {0x0p+0, 0x1.999999999999ap+55, -0x1.999999999999ap+56}},
+     {0x1.47ae147ae147cp+111, 0x1.999999999999bp+113, 0x1.999999999999bp+113, 0x0p+0,
+      0x1.47ae147ae147bp+114, 0x1.47ae147ae147cp+112, 0x1.47ae147ae147cp+112,
+      0x1.47ae147ae147cp+112, 0x1.999999999999bp+113}},
 };
 
 } // namespace fuzz
