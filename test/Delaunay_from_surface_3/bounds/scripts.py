@@ -380,9 +380,9 @@ SCRIPTS = {
     "weighted_double_double_sphere": (weighted(double_double_sphere), lambda: 1 / DOUBLE_DOUBLES(), Fraction(1, 2**94)),
     "balanced_doubles": (balanced_doubles, read(r"error = (\d+) \* Filter_bounds::unit;", "balanced_signs.h"), 18),
     "balanced_double_doubles": (balanced_double_doubles, read(r"error = (0x1p-\d+);", "balanced_signs.h"), Fraction(1, 2**96)),
-    "underflow_lengths": (underflow_lengths, read(r"unit_of_double; static constexpr double tiny = (1e-\d+);", "Sphere_filter.h"), Fraction(1, 2**1066)),
+    "underflow_lengths": (underflow_lengths, read(r"unit_of_double; static constexpr double tiny = (1e-\d+);", "Sphere_filter.h"), Fraction(1, 2**1064)),
     "underflow_columns": (underflow_columns, read(r"struct Column_sizes \{ static constexpr double tiny = (1e-\d+);", "Sphere_filter.h"), Fraction(1, 2**885)),
-    "underflow_balanced": (underflow_balanced, read(r"d\.size \+ (0x1p-\d+)\)", "balanced_signs.h"), Fraction(1, 2**886)),
+    "underflow_balanced": (underflow_balanced, read(r"d\.size \+ (0x1p-\d+)\)", "balanced_signs.h"), Fraction(1, 2**885)),
 }
 
 
