@@ -83,15 +83,6 @@ private:
   std::size_t m_not_double; // the first point whose weight is none, or the number of points
 };
 
-// Calls the core for the weights, whatever the type of the executor.
-template <class Point>
-std::unique_ptr<Built> build(Doubles_of_points<Point, true>& points, const Build_options& options,
-                             Observer& observer, const Alone& executor)
-{
-  return build(static_cast<Weighted_point_source&>(points), options, observer,
-               static_cast<const Executor&>(executor));
-}
-
 // Inserts points with weights by CGAL, in the loop of the paper. Vertices that a point hides are
 // destroyed, so walks start from the cell of the insertion before, and not from a vertex.
 template <class Triangulation>

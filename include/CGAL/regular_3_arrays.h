@@ -40,8 +40,7 @@ Delaunay_3_arrays<Index> insert_weighted(const PointRange& points, const WeightR
 {
   Read_weighted_points<PointRange, WeightRange, NamedParameters> read(points, weights, np);
   const typename Executor_of_tag<ConcurrencyTag>::type executor{};
-  return insert_into_arrays<Index>(read, kept, std::nullopt, static_cast<const Executor&>(executor),
-                                   np);
+  return insert_into_arrays<Index>(read, kept, std::nullopt, executor, np);
 }
 
 template <class Item>

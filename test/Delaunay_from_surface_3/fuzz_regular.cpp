@@ -69,7 +69,8 @@ Outcome outcome_of(const Regular& rt)
     return ball({p.x(), p.y(), p.z()}, p.weight());
   };
   const int d = rt.dimension();
-  for (const auto c : rt.tds().cell_handles()) {
+  const auto& cells = rt.tds().cells(); // of any dimension
+  for (auto c = cells.begin(); c != cells.end(); ++c) {
     std::vector<Ball> corners;
     for (int k = 0; k <= d; ++k)
       if (!rt.is_infinite(c->vertex(k)))

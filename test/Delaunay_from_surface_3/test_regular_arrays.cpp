@@ -470,6 +470,33 @@ BOOST_AUTO_TEST_CASE(many_threads)
   }
 }
 
+// A few heavy ones swallow nearly all others, so that walks are to start in cells that are dead.
+BOOST_AUTO_TEST_CASE(many_threads_and_heavy_points)
+{
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    Balls balls;
+    const std::size_t n = 400 + random() % 4000, heavy = 1 + random() % 12;
+    const double weight = 8 * unit(random), spread = 1 + 2 * unit(random);
+    for (std::size_t i = 0; i < n; ++i)
+      balls.push_back({unit(random), unit(random), unit(random), 0});
+    for (std::size_t i = 0; i < heavy; ++i) {
+      Balls::value_type ball = {0, 0, 0, weight};
+      for (std::size_t c = 0; c < 3; ++c)
+        ball[c] = .5 + spread * (unit(random) - .5);
+      balls.push_back(ball);
+    }
+    const auto points = points_of(balls);
+    const auto weights = weights_of(balls);
+    DFS::internal::Read_weighted_points<std::vector<Point>, std::vector<double>> read(points,
+                                                                                      weights);
+    const Arrays arrays = DFS::internal::insert_into_arrays<std::int32_t>(
+        read, nullptr, std::nullopt, tests::Thread_executor(2), CGAL::parameters::default_values());
+    BOOST_TEST(mistake_in(arrays, balls) == "", "seed " << seed);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(points_and_weights_of_any_kind)
 {
   const Balls balls = lattice({4, 3, 3}, 2);

@@ -34,7 +34,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
 std::unique_ptr<Built> build(Weighted_point_source& points, const Build_options& options,
                              Observer& observer, const Executor& executor);
 
-#if !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED) || defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY)
+#if defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY) || !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
 
 CGAL_DELAUNAY_FROM_SURFACE_3_INLINE std::unique_ptr<Built> build(Weighted_point_source& points,
                                                                  const Build_options& options,
@@ -49,6 +49,19 @@ CGAL_DELAUNAY_FROM_SURFACE_3_INLINE std::unique_ptr<Built> build(Weighted_point_
 #endif
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Does the same with one thread, as that of build.h.
+inline std::unique_ptr<Built> build(Weighted_point_source& points, const Build_options& options,
+                                    Observer& observer, const Alone& executor)
+{
+  return build_by<Weighted_vertex, Insert_alone>(points, options, observer, executor);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+#endif
 } // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

@@ -80,6 +80,8 @@ public:
       throw Too_many_cells();
     m_vertices.allocate(m_number_of_vertices);
     m_vertices[infinite] = Vertex{{far, 0, 0}, 0, 0};
+    if constexpr (Vertex::has_weight)
+      m_vertices[infinite].coordinates[3] = n > 0 ? coordinates(0)[3] : 0; // of usual size
     for_each_block(executor, n, number_of_blocks(executor, n, 4096),
                    [&](std::size_t first, std::size_t last, std::size_t) {
                      for (std::size_t i = first; i < last; ++i)

@@ -236,8 +236,13 @@ private:
   // themselves, if only they stay finite.
   void look_at_weights(const double* weights, std::size_t n)
   {
+    if (n == 0)
+      return;
     const auto [least, most] = std::minmax_element(weights, weights + n);
-    m_largest = n == 0 ? 0 : (std::max)(m_largest, 2 * std::sqrt(*most / 4 - *least / 4));
+    const double difference = *most - *least; // of numbers that are so large it is halved twice
+    m_largest =
+        (std::max)(m_largest, is_finite_number(difference) ? std::sqrt(difference)
+                                                           : 2 * std::sqrt(*most / 4 - *least / 4));
     for (std::size_t i = 0; i < n; ++i) {
       const double size = std::abs(weights[i]);
       m_largest_weight = (std::max)(m_largest_weight, size);

@@ -11,8 +11,9 @@
 //
 // It goes towards the point, through facets that the point lies beyond (Compact_predicates.h says
 // which), until a cell is in conflict with the point. The cell that contains the point is in
-// conflict with it, unless the point is one of its vertices; in a Delaunay triangulation no such
-// walk runs in a circle, whichever facets it takes. Cost: O(1) per cell.
+// conflict with it, unless the point is one of its vertices, or is hidden by them, as with weights
+// it may be; in a Delaunay or regular triangulation no such walk runs in a circle, whichever facets
+// it takes. Cost: O(1) per cell.
 
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Dig_conflict_zone.h>

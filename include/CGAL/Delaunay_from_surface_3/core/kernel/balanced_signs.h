@@ -12,10 +12,10 @@
 // change places; so any of them may be the origin. A row may be subtracted from another: let D be
 // the edge that joins a point to its parent in a tree with the origin o as root. Then w differs by
 //   w = D · F,  F = (point - o) + (parent - o),
-// less the difference of their weights, if they have any. And rows and columns may be multiplied by powers of 2: each row so that the largest of D is at
-// least 2^59 and less than 2^60, and the column w so that the largest |point - o| is. Coordinates
-// are at most 2^58, so these powers are at least 1, and nothing is lost but where a power would be
-// too large for a double.
+// less the difference of their weights, if they have any. And rows and columns may be multiplied by
+// powers of 2: each row so that the largest of D is at least 2^59 and less than 2^60, and the column
+// w so that the largest |point - o| is. Coordinates are at most 2^58, so these powers are at least 1,
+// and nothing is lost but where a power would be too large for a double.
 //
 // In doubles a product goes through 3 + (1 + 2 + 3) + 8 = 17 roundings: 18 u S is on the safe side
 // (Bounded_number). In sums of two doubles differences are exact, and it goes through 1 + 3 + 8 =

@@ -405,7 +405,8 @@ public:
   static void close(Cell& cell, Id p) { store_release(cell.v[0], p); }
 
   // A worker that destroys a cell stores later than its maker: so the cell that is stored last is
-  // alive.
+  // alive, unless the vertex has lost its last cell to others with larger weights. Then it is dead,
+  // or was made anew without the vertex.
   static void set_cell(Vertex* vertices, Id v, Id c) { store_relaxed(vertices[v].cell, c); }
 
   // The infinite vertex can only be the last corner. It gets no cell, since all workers would write
