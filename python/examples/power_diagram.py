@@ -39,6 +39,6 @@ if __name__ == "__main__":
     centers, weights = random.random((2000, 3)), random.random(2000) * .004
     volumes, hessian = cells_in_box(centers, weights)
     print(f"{np.count_nonzero(volumes == 0)} of {len(volumes)} balls are hidden; the volumes add up to {volumes.sum():.12f}")
-    step = 1e-6 * random.random(2000)
+    step = 1e-9 * random.random(2000)
     expected, found = hessian @ step, cells_in_box(centers, weights + step)[0] - volumes
     print(f"largest error of the derivatives: {np.abs(found - expected).max() / np.abs(expected).max():.1e}")
