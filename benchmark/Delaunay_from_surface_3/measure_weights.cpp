@@ -9,7 +9,6 @@
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/run_program.h>
 
-#include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/insert_weighted_points_3.h>
