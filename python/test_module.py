@@ -760,6 +760,24 @@ class Regular(unittest.TestCase):
             for one, other in zip(plain.alpha_complex(alpha), same.alpha_complex(alpha)):
                 np.testing.assert_array_equal(one, other)
 
+    @unittest.skipUnless(importlib.util.find_spec("gudhi"), "GUDHI (Debian: python3-gudhi) was not found")
+    def test_alpha_complex_is_that_of_gudhi(self):
+        """So persistence is, too. Its filtration has squares of radii."""
+        import gudhi
+        for n, share, less in ((60, .02, 0), (200, .02, 0), (60, .2, 0), (60, .001, .3)):
+            points, weights = self.points[:n], self.weights[:n] / .02 * share - less
+            tree = gudhi.AlphaComplex(points=points.tolist(), weights=weights.tolist(), precision="exact").create_simplex_tree()
+            values = {tuple(sorted(simplex)): value for simplex, value in tree.get_filtration()}
+            ours = dfs.delaunay3(points, weights=weights)
+            for alpha in (0, .05, .1, .2, .4, .8):
+                found = ours.alpha_complex(alpha)
+                mine = {(v,) for v in found.vertices.tolist()} | cell_set(found.edges) | cell_set(found.triangles)
+                mine |= cell_set(ours.simplices[found.simplices])
+                self.assertTrue(mine <= set(values))
+                for simplex, value in values.items():
+                    if abs(value - alpha ** 2) > 1e-9:
+                        self.assertEqual(simplex in mine, value < alpha ** 2, (n, share, alpha, simplex))
+
     def test_shift_threads_and_order(self):
         shifted = dfs.delaunay3(self.points, weights=self.weights + 4.)
         exact = dfs.delaunay3(self.points, weights=(self.weights + 4.) - 4.)  # without the digits that were lost
