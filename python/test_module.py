@@ -1641,6 +1641,8 @@ class Types(unittest.TestCase):
             number: int = ours.simplices[0, 0] + ours.neighbors[0, 0] + ours.find_simplex([.5, .5, .5], threads=None)
             weights = ours.barycentric([[.5, .5, .5]], [3]) * ours.volumes[0]
             edges = ours.alpha_complex(np.float32(3)).edges.max() + dfs.subgraph([[0, 1, 2]], np.int64(3))
+            power = dfs.delaunay3(points, weights=[1, 2, 3, 4, 5])
+            size: float = power.power_volumes[0] + power.power_facets.areas[0] + power.alpha_complex(3).vertices[0]
             cpp.triangulate(points, threads=2)
             for some, cells in dfs.delaunay3_tiles("cloud.npy", "tiles", memory="8G"):
                 some[cells]
@@ -1650,7 +1652,7 @@ class Types(unittest.TestCase):
                 print(stopped.args)
             """
         wrong = ['dfs.delaunay3(points, threads="all")', "dfs.delaunay3(points, [1, 2, 3])", "ours.check(3)",
-                 "ours.simplices.no_such_member", "ours.points = 3", "dfs.no_such_function()"]
+                 "ours.power_volumes", "ours.simplices.no_such_member", "ours.points = 3", "dfs.no_such_function()"]
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "user.py"
             file.write_text("\n".join([textwrap.dedent(program.replace("if True:\n", "", 1)), *wrong]), encoding="utf-8")

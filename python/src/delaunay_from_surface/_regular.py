@@ -116,7 +116,8 @@ class Regular3(Delaunay3):
         self._needs_space("power_facets")
         ends = np.sort(self.simplices[:, CORNERS_OF_EDGES].reshape(-1, 2), axis=1).astype(np.int64)
         codes, place = np.unique(ends[:, 0] * self.npoints + ends[:, 1], return_inverse=True)
-        areas = np.bincount(place.reshape(-1), self._power_diagram[1].reshape(-1), len(codes))
+        areas = np.zeros(len(codes))
+        np.add.at(areas, place.reshape(-1), self._power_diagram[1].reshape(-1))
         hull = np.sort(self.convex_hull[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1).astype(np.int64)
         areas[np.searchsorted(codes, hull[:, 0] * self.npoints + hull[:, 1])] = -1
         return PowerFacets(np.stack(np.divmod(codes, self.npoints), axis=1).astype(np.int32), areas)

@@ -253,9 +253,10 @@ private:
   void choose()
   {
     constexpr double least = (std::numeric_limits<double>::min)();
-    int exponent = 0, of_weight = 0;
+    int exponent = 0, of_weight = -1000;
     std::frexp(m_largest, &exponent);
-    std::frexp(m_largest_weight, &of_weight);
+    if (m_largest_weight > 0)
+      std::frexp(m_largest_weight, &of_weight);
     m_factor = std::ldexp(1., (std::min)({58 - exponent, 1000, (1000 - of_weight) / 2}));
     m_is_exact = m_factor >= 1 || (m_least * m_factor > least && weight(m_least_weight) > least);
   }
