@@ -143,6 +143,8 @@ std::string kind_of(const Surface& surface)
 {
   if (surface.is_manifold)
     return CGAL::is_triangle_mesh(surface.mesh) ? "triangle mesh" : "polygon mesh";
+  if (!surface.weighted.empty())
+    return "points with weights";
   return surface.faces.empty() ? "points without faces" : "polygon soup";
 }
 
@@ -168,28 +170,39 @@ void note_what_is_odd(const Options& options, const Surface& surface, Messages& 
     messages.note(options.input + ": " + std::to_string(surface.announced_points) +
                   " points are announced, and only " + std::to_string(surface.points.size()) +
                   " are there");
-  if (surface.faces.empty())
+  if (options.weights) {
+    if (!surface.faces.empty())
+      messages.note(options.input + ": its faces are passed over, as its points have weights");
+  } else if (surface.faces.empty()) {
     messages.note(options.input + ": there are no faces, its points are taken alone");
-  else if (!surface.is_manifold)
+  } else if (!surface.is_manifold) {
     messages.note(options.input +
                   ": not a consistently oriented manifold mesh, taken as a polygon soup");
+  }
 }
 
-void report_result(const Surface& surface, const Triangulation& tr, Report& report)
+template <class Tr>
+void report_result(const Surface& surface, const Tr& tr,
+                   const std::vector<typename Tr::Vertex_handle>& vertices, Report& report)
 {
+  const auto hidden =
+      std::size_t(std::count(vertices.begin(), vertices.end(), typename Tr::Vertex_handle()));
   report("dimension", tr.dimension());
   report("vertices", tr.number_of_vertices());
-  report("duplicates", surface.points.size() - tr.number_of_vertices());
+  report("duplicates", surface.points.size() - hidden - tr.number_of_vertices());
+  if (!surface.weighted.empty())
+    report("hidden points", hidden);
   report("finite cells", tr.number_of_finite_cells());
   report("cells", tr.number_of_cells());
 }
 
-template <class Traits>
+template <class Tr, class Traits>
 int run(const Options& options, const Surface& surface, Output& output, Report& report,
         Messages& messages, const Traits& traits)
 {
-  Triangulation tr;
-  Vertices vertices;
+  constexpr bool is_delaunay = std::is_same<Tr, Triangulation>::value;
+  Tr tr;
+  std::vector<typename Tr::Vertex_handle> vertices;
   Seconds seconds;
   Progress_visitor visitor(surface.points.size(), messages);
   try {
@@ -200,26 +213,28 @@ int run(const Options& options, const Surface& surface, Output& output, Report& 
   }
   messages.clear();
   report("CPU seconds", seconds.cpu, 6);
-  report_result(surface, tr, report);
-  check_that_view_is_possible(options, tr);
+  report_result(surface, tr, vertices, report);
+  if constexpr (is_delaunay)
+    check_that_view_is_possible(options, tr);
   if (!options.output.empty()) {
     messages.step("writing " + options.output);
     write(options, surface, tr, vertices, output, report, messages);
     messages.clear();
   }
-  if (!options.view.empty()) {
-    messages.step("writing " + options.view);
-    write_view(options, surface, tr, vertices, traits, visitor.has_replaced_order(), output.view(),
-               report);
-    messages.clear();
-  }
+  if constexpr (is_delaunay)
+    if (!options.view.empty()) {
+      messages.step("writing " + options.view);
+      write_view(options, surface, tr, vertices, traits, visitor.has_replaced_order(),
+                 output.view(), report);
+      messages.clear();
+    }
   note_what_is_odd(options, surface, messages); // beside an error it would be in the way
 
   bool is_equal = true;
   if (options.compare)
     is_equal = compare_with_plain(surface, traits, options.seed, options.repetitions, tr, report,
                                   messages);
-  if constexpr (!std::is_same<Traits, Parallel_traits>::value)
+  if constexpr (is_delaunay && !std::is_same<Traits, Parallel_traits>::value)
     if (options.stats) {
       messages.step("counting");
       report_surface(surface, tr, vertices, report);
@@ -239,20 +254,24 @@ int run(const Options& options, Report& report, Messages& messages)
 #endif
   Output output(options);
   messages.step("reading " + options.input);
-  const Surface surface = read_surface(options.input, options.from);
+  const Surface surface = read_surface(options.input, options.from, options.weights);
   check_that_there_are_faces(options, surface);
   messages.clear();
   report_input(options, surface, report);
   if (options.traits == "tracing")
-    return run(options, surface, output, report, messages, CGAL::Tracing_traits_3());
+    return run<Triangulation>(options, surface, output, report, messages, CGAL::Tracing_traits_3());
   if (options.traits == "plain")
-    return run(options, surface, output, report, messages, CGAL::Plain_insertion_traits_3());
+    return run<Triangulation>(options, surface, output, report, messages,
+                              CGAL::Plain_insertion_traits_3());
+  const auto run_by_default = [&](const auto& traits) {
+    return options.weights ? run<Regular>(options, surface, output, report, messages, traits)
+                           : run<Triangulation>(options, surface, output, report, messages, traits);
+  };
 #ifdef CGAL_LINKED_WITH_TBB
   if (threads)
-    return threads->execute(
-        [&] { return run(options, surface, output, report, messages, Parallel_traits()); });
+    return threads->execute([&] { return run_by_default(Parallel_traits()); });
 #endif
-  return run(options, surface, output, report, messages, CGAL::Surface_insertion_traits_3());
+  return run_by_default(CGAL::Surface_insertion_traits_3());
 }
 
 // Results go to the standard output, unless the tetrahedra do.

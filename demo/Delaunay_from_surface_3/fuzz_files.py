@@ -72,6 +72,7 @@ def seeds():
         ("off", b"OFF BINARY\n" + struct.pack(">iii", 6, 6, 0) + b"".join(struct.pack(">3f", *p) for p in POINTS)
          + b"".join(struct.pack(">5i", 3, *f, 0) for f in FACES)),
         ("ply", text([*ascii_ply, *points, *faces])),
+        ("ply", text([*ascii_ply[:6], "property float radius", *ascii_ply[6:], *(p + " 0.5" for p in points), *faces])),
         ("ply", ply("<", "uchar", "int", "B3ii")), ("ply", ply(">", "uint", "uint", "I3Ii")),
         ("ply", ply("<", "int", "ushort", "i3Hi")),
         ("obj", text(["# comment", "o name", *("v " + p for p in points), "vt 0 0", "vn 0 0 1",
@@ -162,8 +163,9 @@ def main():
             file = Path(folder) / f"{seed}-{i}.{extension}"
             file.write_bytes(data)
             output = Path(folder) / f"output.{generator.choice(('vtu', 'vtk', 'msh', 'mesh', 'cgal'))}"
-            run = subprocess.run([PROGRAM, file, "--compare", "--repetitions", "1", "--output", output], capture_output=True, text=True,
-                                 errors="replace", env=environment, preexec_fn=limits)
+            weights = ["--weights"] if extension in ("ply", "xyz", "pts") and generator.random() < .4 else []
+            run = subprocess.run([PROGRAM, file, "--compare", "--repetitions", "1", "--output", output, *weights],
+                                 capture_output=True, text=True, errors="replace", env=environment, preexec_fn=limits)
             counts[extension, "taken" if run.returncode == 0 else "refused"] += 1
             counts.update(names)
             problem = what_is_wrong(run)

@@ -7,6 +7,7 @@
 import json
 import math
 import os
+import random
 import re
 import resource
 import signal
@@ -15,6 +16,7 @@ import subprocess
 import time
 import unittest
 from fractions import Fraction
+from itertools import combinations
 from pathlib import Path
 
 from program_case import ROOT, TORUS, ProgramCase
@@ -28,17 +30,21 @@ PLY_VERTICES = ["ply", "format ascii 1.0", "element vertex 4", "property double 
 PLY_CORNERS = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
 
 
-def circumradius(points):
-    """Of a tetrahedron, by Cramer's rule."""
+def squared_power_radius(points, weights=(0, 0, 0, 0)):
+    """Of a tetrahedron, by Cramer's rule; with the centre."""
     edges = [[a - b for a, b in zip(p, points[0])] for p in points[1:]]
 
     def det(m):
         return sum(m[0][i] * (m[1][(i + 1) % 3] * m[2][(i + 2) % 3] - m[1][(i + 2) % 3] * m[2][(i + 1) % 3])
                    for i in range(3))
-    squares = [sum(x * x for x in e) / 2 for e in edges]
+    squares = [(sum(x * x for x in e) + weights[0] - w) / 2 for e, w in zip(edges, weights[1:])]
     center = [det([[s if k == j else e[k] for k in range(3)] for e, s in zip(edges, squares)]) / det(edges)
               for j in range(3)]
-    return sum(x * x for x in center) ** 0.5
+    return sum(x * x for x in center) - weights[0], [a + x for a, x in zip(points[0], center)]
+
+
+def circumradius(points):
+    return squared_power_radius(points)[0] ** 0.5
 
 
 class Program(ProgramCase):
@@ -643,6 +649,133 @@ class Output(ProgramCase):
     def test_a_standard_output_that_is_full(self):
         with open("/dev/full", "w") as full:
             self.refuses("the results cannot be written", TORUS, stdout=full)
+
+
+class Weights(ProgramCase):
+    program = os.environ["DELAUNAY_FROM_SURFACE"]
+
+    # The sphere through the corners of this tetrahedron has the squared radius 12 and the power -9 at (1, 1, 1).
+    CORNERS = ["0 0 0", "4 0 0", "0 4 0", "0 0 4"]
+
+    def read_vtk(self, name):
+        """Its tetrahedra, as sets of indices in the input, with their squared power radii."""
+        words = (self.folder / name).read_text().split()
+        indices = list(map(int, words[words.index("input_index") + 5:][:int(words[words.index("POINTS") + 1])]))
+        number = int(words[words.index("CELLS") + 1])
+        cells = [frozenset(indices[int(w)] for w in words[words.index("CELLS") + 4 + 5 * c:][:4]) for c in range(number)]
+        return dict(zip(cells, map(float, words[words.index("squared_power_radius") + 5:][:number])))
+
+    def test_every_format(self):
+        """A point that the others hide, or not, comes first. Equal weights change the radius and nothing else."""
+        hidden, seen = {frozenset((1, 2, 3, 4))}, {frozenset((0, *c)) for c in combinations((1, 2, 3, 4), 3)}
+        header = ["ply", "format ascii 1.0", "element vertex 5", *PLY_VERTICES[3:]]
+        faces = ["element face 1", "property list uchar int vertex_indices", "end_header"]
+        places = [[1, 1, 1], *([float(x) for x in c.split()] for c in self.CORNERS)]
+        for cells, weight, radius in ((hidden, 4, 2), (seen, 9, 3)):
+            lines = [f"1 1 1 {weight - 16}", *(c + " 0" for c in self.CORNERS)]
+            self.write("a.xyz", "x y z w", *lines)
+            self.write("b.pts", "5", *(line + " 255 0 0" for line in lines))
+            self.write("c.ply", *header, "property float weight", *faces, *lines, "3 0 1 2")
+            lines = [f"{radius} 7 1 1 1", *("4 7 " + c for c in self.CORNERS)]
+            self.write("d.ply", *header[:3], "property double radius", "property int a", *header[3:], *faces, *lines, "3 0 1 2")
+            binary = "\n".join([*header, "property float radius", "property double weight", "end_header", ""])
+            self.write("e.ply", binary.replace("ascii", "binary_big_endian").encode() + b"".join(
+                struct.pack(">3dfd", *p, 1, w) for p, w in zip(places, (weight, 16, 16, 16, 16))))
+            for name, radius in (("a.xyz", 12), ("b.pts", 12), ("c.ply", 12), ("d.ply", -4), ("e.ply", -4)):
+                with self.subTest(name):
+                    note = rf"note: {name}: its faces are passed over, as its points have weights\n" if name in ("c.ply", "d.ply") else ""
+                    self.works(name, "--weights", "--compare", "--repetitions", 1, "--output", "out.vtk", prints=[
+                        r"\nsurface: +points with weights\n", rf"\nvertices: +{5 - (cells == hidden)}\n", r"\nduplicates: +0\n",
+                        rf"\nhidden points: +{int(cells == hidden)}\n", rf"\nfinite cells: +{len(cells)}\n", r"\nequal: +yes\n",
+                        rf"\nwritten: +{len(cells)} tetrahedra to out.vtk\n"], notes=note)
+                    found = self.read_vtk("out.vtk")
+                    self.assertEqual(set(found), cells)
+                    weights = {i: (weight - 16 if i == 0 else 0) + 12 - radius for i in range(5)}
+                    for cell, value in found.items():
+                        expected, _ = squared_power_radius([places[i] for i in sorted(cell)], [weights[i] for i in sorted(cell)])
+                        self.assertAlmostEqual(value, expected, 9)
+                        self.assertTrue(cells == seen or value == radius)
+        self.works("-", "--from", "xyz", "--weights", "--json", input=(self.folder / "a.xyz").read_text(), prints=['"hidden_points": 0,'])
+        self.works("a.xyz", "--json", "--quiet", prints=['"finite_cells": 4,'])  # without the option they are passed over
+
+    def test_every_output(self):
+        self.write("a.xyz", "1 1 1 -20", *(c + " 0" for c in self.CORNERS))
+        for name, expected in (
+                ("a.vtu", r'NumberOfPoints="4" NumberOfCells="1"[^$]*Name="squared_power_radius"'),
+                ("a.msh", r'\$Nodes\n4\n[^$]*\$EndNodes\n\$Elements\n1\n[^$]*\$EndElements\n\$ElementData\n1\n"squared_power_radius"'),
+                ("a.mesh", r"Vertices\n4\n0 0 0 0\n[^$]*Tetrahedra\n1\n"), ("a.node", r"\A4 3 0 0\n0 0 0 0\n"),
+                ("a.ele", r"\A1 4 0\n"), ("a.neigh", r"\A1 4\n0 -1 -1 -1 -1\n")):
+            self.works("a.xyz", "--weights", "--output", name, prints=[r"\nwritten: +1 tetrahedra to "])
+            self.assertRegex((self.folder / name).read_bytes().decode("latin-1"), expected)
+
+    def test_all_tetrahedra(self):
+        """Those of four points whose power sphere leaves all others a positive power."""
+        generator = random.Random(1)
+        points = [[Fraction(generator.random()) for _ in range(3)] for _ in range(20)]
+        weights = [Fraction(generator.uniform(-.3, .3)) for _ in points]
+        cells = {}
+        for cell in combinations(range(len(points)), 4):
+            radius, center = squared_power_radius([points[i] for i in cell], [weights[i] for i in cell])
+            if all(sum((x - c) ** 2 for x, c in zip(p, center)) - w - radius > 0
+                   for i, (p, w) in enumerate(zip(points, weights)) if i not in cell):
+                cells[frozenset(cell)] = radius
+        hidden = len(points) - len(set().union(*cells))
+        self.assertGreater(hidden, 1)
+        self.write("points.xyz", *(" ".join(repr(float(x)) for x in (*p, w)) for p, w in zip(points, weights)))
+        has_threads = "built without TBB" not in self.run_program(TORUS, "--threads", 2).stderr
+        for threads in (1, 2) if has_threads else (1,):
+            self.works("points.xyz", "--weights", "--threads", threads, "--compare", "--repetitions", 1, "--output", "out.vtk", prints=[
+                rf"\nhidden points: +{hidden}\n", rf"\nfinite cells: +{len(cells)}\n", r"\nequal: +yes\n"])
+            found = self.read_vtk("out.vtk")
+            self.assertEqual(set(found), set(cells))
+            for cell, radius in found.items():
+                self.assertLess(abs(radius - cells[cell]), 1e-9 * (1 + abs(cells[cell])))
+
+    def test_equal_points_and_planes(self):
+        """At one place the heaviest counts, and its copies are duplicates; in a plane there are triangles."""
+        self.write("a.xyz", *(c + " 1" for c in self.CORNERS), "4 0 0 0.5", "4 0 0 2", "4 0 0 2")
+        self.works("a.xyz", "--weights", "--output", "out.vtk", prints=[
+            r"\nvertices: +4\n", r"\nduplicates: +1\n", r"\nhidden points: +2\n"])
+        self.assertEqual(set(self.read_vtk("out.vtk")), {frozenset((0, 2, 3, 5))})
+        self.write("plane.xyz", "0 0 1 0", "3 0 1 0", "0 3 1 0", "1 1 1 -9")
+        self.works("plane.xyz", "--weights", "--compare", "--output", "plane.vtu", prints=[
+            r"\ndimension: +2\n", r"\nvertices: +3\n", r"\nhidden points: +1\n", r"\nwritten: +1 triangles to plane.vtu\n",
+            r"\nequal: +yes\n"], notes=PLANE_NOTE)
+        self.write("one.xyz", "1 2 3 -1", "1 2 3 4")
+        self.works("one.xyz", "--weights", "--output", "one.mesh", prints=[
+            r"\ndimension: +0\n", r"\nduplicates: +0\n", r"\nhidden points: +1\n"], notes=PLANE_NOTE)
+
+    def test_weights_that_are_missing(self):
+        for name, message, *lines in (
+                ("a.xyz", "cannot be read as .xyz: line 3: vertex 1 has no weight; remedy: a fourth number in each line",
+                 "# c", "0 0 0 1", "1 0 0", "0 1 0 1"),
+                ("b.pts", "cannot be read as .pts: line 2: vertex 0 has no weight; remedy: ", "1", "0 0 0"),
+                ("c.xyz", "cannot be read as .xyz: line 1: 'w' is not a number", "0 0 0 w"),
+                ("d.xyz", "vertex 1: its weight is -?nan, not a finite number", "0 0 0 1", "1 0 0 nan"),
+                ("e.pts", "vertex 0: its weight is inf, not a finite number", "0 0 0 1e999"),
+                ("f.ply", "cannot be read as .ply: the vertices have no weights; remedy: a property weight or radius",
+                 *PLY_VERTICES, "end_header", *PLY_CORNERS),
+                ("g.ply", "vertex 3: its weight is inf, not a finite number", *PLY_VERTICES, "property double radius",
+                 "end_header", *(c + " 1" for c in PLY_CORNERS[:3]), "0 0 1 1e200"),
+                ("h.ply", "cannot be read as .ply: there is no room for 4 'vertex'", *PLY_VERTICES, "property double weight",
+                 "end_header", *(c + " 1" for c in PLY_CORNERS[:3]), "0 0 1")):
+            with self.subTest(name):
+                self.write(name, *lines)
+                self.refuses(f"{re.escape(name)}: {message}", name, "--weights")
+
+    def test_what_knows_no_weights(self):
+        self.write("a.xyz", *(c + " 0" for c in self.CORNERS))
+        for message, *words in (
+                ("excludes '--inside': what is inside is found without", "--inside", "-o", "a.vtu"),
+                ("excludes '--mark-inside': what is inside is found without", "--mark-inside", "-o", "a.vtu"),
+                ("excludes '--view': a page shows no weights", "--view", "a.html"),
+                ("excludes '--traits tracing': only the default", "--traits", "tracing"),
+                ("excludes '--stats': it counts and times", "--stats"),
+                ("excludes '--to cgal': what reads .cgal expects no", "-o", "a.cgal")):
+            self.refuses(f"'--weights' {message}[^\n]*; remedy: ", "a.xyz", "--weights", *words)
+        self.refuses("'--weights' cannot be read from .off; remedy: .xyz or .pts with four numbers", TORUS, "--weights")
+        self.refuses("tiles know no weights; remedy: all points in memory", "tiles", "a.npy", "--weights", "--output", "tiles")
+        self.works("a.xyz", "--weights", "--traits", "default", "--seed", 3, prints=[r"\nhidden points: +0\n"])
 
 
 class Refusals(ProgramCase):

@@ -19,6 +19,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 // The text of help.txt, of which CMake has made a string.
@@ -33,7 +34,7 @@ struct Options : Printing
   std::string three_js = DELAUNAY_FROM_SURFACE_3_THREE_JS;
   std::string traits;
   unsigned int seed = 0, repetitions = 5, threads = 1;
-  bool inside = false, mark_inside = false;
+  bool weights = false, inside = false, mark_inside = false;
   bool compare = false, stats = false;
 };
 
@@ -104,6 +105,32 @@ inline void check_output(const Options& options)
     throw std::runtime_error("'--quiet' and '--verbose' exclude each other");
 }
 
+// What is known of surfaces alone is refused for points with weights.
+inline void check_weights(const Options& options)
+{
+  if (!options.weights)
+    return;
+  if (options.from != "xyz" && options.from != "pts" && options.from != "ply")
+    throw std::runtime_error("'--weights' cannot be read from ." + options.from +
+                             "; remedy: .xyz or .pts with four numbers in each line, or .ply whose "
+                             "vertices have a property weight or radius");
+  const auto exclude = [](bool is_given, const std::string& option, const std::string& why) {
+    if (is_given)
+      throw std::runtime_error("'--weights' excludes '" + option + "': " + why);
+  };
+  for (const auto& [is_given, option] :
+       {std::pair(options.inside, "--inside"), std::pair(options.mark_inside, "--mark-inside")})
+    exclude(is_given, option, "what is inside is found without weights; remedy: leave out either");
+  exclude(!options.view.empty(), "--view",
+          "a page shows no weights; remedy: '--output FILE.vtu', which ParaView shows");
+  exclude(options.traits != "default", "--traits " + options.traits,
+          "only the default traits know weights; remedy: leave out '--traits'");
+  exclude(options.stats, "--stats",
+          "it counts and times what goes without weights; remedy: '--compare', which takes both");
+  exclude(options.to == "cgal", "--to cgal",
+          "what reads .cgal expects no weights; remedy: another format, such as '--to vtu'");
+}
+
 inline void check_view(const Options& options)
 {
   if (options.view.empty())
@@ -146,6 +173,7 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
       "threads", po::value(&threads))("stats", po::bool_switch(&options.stats))("help,h", "")(
       "version", "")("view", po::value(&options.view))("three-js", po::value(&options.three_js))(
       "input", po::value(&options.input));
+  all.add_options()("weights", po::bool_switch(&options.weights));
   options.add_to(all);
   po::variables_map given = read_command_line(argc, argv, all, 1);
 
@@ -175,6 +203,7 @@ inline std::optional<Options> parse_command_line(int argc, char* argv[])
   if (!options.output.empty())
     options.to = output_format(options);
   check_output(options);
+  check_weights(options);
   if (options.view.empty() && given.count("three-js") != 0)
     throw std::runtime_error("option '--three-js' needs '--view'");
   check_view(options);

@@ -11,10 +11,12 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Surface_insertion_traits_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/insert_points_3.h>
 #include <CGAL/insert_surface_vertices_3.h>
+#include <CGAL/insert_weighted_points_3.h>
 #include <CGAL/tags.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -34,12 +36,14 @@
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Triangulation = CGAL::Delaunay_triangulation_3<Kernel>;
+using Regular = CGAL::Regular_triangulation_3<Kernel>; // of --weights
 using Mesh = CGAL::Surface_mesh<Point>;
 
 // The contents of a file. The points are in the order of the file, also as vertices of the mesh.
 struct Surface
 {
   std::vector<Point> points;
+  std::vector<Regular::Weighted_point> weighted; // the same points, if they have weights
   std::vector<std::vector<std::size_t>> faces;
   Mesh mesh; // the same points and faces again, if they are a manifold
   bool is_manifold = false;
@@ -67,7 +71,15 @@ void insert_surface(Tr& tr, const Surface& surface, const Traits& traits, const 
     CGAL::insert_points_3<Tag>(tr, surface.points, surface.faces, traits, np);
 }
 
-// Does the same, watched by `visitor`; returns the vertex of each point.
+// Inserts its points with their weights.
+template <class Traits, class NamedParameters>
+void insert_surface(Regular& tr, const Surface& surface, const Traits&, const NamedParameters& np)
+{
+  CGAL::insert_points_3<Concurrency_of<Traits>>(tr, surface.weighted, np);
+}
+
+// Does the same, watched by `visitor`; returns the vertex of each point, Vertex_handle() of those
+// that are hidden.
 template <class Tr, class Traits, class Visitor>
 std::vector<typename Tr::Vertex_handle> insert_and_watch(Tr& tr, const Surface& surface,
                                                          const Traits& traits, unsigned int seed,
@@ -83,18 +95,21 @@ std::vector<typename Tr::Vertex_handle> insert_and_watch(Tr& tr, const Surface& 
 }
 
 // Reads a surface in this format, first as a polygon soup, and also as a mesh if its faces are a
-// manifold. The package checks the coordinates.
-inline Surface read_surface(const std::string& file_name, const std::string& format)
+// manifold; with weights, faces have no use. The package checks the coordinates and weights.
+inline Surface read_surface(const std::string& file_name, const std::string& format,
+                            bool with_weights)
 {
-  files::Polygon_soup soup = files::read_polygon_soup(file_name, format);
+  files::Polygon_soup soup = files::read_polygon_soup(file_name, format, with_weights);
   Surface surface;
   surface.points = std::move(soup.points);
   surface.faces = std::move(soup.faces);
   surface.collapsed_triangles = soup.collapsed_triangles;
   surface.announced_points = soup.announced_points;
   namespace PMP = CGAL::Polygon_mesh_processing;
+  for (std::size_t i = 0; i < soup.weights.size(); ++i)
+    surface.weighted.emplace_back(surface.points[i], soup.weights[i]);
   surface.is_manifold =
-      !surface.faces.empty() && PMP::is_polygon_soup_a_polygon_mesh(surface.faces);
+      !with_weights && !surface.faces.empty() && PMP::is_polygon_soup_a_polygon_mesh(surface.faces);
   if (surface.is_manifold)
     PMP::polygon_soup_to_polygon_mesh(surface.points, surface.faces, surface.mesh);
   return surface;

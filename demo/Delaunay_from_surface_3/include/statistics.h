@@ -158,10 +158,10 @@ void report_seconds(const Surface& surface, const Traits& traits, unsigned int s
 }
 
 // Times the package on the surface, from nothing; destruction is not timed.
-template <class Traits>
+template <class Tr, class Traits>
 Seconds time_package(const Surface& surface, const Traits& traits, unsigned int seed)
 {
-  Triangulation tr;
+  Tr tr;
   return time_of([&] { insert_surface(tr, surface, traits, CGAL::parameters::random_seed(seed)); });
 }
 
@@ -169,6 +169,10 @@ Seconds time_package(const Surface& surface, const Traits& traits, unsigned int 
 inline Seconds time_plain(const Surface& surface, Triangulation& tr)
 {
   return time_of([&] { tr.insert(surface.points.begin(), surface.points.end()); });
+}
+inline Seconds time_plain(const Surface& surface, Regular& tr)
+{
+  return time_of([&] { tr.insert(surface.weighted.begin(), surface.weighted.end()); });
 }
 
 inline double median(std::vector<double> values)
@@ -204,9 +208,9 @@ inline void report_timings(Report& report, const Timings& package, const Timings
 
 // Runs the package and plain CGAL alternately, beginning now with one, now with the other. Prints
 // the medians and returns whether plain CGAL's triangulation equals `result`.
-template <class Traits>
+template <class Tr, class Traits>
 bool compare_with_plain(const Surface& surface, const Traits& traits, unsigned int seed,
-                        unsigned int repetitions, const Triangulation& result, Report& report,
+                        unsigned int repetitions, const Tr& result, Report& report,
                         Messages& messages)
 {
   report.title("Comparison with CGAL's own insert(first, last)"
@@ -217,15 +221,15 @@ bool compare_with_plain(const Surface& surface, const Traits& traits, unsigned i
     messages.step("comparing: repetition " + std::to_string(r + 1) + " of " +
                   std::to_string(repetitions));
     if (r % 2 == 0)
-      package.add(time_package(surface, traits, seed));
+      package.add(time_package<Tr>(surface, traits, seed));
     {
-      Triangulation tr;
+      Tr tr;
       plain.add(time_plain(surface, tr));
       if (r + 1 == repetitions)
         is_equal = result == tr;
     }
     if (r % 2 == 1)
-      package.add(time_package(surface, traits, seed));
+      package.add(time_package<Tr>(surface, traits, seed));
   }
   messages.clear();
   report_timings(report, package, plain);

@@ -110,10 +110,12 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[], bool by_mpi = f
   Tiles_command command;
   std::string memory = "4G";
   long long tiles = 0, threads = 1, task = 0;
+  bool weights = false;
   po::options_description all; // help.txt explains them
   auto add = all.add_options();
   add("output,o", po::value(&command.output))("tiles", po::value(&tiles));
   add("threads", po::value(&threads))("vtu", po::bool_switch(&command.vtu));
+  add("weights", po::bool_switch(&weights)); // to say what to do
   add("join", po::value(&command.join))("input", po::value(&command.inputs));
   command.add_to(all);
   if (by_mpi) {
@@ -126,6 +128,9 @@ inline Tiles_command parse_tiles_command(int argc, char* argv[], bool by_mpi = f
   po::notify(given);
   if (command.help)
     return command;
+  if (weights)
+    throw std::runtime_error("tiles know no weights; remedy: all points in memory, by "
+                             "'delaunay_from_surface POINTS --weights'");
   if (command.inputs.empty())
     throw std::runtime_error("no points given");
   if (command.output.empty())

@@ -31,6 +31,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -79,7 +80,7 @@ class Numbered_triangulation
   using Arrays = CGAL::Delaunay_3_arrays<Index>;
 
 public:
-  // `vertices` has the vertices of all points.
+  // `vertices` has the vertices of all points, Vertex_handle() for those without.
   Numbered_triangulation(const Triangulation& tr, const std::vector<Vertex_handle>& vertices,
                          bool has_neighbors)
     : m_tr(tr)
@@ -88,7 +89,8 @@ public:
     m_vertex_numbers.reserve(tr.number_of_vertices() + 1);
     m_vertex_numbers.emplace(tr.infinite_vertex(), Arrays::none);
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      m_vertex_numbers.emplace(vertices[i], Index(i)); // unless an equal point has one
+      if (vertices[i] != Vertex_handle())
+        m_vertex_numbers.emplace(vertices[i], Index(i)); // unless an equal point has one
     for (const bool is_infinite : {false, true}) {
       for_each_cell(tr, [&](Cell_handle c) {
         if (has_infinite_vertex(c) == is_infinite)
@@ -107,9 +109,10 @@ public:
     cells.allocate(8 * m_cells.size());
     for (std::size_t c = 0; c < m_cells.size(); ++c)
       write_cell(m_cells[c], cells.data() + 8 * c);
-    std::vector<Index> vertices_of_points(m_vertices.size());
+    std::vector<Index> vertices_of_points(m_vertices.size(), Arrays::none);
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
-      vertices_of_points[i] = m_vertex_numbers.at(m_vertices[i]);
+      if (m_vertices[i] != Vertex_handle())
+        vertices_of_points[i] = m_vertex_numbers.at(m_vertices[i]);
     return Arrays(m_tr.dimension(), m_number_of_simplices, m_cells.size(), std::move(cells),
                   std::move(vertices_of_points));
   }
@@ -322,10 +325,29 @@ inline void check_that_there_are_faces(const Options& options, const Surface& su
     throw std::runtime_error(options.input + ": it has no inside: there are no faces");
 }
 
+// Returns what takes the place of the circumradii of tetrahedra if points have weights.
+inline files::Simplices_3::Data squared_power_radii(const files::Simplices_3& s,
+                                                    const Surface& surface)
+{
+  files::Simplices_3::Data data = {"squared_power_radius", {}};
+  data.values.reserve(s.size());
+  for (std::size_t c = 0; c < s.size(); ++c) {
+    std::array<double, 4> corners[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto point = std::size_t(s.simplices[4 * c + k]);
+      const auto& p = surface.weighted[std::size_t(s.input_indices[point])];
+      corners[k] = {p.x(), p.y(), p.z(), p.weight()};
+    }
+    data.values.push_back(DFS::internal::power_sphere_of(corners).squared_radius);
+  }
+  return data;
+}
+
 // Returns the part of the triangulation that is to be written.
-inline files::Simplices_3 chosen_simplices(const Options& options, const Surface& surface,
-                                           const Triangulation& tr, const Vertices& vertices,
-                                           Report& report, Messages& messages)
+template <class Tr>
+files::Simplices_3 chosen_simplices(const Options& options, const Surface& surface, const Tr& tr,
+                                    const std::vector<typename Tr::Vertex_handle>& vertices,
+                                    Report& report, Messages& messages)
 {
   const auto arrays = arrays_of_triangulation<std::int32_t>(tr, vertices, options.to == "tetgen");
   if (options.to == "tetgen" && arrays.dimension() < 3)
@@ -354,19 +376,23 @@ inline files::Simplices_3 chosen_simplices(const Options& options, const Surface
   }
   const bool has_data = options.to == "vtu" || options.to == "vtk" || options.to == "msh";
   if (has_data && simplices.dimension == 3)
-    simplices.data.push_back(files::circumradii(simplices));
+    simplices.data.push_back(options.weights ? squared_power_radii(simplices, surface)
+                                             : files::circumradii(simplices));
   return simplices;
 }
 
-inline void write(const Options& options, const Surface& surface, const Triangulation& tr,
-                  const Vertices& vertices, Output& output, Report& report, Messages& messages)
+template <class Tr>
+void write(const Options& options, const Surface& surface, const Tr& tr,
+           const std::vector<typename Tr::Vertex_handle>& vertices, Output& output, Report& report,
+           Messages& messages)
 {
   static const char* const names[] = {"vertices", "edges", "triangles", "tetrahedra"};
-  if (options.to == "cgal") {
-    output.write(tr);
-    report("written", "the triangulation to " + options.output);
-    return;
-  }
+  if constexpr (std::is_same<Tr, Triangulation>::value)
+    if (options.to == "cgal") {
+      output.write(tr);
+      report("written", "the triangulation to " + options.output);
+      return;
+    }
   const files::Simplices_3 simplices =
       chosen_simplices(options, surface, tr, vertices, report, messages);
   output.write(simplices);

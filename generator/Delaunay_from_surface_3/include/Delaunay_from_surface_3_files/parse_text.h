@@ -31,6 +31,7 @@ struct Polygon_soup
 {
   std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
+  std::vector<double> weights;         // of all points, or empty if they were not asked for
   std::size_t collapsed_triangles = 0; // of .stl, which are left out
   std::size_t announced_points = 0;    // by .xyz and .pts; there may be fewer
 };

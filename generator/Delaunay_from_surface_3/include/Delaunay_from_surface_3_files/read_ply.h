@@ -155,15 +155,17 @@ private:
   std::vector<Ply_element> m_elements;
 };
 
-// Reads points and faces from a file in the format PLY and passes over all else. CGAL's reader
-// believes the header and the numbers of entries: it needs all memory for a list that claims to be
-// long, and crashes where a property comes before all elements or has another type than expected.
+// Reads points and faces from a file in the format PLY, weights if they are asked for, and passes
+// over all else. CGAL's reader believes the header and the numbers of entries: it needs all memory
+// for a list that claims to be long, and crashes where a property comes before all elements or has
+// another type than expected.
 class Ply_reader
 {
 public:
-  explicit Ply_reader(std::string_view text)
+  explicit Ply_reader(std::string_view text, bool with_weights = false)
     : m_header(text)
     , m_rest(text)
+    , m_with_weights(with_weights)
   {
   }
 
@@ -210,12 +212,23 @@ private:
     return std::size_t(found - element.properties.begin());
   }
 
+  // Where a vertex has its weight, or the square root of it.
+  static std::size_t find_weight(const Ply_element& element)
+  {
+    for (const char* const name : {"weight", "radius"})
+      if (const std::size_t place = find(element, name, false); place < element.properties.size())
+        return place;
+    throw Bad_content("the vertices have no weights; remedy: a property weight or radius");
+  }
+
   void read_vertices(const Ply_element& element, Polygon_soup& soup)
   {
     const std::array<std::size_t, 3> place = {find(element, "x", false), find(element, "y", false),
                                               find(element, "z", false)};
     if (*std::max_element(place.begin(), place.end()) == element.properties.size())
       throw Bad_content("the vertices do not have the properties x, y and z");
+    const std::size_t place_of_weight = m_with_weights ? find_weight(element) : no_index;
+    const bool is_radius = m_with_weights && element.properties[place_of_weight].name == "radius";
     soup.points.reserve(soup.points.size() + element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
       std::array<double, 3> x;
@@ -223,6 +236,8 @@ private:
         for (std::size_t k = 0; k < 3; ++k)
           if (property == place[k])
             x[k] = value;
+        if (property == place_of_weight)
+          soup.weights.push_back(is_radius ? value * value : value);
       });
       soup.points.emplace_back(x[0], x[1], x[2]);
     }
@@ -309,6 +324,7 @@ private:
 
   Ply_header m_header; // first: it takes the header off the text
   std::string_view m_rest;
+  bool m_with_weights;
 };
 
 } // namespace files

@@ -86,15 +86,16 @@ inline std::string content_of(const std::string& file_name)
   return content;
 }
 
-inline Polygon_soup soup_in(const std::string& content, const std::string& format)
+inline Polygon_soup soup_in(const std::string& content, const std::string& format,
+                            bool with_weights)
 {
   if (format == "off")
     return Off_reader(content).read();
   if (format == "ply")
-    return Ply_reader(content).read();
+    return Ply_reader(content, with_weights).read();
   if (format == "obj")
     return read_obj(content);
-  return format == "stl" ? Stl_reader(content).read() : read_points(content);
+  return format == "stl" ? Stl_reader(content).read() : read_points(content, with_weights);
 }
 
 inline void check_indices(const Polygon_soup& soup)
@@ -108,10 +109,12 @@ inline void check_indices(const Polygon_soup& soup)
 }
 
 // Reads the points and faces of a file in the order of the file, or those of the standard input if
-// its name is "-". `format` is one of formats_read, or empty: the extension says it. All indices
-// are in range; coordinates may be infinite or NaN. The memory that it takes is bounded by the size
-// of the file. Throws `std::runtime_error` with one clear line.
-inline Polygon_soup read_polygon_soup(const std::string& file_name, std::string format = "")
+// its name is "-". `format` is one of formats_read, or empty: the extension says it. Weights are
+// those of .xyz, .pts or .ply. All indices are in range; coordinates and weights may be infinite or
+// NaN. The memory that it takes is bounded by the size of the file. Throws `std::runtime_error`
+// with one clear line.
+inline Polygon_soup read_polygon_soup(const std::string& file_name, std::string format = "",
+                                      bool with_weights = false)
 {
   if (format.empty())
     format = file_extension(file_name);
@@ -121,7 +124,7 @@ inline Polygon_soup read_polygon_soup(const std::string& file_name, std::string 
   const std::string content =
       file_name == "-" ? content_of_standard_input() : content_of(file_name);
   try {
-    Polygon_soup soup = soup_in(content, format);
+    Polygon_soup soup = soup_in(content, format, with_weights);
     if (soup.points.empty())
       throw Bad_content("there are no vertices in it");
     check_indices(soup);

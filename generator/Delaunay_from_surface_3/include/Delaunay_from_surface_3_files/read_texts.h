@@ -235,10 +235,21 @@ inline bool is_line_of_names(std::string_view line)
   return is(first, 'x') && is(second, 'y') && is(third, 'z');
 }
 
-// Reads .xyz and .pts: a point in each line, three numbers. What stands behind them, normals,
-// intensities or colors, is passed over, and so are names of columns. A line with one word alone is the
-// number of points that follow, which Leica's .pts has; it is not believed, but kept.
-inline Polygon_soup read_points(std::string_view text)
+// The weight of a point, which the line goes on with.
+inline double read_weight(Lines& lines, std::size_t point)
+{
+  const std::string_view word = lines.word();
+  if (word.empty())
+    throw Bad_content("vertex " + std::to_string(point) +
+                      " has no weight; remedy: a fourth number in each line");
+  return parse_coordinate(word);
+}
+
+// Reads .xyz and .pts: a point in each line, three numbers, and its weight if that is asked for.
+// What stands behind them, normals, intensities or colors, is passed over, and so are names of
+// columns. A line with one word alone is the number of points that follow, which Leica's .pts has;
+// it is not believed, but kept.
+inline Polygon_soup read_points(std::string_view text, bool with_weights = false)
 {
   if (is_molecule(text))
     throw Bad_content("it is a molecule, with an element in each line; remedy: leave out the first "
@@ -258,6 +269,8 @@ inline Polygon_soup read_points(std::string_view text)
         continue;
       }
       const auto x = read_coordinates(lines);
+      if (with_weights)
+        soup.weights.push_back(read_weight(lines, soup.points.size()));
       soup.points.emplace_back(x[0], x[1], x[2]);
     }
   } catch (const Bad_content& error) {
