@@ -4,7 +4,8 @@
 
 // The handshake of the parallel kernel, in a small model whose executions are all tried, under
 // three memory models: insertions that clash never both write, no reader takes a torn cell for a
-// whole one, and what is there at the end is right. Without any one of its parts it fails.
+// whole one, and what is there at the end is right, vertices that others swallowed or hid included.
+// Without any one of its parts it fails.
 
 #define BOOST_TEST_MODULE test_handshake
 #include <boost/test/included/unit_test.hpp>
@@ -29,6 +30,7 @@ Point above(unsigned cell, int offset, int height)
 constexpr int one_cell = 10, three_cells = -100; // for an offset of 5
 constexpr int two_cells = -50;                   // for an offset of 2: its cell and the one before
 
+// Its walk starts in the cell of the start-th point, counted from 0. At first that is cell `start`.
 struct New_point
 {
   unsigned worker;
@@ -44,7 +46,7 @@ Case make_case(const char* name, unsigned chain, unsigned workers,
     c.points.push_back(above(k, 0, 0));
   for (const New_point& p : points) {
     c.points.push_back(p.point);
-    c.tasks[p.worker].push_back({Byte(c.points.size()), p.start});
+    c.tasks[p.worker].push_back({Byte(c.points.size()), Byte(p.start + 1)});
   }
   return c;
 }
@@ -68,6 +70,12 @@ std::vector<Case> small_cases()
                 {{0, above(2, 5, three_cells), 2}, {1, above(4, 5, one_cell), 4}}),
       make_case("a zone beside the cell that the other leaves dead", 7, 2,
                 {{0, above(3, 5, three_cells), 3}, {1, above(1, 5, one_cell), 1}}),
+      make_case("a start that is swallowed, in a cell left dead", 7, 2,
+                {{0, above(2, 5, three_cells), 1}, {1, above(4, 5, one_cell), 3}}),
+      make_case("a start that is swallowed, in a cell that others have", 7, 2,
+                {{0, above(2, 2, two_cells), 2}, {1, above(4, 5, one_cell), 2}}),
+      make_case("a point that the other swallows or hides", 6, 2,
+                {{0, above(2, 5, three_cells), 2}, {1, above(2, 3, one_cell), 2}}),
   };
 }
 
@@ -81,6 +89,10 @@ std::vector<Case> large_cases()
                 {{0, above(2, 5, three_cells), 2},
                  {0, above(5, 5, one_cell), 5},
                  {1, above(3, 5, one_cell), 3}}),
+      make_case("a start that the other swallows or hides", 7, 2,
+                {{0, above(2, 5, three_cells), 2},
+                 {1, above(2, 3, one_cell), 2},
+                 {1, above(4, 5, one_cell), 8}}),
       make_case("a second try", 5, 2,
                 {{0, above(1, 5, one_cell), 1}, {1, above(2, 5, one_cell), 2}}, true),
       make_case(
@@ -194,6 +206,18 @@ BOOST_AUTO_TEST_CASE(without_the_cells_outside)
 BOOST_AUTO_TEST_CASE(without_the_busy_bit)
 {
   check_wrong(&Protocol::heeds_busy);
+}
+
+// In the end the caller walks alone from the cell that is dead, and comes to no end.
+BOOST_AUTO_TEST_CASE(without_another_start_for_a_dead_one)
+{
+  check_wrong(&Protocol::replaces_dead_starts);
+}
+
+// A swallowed vertex passes for one that is there, since its cell has been made anew for others.
+BOOST_AUTO_TEST_CASE(without_a_look_for_the_vertex_in_its_cell)
+{
+  check_wrong(&Protocol::looks_for_vertex);
 }
 
 // Each order of a load or store that is needed where processors reorder. That outer neighbours are

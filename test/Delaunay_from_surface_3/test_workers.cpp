@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Many workers in the compact kernel: eight threads on whatever cores there are, in batches of eight
-// points, from the thirtieth point on, make what one thread makes. Meant for ThreadSanitizer, too.
+// Many workers in the compact kernel: eight threads on whatever cores there are, in batches of
+// eight points, from the thirtieth point on, make what one thread makes, with weights and without.
+// Meant for ThreadSanitizer, too.
 
 #define BOOST_TEST_MODULE test_workers
 #include <boost/test/included/unit_test.hpp>
@@ -17,18 +18,20 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
 const char* const kinds[] = {"cube", "sphere", "lattice", "duplicates", "moment curve", "hub"};
 
-void check(const char* kind, std::size_t n, unsigned seed)
+template <class Vertex>
+void check(const char* kind, unsigned seed,
+           const std::vector<tests::Coordinates_of<Vertex>>& points)
 {
-  const auto points = tests::points_of(kind, n, seed);
-  const auto one = tests::cells_by_one(points);
-  const auto many = tests::insert_by_many(points);
-  BOOST_TEST_CONTEXT(kind << ", seed " << seed << ", clashes " << many.clashes << ", put off "
-                          << many.put_off)
+  const auto one = tests::cells_by_one<Vertex>(points);
+  const auto many = tests::insert_by_many<Vertex>(points);
+  BOOST_TEST_CONTEXT(kind << (Vertex::has_weight ? " with weights" : "") << ", seed " << seed
+                          << ", clashes " << many.clashes << ", put off " << many.put_off)
   {
     BOOST_TEST(many.is_valid);
     BOOST_TEST((many.cells == one));
@@ -42,8 +45,11 @@ BOOST_AUTO_TEST_CASE(many_workers_make_what_one_makes)
   // ThreadSanitizer takes twenty times as long.
   constexpr bool is_watched = CGAL::Delaunay_from_surface_3::internal::is_watched;
   for (const char* kind : kinds)
-    for (unsigned seed = 1; seed <= (is_watched ? 1 : 4); ++seed)
-      check(kind, std::string(kind) == "moment curve" ? 300 : is_watched ? 1000 : 3000, seed);
+    for (unsigned seed = 1; seed <= (is_watched ? 1 : 4); ++seed) {
+      const std::size_t n = std::string(kind) == "moment curve" ? 300 : is_watched ? 1000 : 3000;
+      check<tests::Compact_vertex>(kind, seed, tests::points_of(kind, n, seed));
+      check<tests::Weighted_vertex>(kind, seed, tests::balls_of(kind, n, seed));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(workers_one_after_the_other_make_the_same)
@@ -97,7 +103,7 @@ BOOST_AUTO_TEST_CASE(workers_that_own_cells_make_the_same)
   using Worker = tests::Owning_worker<tests::Compact_vertex>;
   for (const char* kind : kinds) {
     const auto points = tests::points_of(kind, std::string(kind) == "moment curve" ? 200 : 1000, 5);
-    const auto many = tests::insert_by_many<Worker>(points);
+    const auto many = tests::insert_by_many<tests::Compact_vertex, Worker>(points);
     BOOST_TEST_CONTEXT(kind << ", clashes " << many.clashes << ", put off " << many.put_off)
     {
       BOOST_TEST(many.is_valid);
@@ -133,7 +139,7 @@ void check_stops(const Executor& executor, bool caller_has_its_chunks)
     tests::Subject<> subject(points);
     CGAL::Delaunay_from_surface_3::internal::Parallel_triangulation<tests::Compact_vertex>
         triangulation(subject.complex, executor, {30, 8, 8});
-    const tests::Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
+    const tests::Start_at_half<tests::Compact_vertex> hints(subject);
     int asked = 0;
     const auto go_further = [&](std::size_t) { return asked++ < stops_at; };
     triangulation.insert_chunk(0, 30, subject.vertex_of, hints, tests::Never_stop());

@@ -39,12 +39,21 @@ struct Alone
   void has_written() {}
 };
 
-// Says what is wrong with the cells, if anything: they must make the lower hull of the vertices that
-// there are, and their neighbours lead back.
-inline std::string what_is_wrong(const Case& c, const std::vector<Byte>& memory,
-                                 const std::set<Byte>& vertices)
+// Compact_complex::is_in_cell().
+inline bool is_in_cell(const Layout& at, const Protocol& protocol, const std::vector<Byte>& memory,
+                       Byte v)
 {
-  const Layout at{c.number_of_workers()};
+  const unsigned c = memory[at.cell_of(v)];
+  return (memory[at.v(c, 0)] & busy) == 0 &&
+         (!protocol.looks_for_vertex || memory[at.v(c, 0)] == v || memory[at.v(c, 1)] == v);
+}
+
+// Says what is wrong with the cells, if anything: they must make the lower hull of the vertices,
+// their neighbours lead back, and is_in_cell() tell which vertices they have.
+inline std::string what_is_wrong(const Case& c, const Protocol& protocol,
+                                 const std::vector<Byte>& memory, const std::set<Byte>& vertices)
+{
+  const Layout at(c);
   std::set<std::pair<Byte, Byte>> cells, expected;
   unsigned lower_ends = 0;
   for (unsigned k = 0; k < c.number_of_cells(); ++k) {
@@ -76,7 +85,16 @@ inline std::string what_is_wrong(const Case& c, const std::vector<Byte>& memory,
           std::none_of(vertices.begin(), vertices.end(),
                        [&](Byte p) { return p != a && p != b && c.is_below(p, a, b); }))
         expected.insert(std::minmax(a, b));
-  return cells == expected && lower_ends == 2 ? "" : "wrong cells";
+  if (cells != expected || lower_ends != 2)
+    return "wrong cells";
+  for (const Byte v : vertices) {
+    const bool is_hidden = std::none_of(cells.begin(), cells.end(), [&](const auto& cell) {
+      return cell.first == v || cell.second == v;
+    });
+    if (is_in_cell(at, protocol, memory, v) == is_hidden)
+      return "is_in_cell() is wrong about a vertex";
+  }
+  return "";
 }
 
 // --- exploration -------------------------------------------------------------------------------
@@ -230,7 +248,7 @@ private:
   // A worker is going to write. Does it know the newest of all that it relies on?
   void commit(State& state, unsigned t, unsigned zone, unsigned beside)
   {
-    const Layout at{m_case.number_of_workers()};
+    const Layout at(m_case);
     for (unsigned c = 0; c < m_case.number_of_cells(); ++c)
       for (unsigned k = 0; k < 4; ++k)
         if (relies_on(zone, beside, c, k) && !state.memory.is_newest(t, at.v(c, 0) + k))
@@ -238,9 +256,12 @@ private:
     state.committed += char(t);
   }
 
-  // Nobody changes what one relies on who has begun to write later.
+  // Nobody changes what one relies on who has begun to write later. And whoever stores the cell of
+  // a vertex knows of the one before: so the last one is the newest.
   void check_store(const State& state, unsigned t, Location l)
   {
+    if (l >= Layout(m_case).cell_of(1) && !state.memory.is_newest(t, l))
+      m_outcome.error = "two give a vertex a cell, and do not know of each other";
     const unsigned size = 4 + m_case.number_of_workers();
     const std::size_t own = state.committed.find(char(t));
     for (std::size_t i = own; i < state.committed.size(); ++i)
@@ -273,24 +294,16 @@ private:
           vertices.insert(m_case.tasks[t][k].vertex);
     }
     m_outcome.most_clashes = (std::max)(m_outcome.most_clashes, put_off.size());
-    m_outcome.error = what_is_wrong(m_case, memory, vertices);
+    m_outcome.error = what_is_wrong(m_case, m_protocol, memory, vertices);
     for (std::size_t k = 0; k < put_off.size() && m_outcome.error.empty(); ++k) {
       Alone alone{memory};
       Worker<Alone> worker(m_case, m_protocol, alone, 0, free_cells);
       vertices.insert(put_off[k].vertex);
-      m_outcome.error = worker.insert(put_off[k].vertex, live_cell(memory), 99)
-                            ? what_is_wrong(m_case, memory, vertices)
-                            : "no end: an insertion clashes with nobody";
+      m_outcome.error =
+          worker.insert(put_off[k].vertex, put_off[k].start, m_case.number_of_cells(), 99)
+              ? what_is_wrong(m_case, m_protocol, memory, vertices)
+              : "no end: an insertion clashes with nobody";
     }
-  }
-
-  Byte live_cell(const std::vector<Byte>& memory) const
-  {
-    const Layout at{m_case.number_of_workers()};
-    Byte c = 0;
-    while (c + 1u < m_case.number_of_cells() && (memory[at.v(c, 0)] & busy) != 0)
-      ++c;
-    return c;
   }
 
   const Case& m_case;

@@ -8,13 +8,14 @@
 // The parallel kernel in one dimension: the triangulation is the lower convex hull of points (x,
 // height), which is unique, as a Delaunay triangulation is. A cell is an interval with two vertices
 // and two neighbours; a point is in conflict with a cell if it lies below its line; the zone is an
-// interval; its star has two cells, and what was between is in no cell any more. So zones of one,
-// two or three cells take a fresh cell, or none, or give one back.
+// interval; its star has two cells, and what was between is in no cell any more, as vertices that
+// heavier ones swallow. So zones of one, two or three cells take a fresh cell, or none, or give one
+// back. A point above the hull is hidden when it comes.
 //
 // What is shared is read and written as in Insertion_worker.h, Explore_announced.h and
-// Explore_announced.h, access by access: each function here has the name of one there. Not modelled:
-// hints (wherever a walk starts, it is checked), the growth of arrays, and stores that make a fresh
-// cell dead, before anybody can have it as a neighbour.
+// Ordered_complex.h, access by access: each function here has the name of one there. Not modelled:
+// the growth of arrays, stores that make a fresh cell dead, before anybody can have it as a
+// neighbour, and two zones with a vertex in common that do not clash: on a line there are none.
 
 #include "memory_models.h"
 #include "model_case.h"
@@ -43,6 +44,9 @@ struct Protocol
   bool releases_outer_neighbors = true;
   bool has_release_fence = true; // after the store that makes a cell busy
   bool has_acquire_fence = true; // before the second reading of the word
+
+  bool replaces_dead_starts = true; // Starting_cells::living_cell()
+  bool looks_for_vertex = true;     // is_in_cell(), which tells in the end what is hidden
 };
 
 // --- one worker --------------------------------------------------------------------------------
@@ -85,18 +89,24 @@ public:
     : m_case(c)
     , m_protocol(protocol)
     , m_access(access)
-    , m_at{c.number_of_workers()}
+    , m_at(c)
     , m_number(number)
     , m_free_cells(free_cells)
   {
   }
 
-  // Returns false if it clashed, to which a walk of more cells counts too.
-  bool insert(Byte p, Byte start, unsigned most_cells = 3)
+  // Returns false if it clashed, to which a walk of more cells counts too. If the cell of `start`
+  // is dead, one that lives is sought among the first `known_cells`.
+  bool insert(Byte p, Byte start, unsigned known_cells, unsigned most_cells = 3)
   {
     Cell cell;
-    if (!walk(p, start, cell, most_cells))
+    const Walk_end end = walk(p, cell_of_start(start, known_cells), cell, most_cells);
+    if (end == Walk_end::LOST)
       return false;
+    if (end == Walk_end::HIDDEN) { // for ever, whatever others insert
+      m_access.store(m_at.cell_of(p), m_cells[0], Order::RELAXED);
+      return true;
+    }
     m_words = {cell.v[0]};
     if (!dig(p))
       return withdraw();
@@ -118,6 +128,16 @@ private:
 
   // --- reading ---------------------------------------------------------------------------------
 
+  // Starting_cells, which would first try the vertex inserted before.
+  unsigned cell_of_start(Byte start, unsigned known_cells)
+  {
+    unsigned c = m_access.load(m_at.cell_of(start), Order::RELAXED);
+    for (unsigned left = m_protocol.replaces_dead_starts ? known_cells : 0;
+         left > 0 && (m_access.load(m_at.v(c, 0), Order::RELAXED) & busy) != 0; --left)
+      c = c + 1 < known_cells ? c + 1 : 0;
+    return c;
+  }
+
   bool read_cell(unsigned c, Cell& copy)
   {
     const Byte word = m_access.load(m_at.v(c, 0), acquire_if(m_protocol.acquires_words));
@@ -133,22 +153,26 @@ private:
     return true;
   }
 
-  // One try for each cell instead of 20.
-  bool walk(Byte p, Byte start, Cell& cell, unsigned most_cells)
+  enum class Walk_end { IN_CONFLICT, HIDDEN, LOST };
+
+  // One try for each cell instead of 20. No two points are above each other.
+  Walk_end walk(Byte p, unsigned c, Cell& cell, unsigned most_cells)
   {
-    unsigned c = start;
     for (unsigned cells_left = most_cells; cells_left > 0; --cells_left) {
       if (!read_cell(c, cell))
-        return false;
-      if (m_case.is_below(p, cell.v[0], cell.v[1])) {
-        m_cells = {Byte(c)};
-        return true;
-      }
-      const auto x = [this](Byte v) { return m_case.point(v).x; };
-      const bool is_beyond_second = (x(p) > x(cell.v[1])) == (x(cell.v[1]) > x(cell.v[0]));
-      c = cell.neighbors[is_beyond_second ? 0 : 1] / 2;
+        return Walk_end::LOST;
+      m_cells = {Byte(c)};
+      if (m_case.is_below(p, cell.v[0], cell.v[1]))
+        return Walk_end::IN_CONFLICT;
+      const auto is_beyond = [&](unsigned k) {
+        const int x = m_case.point(cell.v[k]).x;
+        return (m_case.point(p).x > x) == (x > m_case.point(cell.v[1 - k]).x);
+      };
+      if (!is_beyond(0) && !is_beyond(1))
+        return Walk_end::HIDDEN;
+      c = cell.neighbors[is_beyond(1) ? 0 : 1] / 2;
     }
-    return false;
+    return Walk_end::LOST;
   }
 
   // Dig_conflict_zone with Explore_announced.
@@ -288,6 +312,7 @@ private:
   // Fill_star with Write_announced.
   void fill_star(Byte p)
   {
+    m_access.store(m_at.cell_of(p), m_cells[0], Order::RELAXED); // set_cell()
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
       const Byte c = m_cells[i], outside = m_facets[i].outside;
       m_access.makes(c, p, m_facets[i].corner);
@@ -298,6 +323,7 @@ private:
       m_access.store(m_at.neighbor(c, 0), outside, Order::RELAXED);
       m_access.store(m_at.neighbor(outside / 2, outside % 2), encode(c, 0), // set_outer_neighbor()
                      release_if(m_protocol.releases_outer_neighbors));
+      m_access.store(m_at.cell_of(m_facets[i].corner), c, Order::RELAXED); // set_cell_of_corners()
     }
     for (std::size_t i = 0; i < m_cells.size();
          ++i) { // the star of a point on a line has two cells

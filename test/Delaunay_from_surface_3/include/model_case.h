@@ -20,7 +20,7 @@ struct Point
   int x, height;
 };
 
-// What a worker is to insert, and from which cell its walk starts.
+// What a worker is to insert, and the vertex from whose cell its walk starts.
 struct Task
 {
   Byte vertex;
@@ -58,20 +58,27 @@ inline Byte encode(unsigned cell, unsigned facet)
 }
 
 // Facet k is opposite to vertex k: it is the other vertex. encode(c, k) leads to cell c through
-// its facet k.
+// its facet k. Behind the cells each vertex has the number of a cell.
 struct Layout
 {
-  unsigned workers;
+  unsigned workers, cells;
+
+  explicit Layout(const Case& c)
+    : workers(c.number_of_workers())
+    , cells(c.number_of_cells())
+  {
+  }
 
   Location v(unsigned cell, unsigned k) const { return cell * (4 + workers) + k; }
   Location neighbor(unsigned cell, unsigned k) const { return v(cell, 2 + k); }
   Location mark(unsigned cell, unsigned worker) const { return v(cell, 4 + worker); }
+  Location cell_of(Byte vertex) const { return v(cells, 0) + vertex - 1u; }
 };
 
 inline std::vector<Byte> initial_memory(const Case& c)
 {
-  const Layout at{c.number_of_workers()};
-  std::vector<Byte> memory(c.number_of_cells() * (4 + at.workers), 0);
+  const Layout at(c);
+  std::vector<Byte> memory(at.cell_of(Byte(c.points.size() + 1)), 0);
   const unsigned last = c.chain - 2;
   for (unsigned k = 0; k < c.number_of_cells(); ++k) {
     memory[at.v(k, 0)] = k <= last ? Byte(k + 1) : busy;
@@ -79,6 +86,7 @@ inline std::vector<Byte> initial_memory(const Case& c)
       memory[at.v(k, 1)] = Byte(k + 2);
       memory[at.neighbor(k, 0)] = k < last ? encode(k + 1, 1) : encode(k, 0);
       memory[at.neighbor(k, 1)] = k > 0 ? encode(k - 1, 0) : encode(k, 1);
+      memory[at.cell_of(Byte(k + 1))] = memory[at.cell_of(Byte(k + 2))] = Byte(k);
     }
   }
   return memory;

@@ -156,7 +156,7 @@ private:
     const Byte k = state.tasks_left.front();
     const Task task = m_case.tasks[m_number][k];
     Worker<Replay> worker(m_case, m_protocol, replay, m_number, state.free_cells);
-    if (!worker.insert(task.vertex, task.start))
+    if (!worker.insert(task.vertex, task.start, m_case.chain - 1))
       state.clashed.push_back(k);
     state.tasks_left.erase(state.tasks_left.begin());
     if (state.tasks_left.empty() && m_case.tries_again && !state.is_second_try) {

@@ -5,7 +5,8 @@
 #ifndef DELAUNAY_FROM_SURFACE_3_TESTS_PARALLEL_CASE_H
 #define DELAUNAY_FROM_SURFACE_3_TESTS_PARALLEL_CASE_H
 
-// Points inserted by many workers into the compact kernel, next to the same points inserted by one.
+// Points, with or without weights, inserted by many workers into the compact kernel, next to the
+// same points inserted by one.
 
 #include "Thread_executor.h"
 
@@ -29,7 +30,11 @@ namespace DFS = CGAL::Delaunay_from_surface_3;
 using Coordinates = std::array<double, 3>;
 using DFS::internal::Compact_vertex;
 using DFS::internal::Id;
+using DFS::internal::Weighted_vertex;
 using Complex = DFS::internal::Compact_complex<Compact_vertex>;
+template <class Vertex>
+using Coordinates_of = typename DFS::internal::Compact_complex<Vertex>::Coordinates_of_point;
+using Ball = Coordinates_of<Weighted_vertex>;
 
 // --- points ------------------------------------------------------------------------------------
 
@@ -64,36 +69,35 @@ inline std::vector<Coordinates> points_of(const char* kind, std::size_t n, unsig
   return points;
 }
 
-// --- one triangulation -------------------------------------------------------------------------
-
-// Starts where the point in half the place is; a copy for each worker.
-struct Start_at_half
+// Every sixteenth point is heavy, the heavier the later it comes. In a cube they swallow or hide
+// three of four points, and one walk of fifteen is to start at a dead cell.
+inline std::vector<Ball> balls_of(const char* kind, std::size_t n, unsigned seed)
 {
-  const Complex* complex;
-  const std::vector<Id>* vertex_of;
-  Id any_vertex;
-
-  Id start(std::size_t i) const
-  {
-    while (i > 0 && DFS::internal::load_relaxed((*vertex_of)[i]) == 0)
-      i /= 2;
-    const Id v = DFS::internal::load_relaxed((*vertex_of)[i]);
-    return DFS::internal::load_relaxed(complex->vertex(v != 0 ? v : any_vertex).cell);
+  const bool are_integers = std::string(kind) == "lattice" || std::string(kind) == "duplicates";
+  std::vector<Ball> balls;
+  for (const Coordinates& p : points_of(kind, n, seed)) {
+    const double t = balls.size() % 16 == 0 ? double(balls.size()) / double(n) : 0;
+    balls.push_back({p[0], p[1], p[2], are_integers ? std::floor(27 * t * t) : .3 * t * t});
   }
-  void after_update(std::size_t, Id) const {}
-};
+  return balls;
+}
+
+// --- one triangulation -------------------------------------------------------------------------
 
 template <class Vertex = Compact_vertex>
 struct Subject
 {
   DFS::internal::Compact_complex<Vertex> complex;
   std::vector<Id> vertex_of;
+  std::vector<std::size_t> halves;
   Id any_vertex = 0;
 
-  explicit Subject(const std::vector<Coordinates>& points)
+  explicit Subject(const std::vector<Coordinates_of<Vertex>>& points)
     : complex(points.size(), [&](std::size_t i) { return points[i]; })
     , vertex_of(points.size(), 0)
   {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      halves.push_back(i / 2);
     any_vertex = DFS::internal::start_complex(
         DFS::internal::starting_simplex(points.size(),
                                         [&](std::size_t i) { return points[i].data(); }),
@@ -118,15 +122,41 @@ struct Subject
     std::sort(result.begin(), result.end());
     return result;
   }
+
+  // Whether is_there(v) tells which vertices cells have: others are hidden.
+  template <class IsThere>
+  bool knows_hidden_vertices(const IsThere& is_there) const
+  {
+    std::vector<bool> has_cell(complex.vertices_end(), false);
+    for (std::size_t c = 0; c < complex.cells_end(); ++c)
+      for (unsigned k = 0; !Complex::is_dead(complex.cell(c)) && k < 4; ++k)
+        has_cell[complex.cell(c).v[k]] = true;
+    return std::all_of(vertex_of.begin(), vertex_of.end(),
+                       [&](Id v) { return v == 0 || is_there(v) == has_cell[v]; });
+  }
+  bool knows_hidden_vertices() const
+  {
+    return knows_hidden_vertices([this](Id v) { return complex.is_in_cell(v); });
+  }
 };
 
-inline std::vector<std::array<Id, 4>> cells_by_one(const std::vector<Coordinates>& points)
+// Starts where the point in half the place is; a copy for each worker.
+template <class Vertex>
+struct Start_at_half : DFS::internal::Starting_cells<Vertex>
 {
-  Subject<> subject(points);
-  DFS::internal::Inserter<DFS::internal::Alone_with_complex<Compact_vertex>> inserter(
-      subject.complex);
-  const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  explicit Start_at_half(const Subject<Vertex>& subject)
+    : DFS::internal::Starting_cells<Vertex>(subject.complex, subject.vertex_of,
+                                            subject.halves.data(), subject.any_vertex)
+  {
+  }
+};
+
+template <class Vertex>
+void insert_by_one(Subject<Vertex>& subject)
+{
+  DFS::internal::Inserter<DFS::internal::Alone_with_complex<Vertex>> inserter(subject.complex);
+  Start_at_half<Vertex> hints(subject);
+  for (std::size_t i = 0; i < subject.vertex_of.size(); ++i) {
     if (subject.vertex_of[i] != 0)
       continue;
     const Id p = Complex::vertex_of_point(i);
@@ -135,8 +165,17 @@ inline std::vector<std::array<Id, 4>> cells_by_one(const std::vector<Coordinates
     if (location.vertex == 0) {
       inserter.dig(p, location.cell);
       inserter.fill(p);
-    }
+    } else if (location.vertex == p) // hidden
+      subject.complex.vertex(p).cell = location.cell;
+    hints.after_update(i, subject.vertex_of[i]);
   }
+}
+
+template <class Vertex = Compact_vertex>
+std::vector<std::array<Id, 4>> cells_by_one(const std::vector<Coordinates_of<Vertex>>& points)
+{
+  Subject<Vertex> subject(points);
+  insert_by_one(subject);
   return subject.cells();
 }
 
@@ -153,23 +192,25 @@ struct Never_stop
 };
 
 // In rounds that double. `go_further` returns true.
-template <class Worker = DFS::internal::Insertion_worker<Compact_vertex>,
-          class Executor = Thread_executor, class GoFurther = Never_stop>
-Parallel_outcome insert_by_many(const std::vector<Coordinates>& points,
+template <class Vertex = Compact_vertex, class Worker = DFS::internal::Insertion_worker<Vertex>,
+          class Hints = Start_at_half<Vertex>, class Executor = Thread_executor,
+          class GoFurther = Never_stop>
+Parallel_outcome insert_by_many(const std::vector<Coordinates_of<Vertex>>& points,
                                 const Executor& executor = Executor(),
                                 const DFS::internal::Parallel_rules& rules = {30, 8, 8},
                                 const GoFurther& go_further = GoFurther())
 {
-  Subject<> subject(points);
-  DFS::internal::Parallel_triangulation<Compact_vertex, Worker> triangulation(subject.complex,
-                                                                              executor, rules);
-  const Start_at_half hints{&subject.complex, &subject.vertex_of, subject.any_vertex};
+  Subject<Vertex> subject(points);
+  DFS::internal::Parallel_triangulation<Vertex, Worker> triangulation(subject.complex, executor,
+                                                                      rules);
+  const Hints hints(subject);
   for (std::size_t first = 0, last = 30; first < points.size(); first = last, last *= 2) {
     last = (std::min)(last, points.size());
     triangulation.insert_chunk(first, last, subject.vertex_of, hints, go_further);
   }
   triangulation.finish();
-  return {subject.complex.is_valid() && DFS::internal::is_delaunay(subject.complex),
+  return {subject.complex.is_valid() && DFS::internal::is_delaunay(subject.complex) &&
+              subject.knows_hidden_vertices(),
           subject.cells(), triangulation.counts().clashes, triangulation.counts().put_off};
 }
 
