@@ -294,11 +294,12 @@ void measure_weighted(const Points& points, const Weights& weights, const Number
   if (weights.ndim() != 1 || weights.shape(0) != points.shape(0))
     throw py::value_error("weights: expected one for each point");
   const double* const weight = weights.data();
+  const auto n = std::size_t(points.shape(0));
   measure(points, simplices, threads, [&](std::size_t c, const auto& corners) {
     std::array<double, 4> weighted[4];
     for (std::size_t k = 0; k < 4; ++k)
       weighted[k] = {corners[k][0], corners[k][1], corners[k][2],
-                     weight[std::size_t(rows.entry(c, k))]};
+                     weight[std::size_t(rows.number(c, k, n))]};
     write(c, weighted);
   });
 }

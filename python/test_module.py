@@ -755,6 +755,13 @@ class Regular(unittest.TestCase):
                         self.assertEqual(corners in there, square < alpha ** 2)
         with self.assertRaisesRegex(ValueError, "alpha_complex: expected a radius, got -1"):
             ours.alpha_complex(-1)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(len(ours.alpha_complex(1e200).simplices), ours.nsimplex)
+        for exponent in (-500, 400):
+            scaled = dfs.delaunay3(np.ldexp(points, exponent), weights=np.ldexp(np.ldexp(weights, exponent), exponent))
+            for one, other in zip(scaled.alpha_complex(np.ldexp(.1, exponent)), ours.alpha_complex(.1)):
+                np.testing.assert_array_equal(one, other)
         plain, same = dfs.delaunay3(points), dfs.delaunay3(points, weights=np.zeros(60))
         for alpha in (.1, .2, .3):
             for one, other in zip(plain.alpha_complex(alpha), same.alpha_complex(alpha)):

@@ -757,6 +757,8 @@ class Weights(ProgramCase):
                  *PLY_VERTICES, "end_header", *PLY_CORNERS),
                 ("g.ply", "vertex 3: its weight is inf, not a finite number", *PLY_VERTICES, "property double radius",
                  "end_header", *(c + " 1" for c in PLY_CORNERS[:3]), "0 0 1 1e200"),
+                ("i.ply", "cannot be read as .ply: the radius of vertex 0 is negative", *PLY_VERTICES, "property double radius",
+                 "end_header", *(c + " -1" for c in PLY_CORNERS)),
                 ("h.ply", "cannot be read as .ply: there is no room for 4 'vertex'", *PLY_VERTICES, "property double weight",
                  "end_header", *(c + " 1" for c in PLY_CORNERS[:3]), "0 0 1")):
             with self.subTest(name):

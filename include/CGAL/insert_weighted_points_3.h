@@ -128,6 +128,7 @@ public:
   {
     const Vertex v = m_tr.insert(m_points[m_order[k]], at.type, at.cell, at.li, at.lj);
     m_cell = v == Vertex() ? at.cell : v->cell();
+    m_inserted = k + 1;
   }
 
   // Returns the vertices by point; a point that is hidden, or not inserted, has none.
@@ -135,7 +136,7 @@ public:
   {
     const auto power_side = m_tr.geom_traits().power_side_of_oriented_power_sphere_3_object();
     std::vector<Vertex> vertices(m_points.size());
-    for (std::size_t k = 0; k < size(); ++k) {
+    for (std::size_t k = 0; k < m_inserted; ++k) {
       const Location at = locate(k, m_cell);
       const Point& p = m_points[m_order[k]];
       if (at.type == Triangulation::VERTEX &&
@@ -152,6 +153,7 @@ private:
   const std::vector<Point>& m_points;
   const std::vector<std::size_t>& m_order;
   Cell m_cell;
+  std::size_t m_inserted = 0; // of the order
 };
 
 // Inserts in the order given, or, if it is empty, in that of the input.

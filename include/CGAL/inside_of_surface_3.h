@@ -70,8 +70,8 @@ outside, up to faces that are turned as said above
 \return the winding number of each tetrahedron, and what follows from them
 
 \throws Surface_input_error if a coordinate is not a finite number, an index is out of range, the
-number of points differs from that of `arrays`, all points lie in a plane, or the surface has no
-inside
+number of points differs from that of `arrays`, all points lie in a plane, weights hide a point
+from `arrays` (`regular_3_arrays()`), or the surface has no inside
 \throws std::length_error if there are \f$2^{30}\f$ tetrahedra or \f$2^{31}\f$ points, or more
 
 Example: \ref Delaunay_from_surface_3/arrays_and_inside.cpp
@@ -91,6 +91,10 @@ Inside_3 inside_of_surface_3(const PointRange& points, const FaceRange& faces,
                               " points, and " + std::to_string(array.size()) + " are given");
   if (arrays.dimension() < 3)
     throw Surface_input_error("the surface has no inside: there are no tetrahedra");
+  for (std::size_t i = 0; i < array.size(); ++i)
+    if (arrays.vertex_of_point(i) == Delaunay_3_arrays<Index>::none)
+      throw Surface_input_error("vertex " + std::to_string(i) +
+                                ": its weight hides it, and a surface needs all its vertices");
   const typename Executor_of_tag<ConcurrencyTag>::type executor;
   const auto find = [&](const auto& neighbors_of) {
     return find_inside(

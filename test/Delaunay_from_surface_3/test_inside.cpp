@@ -13,6 +13,7 @@
 #include <CGAL/Winding_number_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/inside_of_surface_3.h>
+#include <CGAL/regular_3_arrays.h>
 
 #include <Delaunay_from_surface_3_surfaces/edit.h>
 #include <Delaunay_from_surface_3_surfaces/genus_surface.h>
@@ -633,6 +634,19 @@ BOOST_AUTO_TEST_CASE(test_no_inside)
   BOOST_CHECK_THROW(
       CGAL::inside_of_surface_3(sheet.points, sheet.faces, CGAL::delaunay_3_arrays(box(2).points)),
       CGAL::Surface_input_error);
+
+  // Weights may hide vertices; if they do not, any triangulation will do.
+  const Soup solid = box(2);
+  std::vector<double> weights(solid.points.size(), 0);
+  const auto plain =
+      CGAL::inside_of_surface_3(solid.points, solid.faces, CGAL::delaunay_3_arrays(solid.points));
+  const auto same = CGAL::inside_of_surface_3(solid.points, solid.faces,
+                                              CGAL::regular_3_arrays(solid.points, weights));
+  BOOST_TEST(same.winding_numbers == plain.winding_numbers);
+  weights[0] = 100;
+  BOOST_CHECK_THROW(CGAL::inside_of_surface_3(solid.points, solid.faces,
+                                              CGAL::regular_3_arrays(solid.points, weights)),
+                    CGAL::Surface_input_error);
 }
 
 } // namespace

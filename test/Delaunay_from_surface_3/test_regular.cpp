@@ -556,6 +556,10 @@ BOOST_AUTO_TEST_CASE(stops)
   BOOST_TEST(gained > 0);
   BOOST_TEST(gained < 900);
   check_vertices(tr, points, vertices);
+  // Points that are there already, but were not inserted, are not reported.
+  Triangulation full(points.begin(), points.end());
+  for (const auto& [i, v] : stop_before(full, 0).second)
+    BOOST_TEST((v == Vertex_handle()), i);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite)

@@ -51,10 +51,12 @@ class Regular3(Delaunay3):
     A weight is a squared radius: the power of a place to a point is its squared distance from the point less the weight,
     and the point's power cell is where no other point has less power. Some points may have no cell: they are hidden, and
     in no simplex. If all weights are equal it is the Delaunay triangulation. Negative weights are fine; adding a number
-    to all of them changes nothing.
+    to all of them changes neither simplices nor power cells, but squared radii by that number.
 
-    All that `Delaunay3` has is here with the same meaning, but what is about empty spheres: it is refused, or has another
-    name.
+    What `Delaunay3` has is here, too, but what is about empty spheres is refused, or has another name. `vertices` and
+    `vertex_to_simplex` have -1 for hidden points, which are not in `coplanar`, either; lighter points at the place of a
+    heavier one are hidden. `check` also says whether the hidden points are rightly so. `alpha_complex` is the weighted
+    one. There is no `inside`.
     """
 
     def __init__(self, weights: Reals, *of_triangulation: Any) -> None:
@@ -70,7 +72,7 @@ class Regular3(Delaunay3):
 
     @property
     def weights(self) -> Reals:
-        """(n,) float64: a copy of the weights that were given."""
+        """(n,) float64: a copy of the weights that were given, which cannot be changed."""
         return self._weights
 
     @cached_property
@@ -136,9 +138,9 @@ class Regular3(Delaunay3):
         exponent = self._exponent()
         points = np.ldexp(np.asarray(self.points, dtype=float), -exponent)
         weights = np.ldexp(np.ldexp(self._weights, -exponent), -exponent)
-        most = np.ldexp(float(alpha), -exponent) ** 2
         with np.errstate(all="ignore"):
-            radii = np.ldexp(np.ldexp(self.squared_power_radii, -exponent), -exponent)
+            most = np.ldexp(float(alpha), -exponent) ** 2
+            radii = _core.power_spheres(points, weights, self.simplices, self._threads)[1]
             triangles, of_triangles = self._weighted_triangles(points, weights, radii)
             edges, of_edges = self._weighted_edges(points, weights, triangles, of_triangles)
             vertices, of_vertices = self._weighted_vertices(points, weights, edges, of_edges)
@@ -156,7 +158,7 @@ class Regular3(Delaunay3):
         a, u, w = points[triangles[:, 0]], points[triangles[:, 1]], points[triangles[:, 2]]
         u, w = u - a, w - a
         uu, uw, ww = (np.einsum("ij,ij->i", *pair) for pair in ((u, u), (u, w), (w, w)))
-        of_u, of_w = (square + weights[triangles[:, 0]] - weights[triangles[:, k]] for k, square in ((1, uu), (2, ww)))
+        of_u, of_w = (square + (weights[triangles[:, 0]] - weights[triangles[:, k]]) for k, square in ((1, uu), (2, ww)))
         normal = np.cross(u, w)
         twice = 2 * np.einsum("ij,ij->i", normal, normal)
         center = ((of_u * ww - of_w * uw) / twice)[:, None] * u + ((of_w * uu - of_u * uw) / twice)[:, None] * w
@@ -174,7 +176,7 @@ class Regular3(Delaunay3):
         third = np.concatenate([triangles[:, 2], triangles[:, 1], triangles[:, 0]])
         a, u = points[pairs[:, 0]], points[pairs[:, 1]] - points[pairs[:, 0]]
         uu = np.einsum("ij,ij->i", u, u)
-        share = (uu + weights[pairs[:, 0]] - weights[pairs[:, 1]]) / (2 * uu)
+        share = (uu + (weights[pairs[:, 0]] - weights[pairs[:, 1]])) / (2 * uu)
         own = share * share * uu - weights[pairs[:, 0]]
         is_free = self._powers(points, weights, a + share[:, None] * u)(third) >= own
         return self._merged(pairs, own, is_free, np.tile(radii, 3))

@@ -151,11 +151,6 @@ class Delaunay3:
         return 3
 
     @property
-    def weights(self) -> Optional[Reals]:
-        """None: only the points of a `Regular3` have weights."""
-        return None
-
-    @property
     def npoints(self) -> int:
         """How many points were given."""
         return len(self.points)
@@ -322,7 +317,8 @@ class Delaunay3:
         return _core.minimum_spanning_tree(self.points, *self.vertex_neighbor_vertices)
 
     def check(self, level: str = "delaunay") -> bool:
-        """Return whether this is the Delaunay triangulation of its points, as far as the level goes.
+        """Return whether this is the Delaunay triangulation of its points, or the regular one if they have weights, as
+        far as the level goes.
 
         Each level includes those before it: "links" (simplices share facets in pairs, oriented alike), "euler" (around
         each vertex there is a sphere), "orientation" (all are positive), "delaunay" (no sphere contains the vertex
@@ -332,7 +328,7 @@ class Delaunay3:
         if level not in LEVELS:
             raise ValueError(f"check: expected one of {', '.join(LEVELS)}, got {level!r}")
         return _core.is_valid(self.points, self.simplices, self.vertices, self.dimension, LEVELS.index(level),
-                              self._threads, self.weights)
+                              self._threads, self.__dict__.get("_weights"))
 
     def to_pyvista(self) -> Any:
         """Return a pyvista.UnstructuredGrid of the simplices."""

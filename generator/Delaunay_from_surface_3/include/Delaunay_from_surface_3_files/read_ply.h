@@ -236,8 +236,11 @@ private:
         for (std::size_t k = 0; k < 3; ++k)
           if (property == place[k])
             x[k] = value;
-        if (property == place_of_weight)
+        if (property == place_of_weight) {
+          if (is_radius && value < 0)
+            throw Bad_content("the radius of vertex " + std::to_string(i) + " is negative");
           soup.weights.push_back(is_radius ? value * value : value);
+        }
       });
       soup.points.emplace_back(x[0], x[1], x[2]);
     }

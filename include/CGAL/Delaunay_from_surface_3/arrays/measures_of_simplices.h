@@ -47,6 +47,13 @@ inline double quotient(const Scaled_double& n, const Scaled_double& d, int expon
   return power == 0 ? n.value / d.value : std::ldexp(n.value / d.value, power);
 }
 
+// Returns the square root of n 2^exponent.
+inline double root(const Scaled_double& n, int exponent)
+{
+  const int power = n.exponent + exponent, odd = power & 1;
+  return std::ldexp(std::sqrt(std::ldexp(n.value, odd)), (power - odd) / 2);
+}
+
 // Compares absolute values.
 inline bool is_larger(const Scaled_double& s, const Scaled_double& t)
 {
@@ -338,10 +345,10 @@ bool add_power_shares(const std::array<std::array<Number, 3>, 4>& at,
     const std::size_t i = f[(k + 1) % 3], j = f[(k + 2) % 3];
     const auto edge = minus(at[i], at[j]);
     const Number square = dot(edge, edge), of_weights = lifts[j] - lifts[i];
-    const double d = std::sqrt(quotient(Rows::rounded(square), {1, 0}, 2 * unit));
-    const double area = quotient(Rows::rounded(of[k]), length, 2 * unit) * height / d;
-    const auto from = [&](const Number& twice) { // the distance of an end, times d
-      return area * quotient(Rows::rounded(twice), {6, 0}, 2 * unit) / d;
+    const double d = root(Rows::rounded(square), 2 * unit);
+    const double area = quotient(Rows::rounded(of[k]), length, 2 * unit) * (height / d);
+    const auto from = [&](const Number& twice) { // a third of the distance of an end
+      return area * (quotient(Rows::rounded(twice), {6, 0}, 2 * unit) / d);
     };
     sums.areas[number_of_edge(i, j)] += area;
     sums.volumes[i] += from(square + of_weights);
