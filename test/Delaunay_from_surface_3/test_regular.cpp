@@ -555,7 +555,10 @@ BOOST_AUTO_TEST_CASE(stops)
   BOOST_TEST(tr.is_valid());
   BOOST_TEST(gained > 0);
   BOOST_TEST(gained < 900);
-  check_vertices(tr, points, vertices);
+  BOOST_TEST(vertices.size() == points.size());
+  for (const auto& [i, v] : vertices)
+    if (v != Vertex_handle())
+      BOOST_TEST((numbers(v->point()) == numbers(points[i])));
   // Points that are there already, but were not inserted, are not reported.
   Triangulation full(points.begin(), points.end());
   for (const auto& [i, v] : stop_before(full, 0).second)
