@@ -85,9 +85,11 @@ template <class P>
 int side_of_power_sphere(const P& a, const P& b, const P& c, const P& d, const P& p,
                          bool is_perturbed)
 {
-  return int(perturbing_with_weights().side_of_oriented_power_sphere(
-      exact_with_weight(a), exact_with_weight(b), exact_with_weight(c), exact_with_weight(d),
-      exact_with_weight(p), is_perturbed));
+  const auto u = exact_with_weight(a), v = exact_with_weight(b), w = exact_with_weight(c),
+             x = exact_with_weight(d), y = exact_with_weight(p);
+  return int(is_perturbed // then the cell must be positively oriented
+                 ? perturbing_with_weights().side_of_oriented_power_sphere(u, v, w, x, y, true)
+                 : CGAL::power_side_of_oriented_power_sphere(u, v, w, x, y));
 }
 
 template <class P>
