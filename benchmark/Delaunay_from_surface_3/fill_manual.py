@@ -62,6 +62,7 @@ SHOWS = {  # in the table of the benchmark's README
     "nets_4M": "the same for four million points, each call in a process of its own, by the last revision (9e2d602) whose `default` "
                "was nets, with faces: `points` had spaced rounds",
     "flat_and_far": "points on thin sheets, far away, in a plane or on a line; which stage of the arithmetic decides",
+    "weights": "points with weights: filled triangulations, arrays, two threads, beside `Regular_triangulation_3`",
     "consumers": "uses, from the points to the end; built with CGAL 6.0.1, which COLMAP's advancing front requires",
     "sources": "surfaces of CGAL's packages: how much is Delaunay, EMST, cells, times",
     "python": "the Python module against SciPy and VTK",
@@ -138,6 +139,7 @@ TABLES = [  # page, marker, names of results, and the function that makes the te
     (HOW_FAST, "gains", ["compare_64k"], speed_tables.gains),
     (HOW_FAST, "hard", ["orders", "orders_200k", "orders_walks", "flat_and_far"], speed_tables.hard),
     (HOW_FAST, "boxes", ["orders_walks"], speed_tables.boxes),
+    (HOW_FAST, "weights", ["weights"], speed_tables.weights),
     (HOW_FAST, "uses", ["consumers"], use_tables.uses),
     (HOW_FAST, "sources", ["sources"], use_tables.sources),
     (HOW_FAST, "memory", ["calls_256k", "calls_1M", "single_calls", "threads_memory"], speed_tables.memory),

@@ -4,7 +4,7 @@
 
 """Time and memory of insertions beside plain CGAL's, from what measure_single_calls.py, measure_threads,
 compare_with_plain, check_meshes and count_instructions.py wrote; inputs that are hard for some order or for arithmetic,
-from measure_orders and measure_flat_and_far; other programs, by measure_threads --peer; and what tiles keep."""
+from measure_orders and measure_flat_and_far; weights, by measure_weights; other programs, by measure_threads --peer; and what tiles keep."""
 
 import math
 
@@ -225,6 +225,15 @@ def boxes(walks):
     rows = [[f"1/{a}", two(found[f"box 1 : 1/{a} : 1/{a}"]), two(found[f"slab 1 : 1 : 1/{a}"])]
             for a in (100, 1000, 10000)]
     return f"{measured(walks)}\n\n" + table(["a", "box 1 : a : a", "slab 1 : 1 : a"], rows)
+
+
+def weights(report):
+    """Time of CGAL's regular triangulation / ours; of one thread / of two."""
+    rows = [[f'{r["set"]}, {thousands(r["points"])}', thousands(r["hidden"]), two(r["median_plain_cpu"]),
+             two(r["median_ratio_filled"]), two(r["median_ratio_arrays"]), two(r["gain_of_two_threads"]),
+             two(r["gain_of_two_threads_without_weights"])] for r in report["results"]]
+    return f"{measured(report)}\n\n" + table(
+        ["points", "hidden", "plain %CGAL, s", "filled", "arrays", "two threads", "the same without weights"], rows)
 
 
 def library_of(peer):

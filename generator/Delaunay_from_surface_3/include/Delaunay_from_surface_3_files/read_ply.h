@@ -231,7 +231,7 @@ private:
     const bool is_radius = m_with_weights && element.properties[place_of_weight].name == "radius";
     soup.points.reserve(soup.points.size() + element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
-      std::array<double, 3> x;
+      std::array<double, 3> x = {};
       read_item(element, [&](std::size_t property, double value) {
         for (std::size_t k = 0; k < 3; ++k)
           if (property == place[k])
