@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>

@@ -584,15 +584,16 @@ BOOST_AUTO_TEST_CASE(refused_weights)
   };
   std::vector<double> weights(9);
   weights[5] = std::numeric_limits<double>::infinity();
-  says(weights, "vertex 5: its weight, inf, is not a finite number");
+  says(weights, "vertex 5: its weight is inf, not a finite number");
   weights[5] = std::numeric_limits<double>::quiet_NaN();
   weights[2] = -std::numeric_limits<double>::infinity();
-  says(weights, "vertex 2: its weight, -inf, is not a finite number");
+  says(weights, "vertex 2: its weight is -inf, not a finite number");
   says(std::vector<float>(8), "there are 8 weights, but 9 points");
   std::vector<std::int64_t> integers(9, 1);
   integers[3] = 9007199254740993;
-  says(integers, "a weight is not a double: 9007199254740993; remedy: subtract an origin that is "
-                 "near the weights");
+  says(integers,
+       "a weight is not a double: 9007199254740993; remedy: subtract the same number from "
+       "all");
 }
 
 BOOST_AUTO_TEST_CASE(stopped)

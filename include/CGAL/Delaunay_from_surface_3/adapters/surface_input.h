@@ -143,7 +143,8 @@ constexpr bool is_point_of_kernel =
 
 // Returns the double that equals a number of an arithmetic type, or throws.
 template <class Number>
-double double_of(Number x, const char* what = "coordinate")
+double double_of(Number x, const char* what = "coordinate",
+                 const char* remedy = "subtract an origin that is near the points")
 {
   const double d = double(x);
   bool is_equal = true;
@@ -154,7 +155,7 @@ double double_of(Number x, const char* what = "coordinate")
     is_equal = d < double((std::numeric_limits<Number>::max)()) && Number(d) == x;
   if (!is_equal)
     throw Surface_input_error(std::string("a ") + what + " is not a double: " + std::to_string(x) +
-                              "; remedy: subtract an origin that is near the " + what + "s");
+                              "; remedy: " + remedy);
   return d;
 }
 
@@ -214,12 +215,12 @@ double double_of_weight(const Weight& weight, std::size_t i)
 {
   double w;
   if constexpr (std::is_arithmetic<Weight>::value)
-    w = double_of(weight, "weight");
+    w = double_of(weight, "weight", "subtract the same number from all");
   else
     w = equal_double(weight).value_or(CGAL::to_double(weight));
   if (!is_finite_number(w))
-    throw Surface_input_error("vertex " + std::to_string(i) + ": its weight, " + std::to_string(w) +
-                              ", is not a finite number");
+    throw Surface_input_error("vertex " + std::to_string(i) + ": its weight is " +
+                              std::to_string(w) + ", not a finite number");
   return w;
 }
 

@@ -109,10 +109,10 @@ inline bool is_hidden_between(const std::array<double, 4>& a, const std::array<d
   const auto along = sign_of(after.x) != 0   ? &Row<Big_integer>::x
                      : sign_of(after.y) != 0 ? &Row<Big_integer>::y
                                              : &Row<Big_integer>::z;
-  return sign_of(before.w * (after.*along) - after.w * (before.*along)) * sign_of(after.*along) < 0;
+  return sign_of(before.w * (after.*along) - after.w * (before.*along)) < 0; // c is ahead of b
 }
 
-// Takes hidden points out of `line`, where points are in their order, and makes their vertices -1.
+// Takes hidden points out of `line`, where points are in their order; they have no vertices.
 template <class Index>
 void remove_hidden(std::vector<Index>& line, const Point_array& points, const double* weights,
                    std::vector<Index>& vertices_of_points)
@@ -124,7 +124,7 @@ void remove_hidden(std::vector<Index>& line, const Point_array& points, const do
   std::size_t end = 0;
   for (const Index c : line) {
     while (end > 1 && is_hidden_between(place(line[end - 2]), place(line[end - 1]), place(c)))
-      vertices_of_points[std::size_t(line[--end])] = -1;
+      vertices_of_points[std::size_t(line[--end])] = Delaunay_3_arrays<Index>::none;
     line[end++] = c;
   }
   line.resize(end);

@@ -188,8 +188,8 @@ struct Build_options
   // Ends, if false, when there is an order: the result has nothing else.
   bool inserts = true;
 
-  // Finds a cell that contains it for each hidden point: Built::cell_of() its own number,
-  // Compact_numbers::vertex_of_point(place). Of points with weights.
+  // Finds a cell that contains each hidden point: for the one at place k of the order it is
+  // Built::cell_of(Compact_numbers::vertex_of_point(k)). Without weights no point is hidden.
   bool locates_hidden = false;
 
   // If there would be more cells, dead ones included, the outcome is TOO_MANY_CELLS.

@@ -226,7 +226,9 @@ public:
             !is_same_facet(cell(c), i, cell(there >> 2), there & 3))
           return false;
       }
-    for (std::size_t v = 0; !Vertex::has_weight && v < m_number_of_vertices; ++v)
+    if (Vertex::has_weight) // those that are hidden are in no cell
+      return true;
+    for (std::size_t v = 0; v < m_number_of_vertices; ++v)
       if (vertex(v).cell != 0 && !is_in_cell(Id(v)))
         return false;
     return true;

@@ -49,7 +49,7 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 //
 // Where that leaves something open in a thin box, there are the bounds by columns: with S, T and W
 // their largest, 66 u S T W and a bit, less than 80 u S T W; the area has 6 products of 6
-// roundings, less than 40 u S T. Underflow: as in Sphere_filter.h and Sphere_filter.h.
+// roundings, less than 40 u S T. Underflow: as in Sphere_filter.h.
 
 // The axis to which the plane of p and three vertices is orthogonal; 3 if there is none.
 template <class Place>

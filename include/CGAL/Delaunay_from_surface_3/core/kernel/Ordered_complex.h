@@ -239,7 +239,7 @@ private:
     if (n == 0)
       return;
     const auto [least, most] = std::minmax_element(weights, weights + n);
-    const double difference = *most - *least; // of numbers that are so large it is halved twice
+    const double difference = *most - *least; // may overflow
     m_largest =
         (std::max)(m_largest, is_finite_number(difference) ? std::sqrt(difference)
                                                            : 2 * std::sqrt(*most / 4 - *least / 4));
