@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A peer of compare_with_plain: Geogram's Delaunay triangulations, BDEL for one thread and PDEL for
-// more.
+// A peer of compare_with_plain and measure_weights: Geogram's triangulations, PDEL for more than one
+// thread; for one thread BDEL, or BPOW if the points have weights.
 
 #include <Delaunay_from_surface_3_comparison/points_file.h>
 
@@ -18,24 +18,46 @@
 #include <Delaunay_psm.h>
 #endif
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
+
+namespace {
+
+// As Geogram wants them: the square root of what the largest weight has more, which rounds.
+void replace_weights(std::vector<double>& numbers)
+{
+  double most = numbers[3];
+  for (std::size_t i = 3; i < numbers.size(); i += 4)
+    most = std::max(most, numbers[i]);
+  for (std::size_t i = 3; i < numbers.size(); i += 4)
+    numbers[i] = std::sqrt(most - numbers[i]);
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
   return comparison::run_peer(
       "geogram_peer", true, argc, argv,
-      [](unsigned threads, const std::vector<double>& coordinates) {
+      [](unsigned threads, std::vector<double> numbers, bool have_weights) {
+        if (have_weights)
+          replace_weights(numbers);
+        const GEO::coord_index_t dimension = have_weights ? 4 : 3;
         GEO::initialize();
         GEO::Logger::instance()->set_quiet(true);
         GEO::CmdLine::import_arg_group("standard");
         GEO::CmdLine::import_arg_group("algo");
         GEO::Process::enable_multithreading(threads > 1);
         GEO::Process::set_max_threads(threads);
-        GEO::Delaunay_var delaunay = GEO::Delaunay::create(3, threads > 1 ? "PDEL" : "BDEL");
+        GEO::Delaunay_var delaunay = GEO::Delaunay::create(dimension, threads > 1    ? "PDEL"
+                                                                      : have_weights ? "BPOW"
+                                                                                     : "BDEL");
         comparison::Stopwatch watch;
-        delaunay->set_vertices(static_cast<GEO::index_t>(coordinates.size() / 3),
-                               coordinates.data());
+        delaunay->set_vertices(static_cast<GEO::index_t>(numbers.size() / dimension),
+                               numbers.data());
         watch.stop();
         std::string version; // which that part does not tell
         GEO::Environment::instance()->get_value("version", version);

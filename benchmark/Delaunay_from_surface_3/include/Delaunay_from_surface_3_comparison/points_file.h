@@ -6,7 +6,8 @@
 #define CGAL_DELAUNAY_FROM_SURFACE_3_COMPARISON_POINTS_FILE_H
 
 // How points go to programs of all kinds: the number of points as an unsigned integer of 8 bytes,
-// then x, y, z of each as doubles, all in the machine's byte order. And how the programs answer.
+// then x, y, z of each as doubles, all in the machine's byte order; of points with weights x, y, z and
+// the weight, which the size of the file tells. And how the programs answer.
 
 #include <chrono>
 #include <cstddef>
@@ -15,41 +16,65 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace comparison {
 
-// `Points`: a range of anything with x(), y() and z().
+template <class Point, class = void>
+struct Has_weight : std::false_type
+{
+};
+template <class Point>
+struct Has_weight<Point, std::void_t<decltype(std::declval<const Point&>().weight())>>
+  : std::true_type
+{
+};
+
+// `Points`: a range of anything with x(), y() and z(), and with weight() if they have weights.
 template <class Points>
 void write_points_file(const Points& points, const std::string& file_name)
 {
-  std::vector<double> coordinates;
-  for (const auto& p : points)
-    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-  const std::uint64_t n = coordinates.size() / 3;
+  std::vector<double> numbers;
+  std::uint64_t n = 0;
+  for (const auto& p : points) {
+    numbers.insert(numbers.end(), {p.x(), p.y(), p.z()});
+    if constexpr (Has_weight<std::decay_t<decltype(p)>>::value)
+      numbers.push_back(p.weight());
+    ++n;
+  }
   std::ofstream file(file_name, std::ios::binary);
   file.write(reinterpret_cast<const char*>(&n), sizeof n);
-  file.write(reinterpret_cast<const char*>(coordinates.data()),
-             static_cast<std::streamsize>(coordinates.size() * sizeof(double)));
+  file.write(reinterpret_cast<const char*>(numbers.data()),
+             static_cast<std::streamsize>(numbers.size() * sizeof(double)));
   if (!file.flush())
     throw std::runtime_error("cannot write '" + file_name + "'");
 }
 
-// x, y, z of the first point, then of the second …
-inline std::vector<double> read_points_file(const std::string& file_name)
+struct Numbers_of_points
+{
+  std::vector<double> numbers; // all of the first point, then of the second …
+  bool have_weights;           // 4 numbers each, not 3
+};
+
+inline Numbers_of_points read_points_file(const std::string& file_name)
 {
   std::ifstream file(file_name, std::ios::binary);
   std::uint64_t n = 0;
   file.read(reinterpret_cast<char*>(&n), sizeof n);
-  std::vector<double> coordinates(file ? 3 * n : 0);
-  file.read(reinterpret_cast<char*>(coordinates.data()),
-            static_cast<std::streamsize>(coordinates.size() * sizeof(double)));
+  const bool have_weights =
+      file && n > 0 && std::filesystem::file_size(file_name) == sizeof n + 4 * n * sizeof(double);
+  std::vector<double> numbers(file ? (have_weights ? 4 : 3) * n : 0);
+  file.read(reinterpret_cast<char*>(numbers.data()),
+            static_cast<std::streamsize>(numbers.size() * sizeof(double)));
   if (!file)
     throw std::runtime_error("cannot read points from '" + file_name + "'");
-  return coordinates;
+  return {std::move(numbers), have_weights};
 }
 
 // What a peer measures: from when this is made, as it has its points the way it wants them, to stop(),
@@ -84,7 +109,8 @@ inline void print_answer(const Stopwatch& watch, std::size_t tetrahedra, unsigne
 }
 
 // The whole program, which is called with the number of threads, where it takes one, and the file of
-// points: run(threads, coordinates). Returns the exit status.
+// points: run(threads, coordinates), or run(threads, numbers, have_weights) if it takes weights.
+// Returns the exit status.
 template <class Run>
 int run_peer(const std::string& name, bool has_threads, int argc, char** argv, const Run& run)
 try {
@@ -92,7 +118,13 @@ try {
   if (argc != 2 + has_threads || threads < 1)
     throw std::runtime_error("usage: " + name + (has_threads ? " THREADS" : "") +
                              " FILE-OF-POINTS");
-  run(unsigned(threads), read_points_file(argv[argc - 1]));
+  const Numbers_of_points points = read_points_file(argv[argc - 1]);
+  if constexpr (std::is_invocable_v<Run, unsigned, const std::vector<double>&, bool>)
+    run(unsigned(threads), points.numbers, points.have_weights);
+  else if (!points.have_weights)
+    run(unsigned(threads), points.numbers);
+  else
+    throw std::runtime_error("takes no weights");
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
