@@ -62,7 +62,7 @@ SHOWS = {  # in the table of the benchmark's README
     "nets_4M": "the same for four million points, each call in a process of its own, by the last revision (9e2d602) whose `default` "
                "was nets, with faces: `points` had spaced rounds",
     "flat_and_far": "points on thin sheets, far away, in a plane or on a line; which stage of the arithmetic decides",
-    "weights": "points with weights: filled triangulations, arrays, two threads, beside `Regular_triangulation_3`",
+    "weights": "points with weights: filled triangulations, arrays, two threads, beside `Regular_triangulation_3` and Geogram",
     "consumers": "uses, from the points to the end; built with CGAL 6.0.1, which COLMAP's advancing front requires",
     "sources": "surfaces of CGAL's packages: how much is Delaunay, EMST, cells, times",
     "python": "the Python module against SciPy and VTK",

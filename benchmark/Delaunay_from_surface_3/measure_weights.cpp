@@ -2,11 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures points with weights: CGAL's Regular_triangulation_3 beside one that is filled, and beside
-// arrays, by CPU time and in turn; and arrays by two threads beside one, with weights and without,
-// by the clock. Writes JSON.
+// Measures points with weights: CGAL's Regular_triangulation_3 beside one that is filled, beside
+// arrays and beside other programs, by CPU time; and arrays by two threads beside one, with weights and
+// without, by the clock; all in turn. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/measure.h>
+#include <Delaunay_from_surface_3_comparison/peers.h>
 #include <Delaunay_from_surface_3_comparison/run_program.h>
 
 #include <CGAL/Delaunay_from_surface_3/support/Thread_executor.h>
@@ -42,6 +43,7 @@ using Balls = std::vector<Ball>;
 using Points = std::vector<std::array<double, 3>>;
 using Weights = std::vector<double>;
 using Regular = CGAL::Regular_triangulation_3<Kernel>;
+using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
 
 Ball ball(double x, double y, double z, double weight)
 {
@@ -118,33 +120,18 @@ const std::vector<Set> sets = {
     {"lattice, weights 1 to 4", [](std::size_t n) { return lattice(n, 3); }},
 };
 
-// The time of arrays by the clock, with weights unless these are null.
-double arrays_wall(const Points& points, const Weights* weights, std::size_t threads)
+// With weights unless these are null.
+Arrays build_arrays(const Points& points, const Weights* weights, std::size_t threads)
 {
   const internal::Thread_executor executor(threads);
   const auto np = CGAL::parameters::default_values();
   const std::optional<std::string> regular; // nothing to be said of a surface
-  return comparison::time_of([&] {
-           if (weights != nullptr) {
-             internal::Read_weighted_points<Points, Weights> read(points, *weights);
-             internal::insert_into_arrays<std::int32_t>(read, nullptr, regular, executor, np);
-           } else {
-             internal::Read_coordinates<Points> read(points);
-             internal::insert_into_arrays<std::int32_t>(read, nullptr, regular, executor, np);
-           }
-         })
-      .wall;
-}
-
-// One thread over two, the median of turns.
-double gain_of_threads(const Points& points, const Weights* weights, std::size_t repetitions)
-{
-  std::vector<double> gains;
-  for (std::size_t r = 0; r < repetitions; ++r) {
-    const double one = arrays_wall(points, weights, 1);
-    gains.push_back(one / arrays_wall(points, weights, 2));
+  if (weights != nullptr) {
+    internal::Read_weighted_points<Points, Weights> read(points, *weights);
+    return internal::insert_into_arrays<std::int32_t>(read, nullptr, regular, executor, np);
   }
-  return rounded(comparison::median(gains), 1e3);
+  internal::Read_coordinates<Points> read(points);
+  return internal::insert_into_arrays<std::int32_t>(read, nullptr, regular, executor, np);
 }
 
 std::size_t number_of_hidden(const Regular& rt)
@@ -155,66 +142,156 @@ std::size_t number_of_hidden(const Regular& rt)
   return number;
 }
 
-Json measure_set(const Set& set, std::size_t n, std::size_t repetitions)
+struct Times
 {
-  const Balls balls = set.make(n);
-  Points points;
-  Weights weights;
-  for (const Ball& b : balls) {
-    points.push_back({b.x(), b.y(), b.z()});
-    weights.push_back(b.weight());
+  std::vector<double> cpu, wall;
+
+  void add(const comparison::Time& time)
+  {
+    cpu.push_back(time.cpu);
+    wall.push_back(time.wall);
   }
-  comparison::Turns filled, arrays;
-  std::size_t hidden = 0;
-  for (std::size_t r = 0; r < repetitions + 1; ++r) {
-    Regular expected, rt;
-    CGAL::Delaunay_3_arrays<std::int32_t> made;
-    const double plain =
-        comparison::time_of([&] { expected.insert(balls.begin(), balls.end()); }).cpu;
-    const double ours = comparison::time_of([&] { CGAL::insert_points_3(rt, balls); }).cpu;
-    const double alone =
-        comparison::time_of([&] { made = CGAL::regular_3_arrays(points, weights); }).cpu;
-    if (r == 0) { // touches the memory, and is not counted
-      hidden = number_of_hidden(rt);
-      if (!(rt == expected) || hidden != number_of_hidden(expected) ||
-          made.number_of_simplices() != rt.number_of_finite_cells())
-        throw std::runtime_error(set.name + ": not equal to plain CGAL");
-      continue;
-    }
-    for (comparison::Turns* turns : {&filled, &arrays}) {
-      turns->plain.push_back(plain);
-      turns->ours.push_back(turns == &filled ? ours : alone);
-      turns->ratios.push_back(plain / turns->ours.back());
-    }
-  }
-  Json line = {{"set", set.name}, {"points", balls.size()}, {"hidden", hidden}};
-  line["median_plain_cpu"] = rounded(comparison::median(filled.plain));
-  line["median_filled_cpu"] = rounded(comparison::median(filled.ours));
-  line["median_arrays_cpu"] = rounded(comparison::median(arrays.ours));
-  line["median_ratio_filled"] = rounded(comparison::median(filled.ratios), 1e3);
-  line["median_ratio_arrays"] = rounded(comparison::median(arrays.ratios), 1e3);
-  line["gain_of_two_threads"] = gain_of_threads(points, &weights, repetitions);
-  line["gain_of_two_threads_without_weights"] = gain_of_threads(points, nullptr, repetitions);
-  return line;
+};
+
+double median_ratio(const std::vector<double>& theirs, const std::vector<double>& ours)
+{
+  std::vector<double> ratios;
+  std::transform(theirs.begin(), theirs.end(), ours.begin(), std::back_inserter(ratios),
+                 std::divides<double>());
+  return rounded(comparison::median(ratios), 1e3);
 }
+
+// All that is measured of one set, in turn.
+class Turns
+{
+public:
+  Turns(const Set& set, std::size_t n, const std::vector<std::string>& peers,
+        comparison::Launcher& launcher)
+    : m_name(set.name)
+    , m_balls(set.make(n))
+    , m_launcher(launcher)
+  {
+    for (const Ball& b : m_balls) {
+      m_points.push_back({b.x(), b.y(), b.z()});
+      m_weights.push_back(b.weight());
+    }
+    for (const std::string& text : peers)
+      m_peers.emplace_back(comparison::parse_peer(text));
+    if (!m_peers.empty())
+      m_file.emplace(m_balls);
+  }
+
+  Json run(std::size_t repetitions)
+  {
+    take_turn();
+    m_times = {}; // what touched the memory is not counted
+    for (std::size_t r = 0; r < repetitions; ++r) {
+      take_turn();
+      for (auto& peer : m_peers)
+        peer.run(m_launcher, m_file->name());
+    }
+    return as_json();
+  }
+
+private:
+  enum Way { PLAIN, FILLED, ARRAYS, TWO_THREADS, WITHOUT_WEIGHTS, TWO_WITHOUT_WEIGHTS, WAYS };
+
+  template <class Work>
+  void measure(Way way, const Work& work)
+  {
+    m_times[way].add(comparison::time_of(work));
+  }
+
+  void take_turn()
+  {
+    Regular expected, rt;
+    Arrays made, by_two, without_weights, without_by_two; // whose end is not measured
+    measure(PLAIN, [&] { expected.insert(m_balls.begin(), m_balls.end()); });
+    measure(FILLED, [&] { CGAL::insert_points_3(rt, m_balls); });
+    measure(ARRAYS, [&] { made = CGAL::regular_3_arrays(m_points, m_weights); });
+    measure(TWO_THREADS, [&] { by_two = build_arrays(m_points, &m_weights, 2); });
+    measure(WITHOUT_WEIGHTS, [&] { without_weights = build_arrays(m_points, nullptr, 1); });
+    measure(TWO_WITHOUT_WEIGHTS, [&] { without_by_two = build_arrays(m_points, nullptr, 2); });
+    if (m_tetrahedra != 0) // already compared
+      return;
+    m_tetrahedra = made.number_of_simplices();
+    m_hidden = number_of_hidden(rt);
+    if (!(rt == expected) || m_hidden != number_of_hidden(expected) ||
+        m_tetrahedra != rt.number_of_finite_cells())
+      throw std::runtime_error(m_name + ": not equal to plain CGAL");
+  }
+
+  double median_cpu(Way way) const { return rounded(comparison::median(m_times[way].cpu)); }
+  double median_wall(Way way) const { return rounded(comparison::median(m_times[way].wall)); }
+  double gain_of_threads(Way one, Way two) const
+  {
+    return median_ratio(m_times[one].wall, m_times[two].wall);
+  }
+
+  Json as_json() const
+  {
+    Json line = {{"set", m_name}, {"points", m_balls.size()}, {"hidden", m_hidden}};
+    line["tetrahedra"] = m_tetrahedra;
+    line["median_plain_cpu"] = median_cpu(PLAIN);
+    line["median_filled_cpu"] = median_cpu(FILLED);
+    line["median_arrays_cpu"] = median_cpu(ARRAYS);
+    line["median_two_threads_wall"] = median_wall(TWO_THREADS);
+    line["median_ratio_filled"] = median_ratio(m_times[PLAIN].cpu, m_times[FILLED].cpu);
+    line["median_ratio_arrays"] = median_ratio(m_times[PLAIN].cpu, m_times[ARRAYS].cpu);
+    line["gain_of_two_threads"] = gain_of_threads(ARRAYS, TWO_THREADS);
+    line["gain_of_two_threads_without_weights"] =
+        gain_of_threads(WITHOUT_WEIGHTS, TWO_WITHOUT_WEIGHTS);
+    for (const auto& peer : m_peers)
+      line["peers"].push_back(beside_arrays(peer.as_json(median_cpu(PLAIN), m_tetrahedra)));
+    return line;
+  }
+
+  // One thread by CPU time, more beside arrays by two, by the clock.
+  Json beside_arrays(Json peer) const
+  {
+    const auto add = [&](const char* theirs, double ours) {
+      if (peer.contains(theirs))
+        peer["ratio_method_to_arrays"] = rounded(double(peer[theirs]) / ours, 1e3);
+    };
+    if (peer.value("threads", 1) == 1)
+      add("median_cpu", median_cpu(ARRAYS));
+    else
+      add("median_wall", median_wall(TWO_THREADS));
+    return peer;
+  }
+
+  std::string m_name;
+  Balls m_balls;
+  Points m_points;
+  Weights m_weights;
+  std::array<Times, WAYS> m_times;
+  std::size_t m_hidden = 0, m_tetrahedra = 0;
+  std::vector<comparison::Peer_record> m_peers;
+  std::optional<comparison::Points_file> m_file; // for the peers
+  comparison::Launcher& m_launcher;
+};
 
 } // namespace
 
 int main(int argc, char** argv)
 {
+  comparison::Launcher launcher; // before anything large is in memory
   std::vector<std::size_t> sizes = {200000, 1000000};
+  std::vector<std::string> peers;
   std::size_t repetitions = 5;
   comparison::Program program(
       "measure_weights", "Measures points with weights, beside CGAL's Regular_triangulation_3.");
   program.option("sizes", sizes, "N...", "numbers of points");
   program.option("repetitions,r", repetitions, "N", "of each, in turn");
+  program.option("peer", peers, "NAME=COMMAND", "another program, as README.md says");
   return program.run(argc, argv, [&](Json& report) {
     report["repetitions"] = repetitions;
     report["results"] = Json::array();
     for (const std::size_t n : sizes)
       for (const Set& set : sets) {
-        report["results"].push_back(measure_set(set, n, repetitions));
+        report["results"].push_back(Turns(set, n, peers, launcher).run(repetitions));
         std::cerr << report["results"].back().dump() << "\n";
       }
+    report["machine"]["load_after"] = comparison::load_average();
   });
 }

@@ -4,7 +4,8 @@
 
 """Time and memory of insertions beside plain CGAL's, from what measure_single_calls.py, measure_threads,
 compare_with_plain, check_meshes and count_instructions.py wrote; inputs that are hard for some order or for arithmetic,
-from measure_orders and measure_flat_and_far; weights, by measure_weights; other programs, by measure_threads --peer; and what tiles keep."""
+from measure_orders and measure_flat_and_far; weights, by measure_weights; other programs, by measure_threads --peer; and what
+tiles keep."""
 
 import math
 
@@ -228,12 +229,36 @@ def boxes(walks):
 
 
 def weights(report):
-    """Time of CGAL's regular triangulation / ours; of one thread / of two."""
-    rows = [[f'{r["set"]}, {thousands(r["points"])}', thousands(r["hidden"]), two(r["median_plain_cpu"]),
-             two(r["median_ratio_filled"]), two(r["median_ratio_arrays"]), two(r["gain_of_two_threads"]),
-             two(r["gain_of_two_threads_without_weights"])] for r in report["results"]]
-    return f"{measured(report)}\n\n" + table(
-        ["points", "hidden", "plain %CGAL, s", "filled", "arrays", "two threads", "the same without weights"], rows)
+    """Time of CGAL's regular triangulation / ours; of another program / of arrays by as many threads; of one thread / of two.
+    Set by set for the largest size, and means of all."""
+    def beside(threads, library):
+        return lambda row: next((peer["ratio_method_to_arrays"] for peer in peers_of(row)
+                                 if (peer["threads"], library_of(peer)) == (threads, library)), None)
+
+    results = report["results"]  # each size has the same sets
+    number = len({row["set"] for row in results})
+    sizes = [results[i:i + number] for i in range(0, len(results), number)]
+    ratios = {"filled": lambda row: row["median_ratio_filled"], "arrays": lambda row: row["median_ratio_arrays"]}
+    for threads, library in sorted({(peer["threads"], library_of(peer)) for row in results for peer in peers_of(row)}):
+        ratios[library + (f" by {threads} threads" if threads > 1 else "")] = beside(threads, library)
+    ratios["2 threads"] = lambda row: row["gain_of_two_threads"]
+    ratios["2 without weights"] = lambda row: row["gain_of_two_threads_without_weights"]
+    rows = [[f'{row["set"]}, {thousands(row["points"])}', thousands(row["hidden"]), two(row["median_plain_cpu"]),
+             *(two(ratio(row)) for ratio in ratios.values())] for row in sizes[-1]]
+    found = [f"for {thousands(max(row['points'] for row in size))} points " +
+             means({name: [ratio(row) for row in size] for name, ratio in ratios.items()}) for size in sizes]
+    return "\n\n".join([measured(report), table(["points", "hidden", "plain %CGAL, s", *ratios], rows),
+                        f"Geometric means: {'; '.join(found)}.", other_tetrahedra(results)])
+
+
+def other_tetrahedra(results):
+    found = []
+    for row in results:
+        others = sorted({peer["tetrahedra"] for peer in peers_of(row)} - {row["tetrahedra"]})
+        if others:
+            found.append(f'{" or ".join(map(thousands, others))}, not {thousands(row["tetrahedra"])} ({row["set"]}, '
+                         f'{thousands(row["points"])})')
+    return f"Numbers of tetrahedra that differ: {'; '.join(found) or 'none'}."
 
 
 def library_of(peer):

@@ -2,8 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Runs compare_with_plain at small sizes, with all that it can measure, and measure_single_calls.py, and looks at what they
-have written."""
+"""Runs compare_with_plain at small sizes, with all that it can measure, measure_threads and measure_weights beside other
+programs, and measure_single_calls.py, and looks at what they have written."""
 
 import json
 import os
@@ -118,6 +118,28 @@ class Comparison(ProgramCase):
         self.assertIn("| program | threads | genus-3 | geometric mean |", lines)
         self.assertRegex("\n".join(lines), r"\n\| again \| 1 \| \d+\.\d\d \|")
         self.assertIn("Numbers of tetrahedra that differ from plain %CGAL's: none.", lines)
+
+    def test_peers_that_take_weights(self):
+        subprocess.run([os.path.abspath(os.environ["MEASURE_WEIGHTS"]), "--sizes", "1000", "2000", "-r", "2", *PEERS,
+                        "--output", "weights.json"], cwd=self.folder, check=True, capture_output=True)
+        report = json.loads((self.folder / "weights.json").read_text())
+        for result in report["results"]:
+            again, broken, mute, *libraries = result["peers"]
+            self.assertEqual((again["left_out"], broken["left_out"]), ("exit code 1", "exit code 1"))
+            self.assertIn("does not print", mute["left_out"])
+            for peer in libraries:
+                if not peer["method"].startswith("geogram"):
+                    self.assertEqual(peer["left_out"], "exit code 1")
+                    continue
+                self.between(0, peer["ratio_method_to_arrays"], 1000)
+                if not result["set"].startswith("lattice"):
+                    self.assertEqual(peer["tetrahedra"], result["tetrahedra"])
+
+        lines = speed_tables.weights({"name": "weights", **report}).splitlines()
+        self.assertEqual(len([line for line in lines if line.startswith("| cube, ")]), 3)
+        self.assertIn("for 1,000 points filled ", lines[-3])
+        geogram = [column.strip() for column in lines[2].split("|") if "Geogram" in column]
+        self.assertEqual(geogram, ["Geogram", "Geogram by 2 threads"] if "geogram" in LIBRARIES else [])
 
     def test_single_calls(self):
         program = os.path.abspath(os.environ["INSERT_ONCE"])
