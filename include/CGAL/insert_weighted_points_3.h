@@ -8,6 +8,7 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_regular.h>
+#include <CGAL/Delaunay_from_points_3.h>
 #include <CGAL/insert_points_3.h>
 
 #include <CGAL/Default.h>
@@ -307,79 +308,11 @@ insert_points_3(Regular_triangulation_3<Gt, Tds, Lp>& rt, InputIterator first, I
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 /// \endcond
 
-/*!
-\ingroup PkgDelaunayFromSurface3Points
-
-is a `Regular_triangulation_3` that inserts ranges by `insert_points_3()`, as
-`Delaunay_from_points_3` does without weights. Used as the triangulation type of `Alpha_shape_3`,
-`Fixed_alpha_shape_3` or your own templates, it makes these faster without any other change.
-
-\tparam Gt,Tds,Lp the parameters of `Regular_triangulation_3`. With a `Tds` for `Parallel_tag`, many
-threads insert.
-*/
+/// \ingroup PkgDelaunayFromSurface3Points
+/// is a `Regular_triangulation_3`, of the same parameters, that inserts ranges by
+/// `insert_points_3()`.
 template <class Gt, class Tds = Default, class Lp = Default>
-class Regular_from_points_3 : public Regular_triangulation_3<Gt, Tds, Lp>
-{
-  template <class Iterator>
-  static constexpr bool is_range_of =
-      Delaunay_from_surface_3::internal::is_iterator<Iterator> &&
-      !std::is_convertible<Iterator,
-                           typename Regular_triangulation_3<Gt, Tds, Lp>::Weighted_point>::value;
-
-public:
-  /// the base class.
-  using Base = Regular_triangulation_3<Gt, Tds, Lp>;
-
-  /// constructs an empty triangulation.
-  explicit Regular_from_points_3(const Gt& gt = Gt())
-    : Base(gt)
-  {
-  }
-
-  /// constructs the triangulation of the points in the range [`first`, `last`), which may be pairs
-  /// of a weighted point and an info. The arguments `rest` are passed to the constructor of `Base`:
-  /// geometric traits, a lock data structure, both, or nothing.
-  template <class InputIterator, class... Rest>
-  Regular_from_points_3(InputIterator first, InputIterator last, const Rest&... rest)
-    : Base(rest...)
-  {
-    insert(first, last);
-  }
-
-  /// constructs an empty triangulation with a lock data structure.
-  template <class LockDataStructure>
-  explicit Regular_from_points_3(LockDataStructure* lock_ds, const Gt& gt = Gt())
-    : Base(lock_ds, gt)
-  {
-  }
-  /// \cond SKIP_IN_MANUAL
-  template <class LockDataStructure>
-  Regular_from_points_3(const Gt& gt, LockDataStructure* lock_ds)
-    : Base(gt, lock_ds)
-  {
-  }
-  /// \endcond
-
-  /// inserts the points in the range [`first`, `last`), or the pairs of a point and an info, by
-  /// `insert_points_3()`, and returns the number of vertices gained.
-  template <class InputIterator>
-#ifdef DOXYGEN_RUNNING
-  std::ptrdiff_t
-#else
-  std::enable_if_t<is_range_of<InputIterator>, std::ptrdiff_t>
-#endif
-  insert(InputIterator first, InputIterator last)
-  {
-    return insert_points_3(static_cast<Base&>(*this), first, last);
-  }
-
-  /// inserts one point by `Regular_triangulation_3::insert()`, to which `rest` is passed.
-  template <class... Rest>
-  typename Base::Vertex_handle insert(const typename Base::Weighted_point& p, const Rest&... rest)
-  {
-    return Base::insert(p, rest...);
-  }
-};
+using Regular_from_points_3 = Triangulation_from_points_3<Regular_triangulation_3<Gt, Tds, Lp>>;
 
 } // namespace CGAL
 
