@@ -153,11 +153,7 @@ or an exception, are those of `insert_surface_vertices_3()`.
 <b>Complexity</b>: \f$O(n \log n + m)\f$ for the order of n points and the checks of m sides of
 faces, plus the insertions.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
-that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
-made for a single thread. `Parallel_tag` requires TBB.
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`, without restriction. The result
-is guaranteed only if `Gt` has exact predicates.
+\tparam ConcurrencyTag,Gt,Tds,Lp,Slds as in the overload without faces
 \tparam PointRange as in the overload without faces: points, pairs of points and infos, or items
 that `point_map` maps to points
 \tparam FaceRange a range of ranges of integers. If it has random access, several threads may read

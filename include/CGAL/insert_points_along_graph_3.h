@@ -66,11 +66,7 @@ As there is no surface, the visitor never hears that it is irregular.
 
 <b>Complexity</b>: \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
-that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
-made for a single thread. `Parallel_tag` requires TBB.
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`, without restriction. The result
-is guaranteed only if `Gt` has exact predicates.
+\tparam ConcurrencyTag,Gt,Tds,Lp,Slds as in `insert_points_3()`
 \tparam PointRange as in `insert_points_3()`: points, pairs of points and infos, or items that
 `point_map` maps to points
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph`, directed or not; loops

@@ -44,18 +44,14 @@ thrown by its own insertion it may only be cleared or destroyed. Refused input l
 <b>Complexity</b>: \f$O(n \log n + k)\f$ for the order of n vertices, where k is the largest index,
 plus the insertions.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
-that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
-made for a single thread. `Parallel_tag` requires TBB.
-\tparam Gt,Tds,Lp,Slds the parameters of `Delaunay_triangulation_3`, without restriction. The result
-is guaranteed only if `Gt` has exact predicates.
+\tparam ConcurrencyTag,Gt,Tds,Lp,Slds as in `insert_points_3()`
 \tparam FaceGraph a model of `VertexListGraph`, `EdgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tr the triangulation into which the vertices are inserted
 \param mesh the surface
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below; any other does not compile
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `random_seed`,
+`preserve_order` and `visitor` of `insert_points_3()`, and those below; any other does not compile
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -74,28 +70,6 @@ below; any other does not compile
       `boost::graph_traits<FaceGraph>::%vertex_descriptor` to an integer type. Indices must not be
       negative, and may have gaps; the memory used grows with the largest index.}
     \cgalParamDefault{the index map of the mesh, or one created for the call}
-  \cgalParamNEnd
-  \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order; on one thread, the same seed gives the
-      same insertions. With the default traits it has an effect only if the budget of the order is
-      exceeded.}
-    \cgalParamType{unsigned int}
-    \cgalParamDefault{0}
-  \cgalParamNEnd
-  \cgalParamNBegin{preserve_order}
-    \cgalParamDescription{whether the vertices are created in the order of the input: the i-th
-      finite vertex of the vertex iterator of `tr` is then the i-th distinct point. This requires an
-      empty `tr` and input that the core can handle.}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told about the progress, and can stop the work. It is copied unless it
-      is passed by `std::ref()`.}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that receives from time to
-      time the fraction of the points that are inserted, a `double` from 0 to 1, and stops the work
-      by returning `false`}
-    \cgalParamDefault{`Default_surface_insertion_visitor_3`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_vertex_output_iterator}
     \cgalParamDescription{receives for every vertex of `mesh` inserted, in their order, a pair of

@@ -205,9 +205,7 @@ kernel. It inserts with one thread.
 
 <b>Complexity</b>: expected \f$O(n \log n)\f$ for the order of n points, plus the insertions.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; by default
-that of the triangulation. Any tag works with any triangulation: many threads can fill one that is
-made for a single thread. `Parallel_tag` requires TBB.
+\tparam ConcurrencyTag as for a `Delaunay_triangulation_3`
 \tparam Gt,Tds,Lp the parameters of `Regular_triangulation_3`, whose points are the
 `Weighted_point_3` of a kernel. The result is guaranteed only if `Gt` has exact predicates.
 \tparam PointRange a range of weighted points, of pairs of these and infos, or of items that
@@ -216,50 +214,11 @@ made for a single thread. `Parallel_tag` requires TBB.
 
 \param rt the triangulation into which the points are inserted
 \param weighted_points the points
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below; any other does not compile
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{point_map}
-    \cgalParamDescription{maps the items of `weighted_points` to weighted points}
-    \cgalParamType{a model of `ReadablePropertyMap` from the items to the points of `rt`, to a type
-      convertible to these, or to the weighted points of another kernel, which are converted as in
-      `insert_surface_vertices_3()`}
-    \cgalParamDefault{`CGAL::Identity_property_map`}
-  \cgalParamNEnd
-  \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order, as in the overload for
-      `Delaunay_triangulation_3`}
-    \cgalParamType{unsigned int}
-    \cgalParamDefault{0}
-  \cgalParamNEnd
-  \cgalParamNBegin{preserve_order}
-    \cgalParamDescription{whether the vertices are created in the order of the input: the i-th
-      finite vertex of the vertex iterator of `rt` is then the i-th distinct point that is not
-      hidden. This requires an empty `rt` and input that the core can handle.}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told about the progress, and can stop the work. It is copied unless it
-      is passed by `std::ref()`.}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable that receives from time to
-      time the fraction of the points that are inserted, a `double` from 0 to 1, and stops the work
-      by returning `false`}
-    \cgalParamDefault{`Default_surface_insertion_visitor_3`}
-  \cgalParamNEnd
-  \cgalParamNBegin{vertex_to_vertex_output_iterator}
-    \cgalParamDescription{receives for every point a pair of its index and its vertex handle in
-      `rt`, in ascending order of the indices. A hidden point has the handle `Vertex_handle()`, and
-      so has, after a stop, a point that was not inserted into an `rt` that was not empty.}
-    \cgalParamType{a model of `OutputIterator` accepting `std::pair<std::size_t, Vertex_handle>`, or
-      a callable that takes such a pair, or an index and a handle}
-    \cgalParamDefault{`Emptyset_iterator`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
-
-The infos of the vertices can be given by `Delaunay_from_surface_3::vertex_info_map()` or
-`Delaunay_from_surface_3::vertex_info_range()`; the sequence then begins with one of these.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those for a
+`Delaunay_triangulation_3`. Points that `point_map` returns have weights, too; `preserve_order`
+counts the distinct points that are not hidden; and `vertex_to_vertex_output_iterator` receives
+every point: a hidden one with the handle `Vertex_handle()`, and so, after a stop, one that was not
+inserted into an `rt` that was not empty.
 
 \return the number of vertices that `rt` has gained, which is negative if the points hide more
 vertices than they become; 0 after a stop if it was empty

@@ -70,24 +70,10 @@ bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const Po
   return is_valid(arrays, read.points(), level);
 }
 
-/*!
-\ingroup PkgDelaunayFromSurface3Arrays
-
-does the same for the regular triangulation of points with weights. The last level checks also that
-hidden points, and no others, have the vertex `none`.
-
-<b>Complexity</b>: a walk more for each hidden point
-
-\param arrays the arrays to be checked
-\param points the points of the arrays
-\param weights the weight of each point; any range that `regular_3_arrays()` takes
-\param level how much is checked
-
-\throws Surface_input_error also if a weight is not a finite number, or if there are not as many
-weights as points
-
-\sa `regular_3_arrays()`
-*/
+/// \ingroup PkgDelaunayFromSurface3Arrays
+/// does the same for the regular triangulation of points with weights: any range that
+/// `regular_3_arrays()` takes. The last level checks also that hidden points, and no others, have
+/// the vertex `none`, by a walk for each of them.
 template <class Index, class PointRange, class WeightRange>
 bool is_valid_delaunay_3_arrays(const Delaunay_3_arrays<Index>& arrays, const PointRange& points,
                                 const WeightRange& weights,

@@ -79,39 +79,15 @@ with the smallest index.
 
 <b>Memory</b>: 8 bytes per point more than `delaunay_3_arrays()`
 
-\tparam Index `std::int32_t`: up to \f$2^{30}\f$ cells, or 150 million points
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for
-`delaunay_3_arrays()`
-\tparam PointRange a range of points, as for `delaunay_3_arrays()`
+\tparam Index,ConcurrencyTag,PointRange as for `delaunay_3_arrays()`
 \tparam WeightRange a range of numbers. It is traversed more than once.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param points the points
 \param weights the weight of each point, in the order of the points. Those that equal no `double` are
 rounded by `to_double()`, or refused if their type is arithmetic.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-below; any other does not compile
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{point_map}
-    \cgalParamDescription{maps the items of `points` to points}
-    \cgalParamType{a model of `ReadablePropertyMap` from the items to points of any kernel;
-      coordinates that are not of type `double` are converted as in `insert_surface_vertices_3()`}
-    \cgalParamDefault{the items themselves}
-  \cgalParamNEnd
-  \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the insertion order, as for `delaunay_3_arrays()`}
-    \cgalParamType{unsigned int}
-    \cgalParamDefault{0}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told about the progress, and can stop the work; the arrays are then
-      empty. It is copied unless it is passed by `std::ref()`.}
-    \cgalParamType{a model of `SurfaceInsertionVisitor_3`, or a callable as for
-      `insert_points_3()`}
-    \cgalParamDefault{`Default_surface_insertion_visitor_3`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+`delaunay_3_arrays()`
 
 \return the triangulation; after a stop, one without points and cells
 
@@ -133,19 +109,9 @@ Delaunay_3_arrays<Index> regular_3_arrays(const PointRange& points, const Weight
   return insert_weighted<Index, ConcurrencyTag>(points, weights, nullptr, np);
 }
 
-/*!
-\ingroup PkgDelaunayFromSurface3Arrays
-
-does the same for points that move, or weights that change, a little from call to call, in the order
-of insertion of the last call.
-
-\param points the points
-\param weights the weight of each point
-\param order the order of the last call, as for `delaunay_3_arrays()`
-\param np as above
-
-\throws Surface_input_error also if `order` is not a valid order
-*/
+/// \ingroup PkgDelaunayFromSurface3Arrays
+/// does the same for points that move, or weights that change, a little from call to call, in the
+/// order of insertion of the last call, which is kept as by `delaunay_3_arrays()`.
 template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, class PointRange,
           class WeightRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Delaunay_3_arrays<Index> regular_3_arrays(const PointRange& points, const WeightRange& weights,
@@ -156,15 +122,9 @@ Delaunay_3_arrays<Index> regular_3_arrays(const PointRange& points, const Weight
   return insert_weighted<Index, ConcurrencyTag>(points, weights, &order, np);
 }
 
-/*!
-\ingroup PkgDelaunayFromSurface3Arrays
-
-does the same for weighted points.
-
-\param points a range of weighted points of any kernel, or of other items with `point()` and
-`weight()`; or of items that `point_map` maps to such
-\param np as above
-*/
+/// \ingroup PkgDelaunayFromSurface3Arrays
+/// does the same for weighted points: of any kernel, other items with `point()` and `weight()`, or
+/// items that `point_map` maps to such.
 template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, class PointRange,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 Delaunay_3_arrays<Index> regular_3_arrays(const PointRange& points,
