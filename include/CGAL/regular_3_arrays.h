@@ -32,6 +32,16 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
+template <class Item>
+using Point_in_item = decltype(std::declval<const Item&>().point());
+template <class Item>
+using Weight_of_item = decltype(std::declval<const Item&>().weight());
+
+// True if the type has a point and a weight, as weighted points of a kernel have.
+template <class Item>
+constexpr bool is_weighted_point =
+    is_detected<Point_in_item, Item>&& is_detected<Weight_of_item, Item>;
+
 // Makes arrays as delaunay_3_arrays() does, with weights.
 template <class Index, class ConcurrencyTag, class PointRange, class WeightRange,
           class NamedParameters>
@@ -43,15 +53,28 @@ Delaunay_3_arrays<Index> insert_weighted(const PointRange& points, const WeightR
   return insert_into_arrays<Index>(read, kept, std::nullopt, executor, np);
 }
 
-template <class Item>
-using Point_in_item = decltype(std::declval<const Item&>().point());
-template <class Item>
-using Weight_of_item = decltype(std::declval<const Item&>().weight());
-
-// True if the type has a point and a weight, as weighted points of a kernel have.
-template <class Item>
-constexpr bool is_weighted_point =
-    is_detected<Point_in_item, Item>&& is_detected<Weight_of_item, Item>;
+// Does the same with the weights that the points have.
+template <class Index, class ConcurrencyTag, class PointRange, class NamedParameters>
+Delaunay_3_arrays<Index> insert_weighted(const PointRange& points, Insertion_order* kept,
+                                         const NamedParameters& np)
+{
+  using Item = std::decay_t<decltype(*std::begin(points))>;
+  const auto map = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::point_map), Identity_property_map<const Item>());
+  constexpr bool is_served =
+      is_weighted_point<std::decay_t<decltype(get(map, *std::begin(points)))>>;
+  static_assert(is_served, "weighted points have point() and weight(); points without weights need "
+                           "a range of these as second argument");
+  if constexpr (is_served) {
+    const auto weight = [&map](const Item& item) { return get(map, item).weight(); };
+    const auto weights = make_range(boost::make_transform_iterator(std::begin(points), weight),
+                                    boost::make_transform_iterator(std::end(points), weight));
+    return insert_weighted<Index, ConcurrencyTag>(
+        points, weights, kept, np.point_map(Bare_point_map<std::decay_t<decltype(map)>>{map}));
+  } else {
+    return {};
+  }
+}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace internal
@@ -131,22 +154,19 @@ Delaunay_3_arrays<Index> regular_3_arrays(const PointRange& points,
                                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using namespace Delaunay_from_surface_3::internal;
-  using Item = std::decay_t<decltype(*std::begin(points))>;
-  const auto map = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::point_map), Identity_property_map<const Item>());
-  constexpr bool is_served =
-      is_weighted_point<std::decay_t<decltype(get(map, *std::begin(points)))>>;
-  static_assert(is_served, "weighted points have point() and weight(); points without weights need "
-                           "a range of these as second argument");
-  if constexpr (is_served) {
-    const auto weight = [&map](const Item& item) { return get(map, item).weight(); };
-    const auto weights = make_range(boost::make_transform_iterator(std::begin(points), weight),
-                                    boost::make_transform_iterator(std::end(points), weight));
-    return insert_weighted<Index, ConcurrencyTag>(
-        points, weights, nullptr, np.point_map(Bare_point_map<std::decay_t<decltype(map)>>{map}));
-  } else {
-    return {};
-  }
+  return insert_weighted<Index, ConcurrencyTag>(points, nullptr, np);
+}
+
+/// \ingroup PkgDelaunayFromSurface3Arrays
+/// does the same for weighted points that change a little from call to call.
+template <class Index = std::int32_t, class ConcurrencyTag = Sequential_tag, class PointRange,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Delaunay_3_arrays<Index> regular_3_arrays(const PointRange& points,
+                                          Delaunay_from_surface_3::Insertion_order& order,
+                                          const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using namespace Delaunay_from_surface_3::internal;
+  return insert_weighted<Index, ConcurrencyTag>(points, &order, np);
 }
 
 /// \cond SKIP_IN_MANUAL

@@ -442,7 +442,7 @@ BOOST_AUTO_TEST_CASE(equal_weights_give_delaunay)
 
 BOOST_AUTO_TEST_CASE(kept_order)
 {
-  DFS::Insertion_order order;
+  DFS::Insertion_order order, of_weighted_points;
   Balls balls = cube(1500, .01);
   Random random(3);
   for (int step = 0; step < 4; ++step) {
@@ -450,12 +450,17 @@ BOOST_AUTO_TEST_CASE(kept_order)
                "");
     BOOST_TEST(order.order.size() == 1500u);
     for (auto& b : balls)
+    BOOST_TEST(are_same(regular_3_arrays(weighted_points_of(balls), of_weighted_points), arrays));
+    BOOST_TEST((of_weighted_points.order == order.order));
       b = {b[0] + .001 * random(), b[1], b[2], b[3] + .001 * random()};
   }
   order.order[0] = order.order[1];
   BOOST_CHECK_THROW(regular_3_arrays(points_of(balls), weights_of(balls), order),
                     CGAL::Surface_input_error);
 }
+  BOOST_CHECK_THROW(
+      regular_3_arrays(weighted_points_of(balls), order, CGAL::parameters::random_seed(1)),
+      CGAL::Surface_input_error);
 
 BOOST_AUTO_TEST_CASE(many_threads)
 {
