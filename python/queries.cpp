@@ -264,7 +264,7 @@ py::tuple circumspheres(const Points& points, const Numbers& simplices, std::siz
     const core::Circumsphere sphere = core::circumsphere_of(corners);
     for (std::size_t i = 0; i < 3; ++i)
       centers[3 * c + i] = corners[0][i] + sphere.center[i];
-    radii[c] = sphere.radius;
+    radii[c] = sphere.radius();
   });
   return py::make_tuple(array_from(std::move(centers), {py::ssize_t(m), 3}),
                         array_from(std::move(radii), {py::ssize_t(m)}));

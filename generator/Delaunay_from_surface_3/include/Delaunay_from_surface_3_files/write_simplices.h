@@ -104,7 +104,8 @@ inline Simplices_3::Data circumradii(const Simplices_3& s)
     std::array<double, 3> corners[4];
     for (std::size_t k = 0; k < 4; ++k)
       corners[k] = s.points[std::size_t(s.simplices[4 * c + k])];
-    data.values.push_back(CGAL::Delaunay_from_surface_3::internal::circumsphere_of(corners).radius);
+    data.values.push_back(
+        CGAL::Delaunay_from_surface_3::internal::circumsphere_of(corners).radius());
   }
   return data;
 }

@@ -141,15 +141,17 @@ constexpr double no_measure = std::numeric_limits<double>::quiet_NaN();
 
 using Corners_of_tetrahedron = std::array<double, 3>[4];
 
-// Measures a tetrahedron in the frame of one of its corners.
-template <class Measure>
-void measure_at_corner(const Corners_of_tetrahedron& corners, int origin, const Measure& measure)
+// Measures a tetrahedron in the frame of one of its corners: (x, y, z), or (x, y, z, weight).
+template <std::size_t size, class Measure>
+void measure_at_corner(const std::array<double, size> (&corners)[4], int origin,
+                       const Measure& measure)
 {
-  const double* others[3];
+  using Place = std::conditional_t<size == 4, Weighted_place, const double*>;
+  Place others[3];
   for (int k = 0, n = 0; k < 4; ++k)
     if (k != origin)
-      others[n++] = corners[k].data();
-  measure_in_stages<3>(others, corners[origin].data(), measure);
+      others[n++] = Place(corners[k].data());
+  measure_in_stages<3>(others, Place(corners[origin].data()), measure);
 }
 
 template <class Number>
@@ -196,7 +198,8 @@ inline double volume_of(const Corners_of_tetrahedron& corners)
 struct Circumsphere
 {
   std::array<double, 3> center = {no_measure, no_measure, no_measure}; // relative to the origin
-  double radius = no_measure;
+
+  double radius() const { return std::hypot(std::hypot(center[0], center[1]), center[2]); }
 
   // Finds the sphere, and returns whether these rows were accurate enough.
   template <class Rows>
@@ -210,20 +213,14 @@ struct Circumsphere
       n[i] = in.rows[0].w * p[i] + in.rows[1].w * q[i] + in.rows[2].w * r[i];
     if (!in.is_known(six, six) || !is_known<Rows>(n))
       return false;
-    const Scaled_double length = in.rounded(n[largest_of<Rows>(n)]);
-    double squared = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
       center[i] = quotient(in.rounded(n[i]), in.rounded(six), in.unit - 1);
-      const double share = quotient(in.rounded(n[i]), length);
-      squared += share * share;
-    }
-    radius = std::abs(quotient({length.value * std::sqrt(squared), length.exponent},
-                               in.rounded(six), in.unit - 1));
     return true;
   }
 };
 
-inline Circumsphere circumsphere_of(const Corners_of_tetrahedron& corners)
+template <std::size_t size>
+Circumsphere circumsphere_of(const std::array<double, size> (&corners)[4])
 {
   Circumsphere sphere;
   measure_at_corner(corners, 0, [&](const auto& in) { return sphere.find(in); });
@@ -242,13 +239,8 @@ struct Power_sphere
 // may have most digits in common.
 inline Power_sphere power_sphere_of(const std::array<double, 4> (&corners)[4])
 {
-  const Weighted_place others[3] = {Weighted_place(corners[1].data()),
-                                    Weighted_place(corners[2].data()),
-                                    Weighted_place(corners[3].data())};
-  Circumsphere sphere;
-  measure_in_stages<3>(others, Weighted_place(corners[0].data()),
-                       [&](const auto& in) { return sphere.find(in); });
-  return {sphere.center, dot(sphere.center, sphere.center) - corners[0][3]};
+  const std::array<double, 3> center = circumsphere_of(corners).center;
+  return {center, dot(center, center) - corners[0][3]};
 }
 
 // Finds the shares that the corners of a triangle have of the tetrahedron on it whose apex is the
@@ -364,10 +356,7 @@ inline Power_shares power_shares_of(const std::array<double, 4> (&corners)[4])
 {
   constexpr double none = no_measure;
   Power_shares shares = {{none, none, none, none, none, none}, {none, none, none, none}};
-  const Weighted_place others[3] = {Weighted_place(corners[1].data()),
-                                    Weighted_place(corners[2].data()),
-                                    Weighted_place(corners[3].data())};
-  measure_in_stages<3>(others, Weighted_place(corners[0].data()), [&](const auto& in) {
+  measure_at_corner(corners, 0, [&](const auto& in) {
     using Rows = std::decay_t<decltype(in)>;
     using Number = typename Rows::Number;
     Circumsphere sphere;
