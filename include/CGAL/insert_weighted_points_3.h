@@ -5,9 +5,9 @@
 #ifndef CGAL_INSERT_WEIGHTED_POINTS_3_H
 #define CGAL_INSERT_WEIGHTED_POINTS_3_H
 
-#include <CGAL/Delaunay_from_surface_3/Insertion_counts.h>
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_regular.h>
+#include <CGAL/Delaunay_from_surface_3/paper/Triangulation_target_3.h>
 #include <CGAL/Delaunay_from_points_3.h>
 #include <CGAL/insert_points_3.h>
 
@@ -83,77 +83,51 @@ private:
   std::size_t m_not_double; // the first point whose weight is none, or the number of points
 };
 
-// Inserts points with weights by CGAL, in the loop of the paper. Vertices that a point hides are
-// destroyed, so walks start from the cell of the insertion before, and not from a vertex.
+// Inserts points with weights. Vertices that a point hides are destroyed, so walks start from the
+// cell of the insertion before, and not from a vertex: it is its own policy of hints.
 template <class Triangulation>
-class Regular_target
+class Regular_target : public Triangulation_target_3<Triangulation>
 {
-  using Point = typename Triangulation::Point;
-  using Cell = typename Triangulation::Cell_handle;
-  using Vertex = typename Triangulation::Vertex_handle;
+  using Base = Triangulation_target_3<Triangulation>;
 
 public:
-  struct Location
-  {
-    Cell cell;
-    typename Triangulation::Locate_type type;
-    int li, lj;
-  };
-  static constexpr bool uses_subgraph = false;
+  using typename Base::Cell;
+  using typename Base::Location;
+  using typename Base::Vertex;
+  static constexpr bool uses_subgraph = false, observes_conflict_zone = false;
+  using Base::Base;
 
-  // Keeps references.
-  Regular_target(Triangulation& tr, const std::vector<Point>& points,
-                 const std::vector<std::size_t>& order)
-    : m_tr(tr)
-    , m_points(points)
-    , m_order(order)
-  {
-  }
-
-  std::size_t size() const { return m_order.size(); }
-  Insertion_counts counts() const { return {}; }
   Cell start(std::size_t) const { return m_cell; }
   void trace() const {}
 
-  Location locate(std::size_t k, Cell start) const
+  Location locate(std::size_t i, Cell start)
   {
-    Location location = {};
-    location.cell =
-        m_tr.locate(m_points[m_order[k]], location.type, location.li, location.lj, start);
-    return location;
+    const Location at = Base::locate(i, start);
+    m_cell = at.cell;
+    return at;
   }
 
-  template <class Hints>
-  void insert(std::size_t k, const Location& at, const Hints&)
+  void after_update(std::size_t, Vertex v)
   {
-    const Vertex v = m_tr.insert(m_points[m_order[k]], at.type, at.cell, at.li, at.lj);
-    m_cell = v == Vertex() ? at.cell : v->cell();
-    m_inserted = k + 1;
+    if (v != Vertex()) // a point that is hidden leaves the cells as they are
+      m_cell = v->cell();
   }
 
-  // Returns the vertices by point; a point that is hidden, or not inserted, has none.
-  std::vector<Vertex> vertices()
+  // Does not return those that were destroyed: their memory is free, or has another vertex.
+  std::vector<Vertex> take_vertices()
   {
-    const auto power_side = m_tr.geom_traits().power_side_of_oriented_power_sphere_3_object();
-    std::vector<Vertex> vertices(m_points.size());
-    for (std::size_t k = 0; k < m_inserted; ++k) {
-      const Location at = locate(k, m_cell);
-      const Point& p = m_points[m_order[k]];
-      if (at.type == Triangulation::VERTEX &&
-          power_side(at.cell->vertex(at.li)->point(), p) == ON_ORIENTED_BOUNDARY)
-        vertices[m_order[k]] = at.cell->vertex(at.li);
-      if (at.cell != Cell())
-        m_cell = at.cell;
-    }
+    std::vector<Vertex> vertices = Base::take_vertices();
+    const auto& there = this->triangulation().tds().vertices();
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (Vertex& v = vertices[i];
+          v != Vertex() && !(there.is_used(v) && v->point().point() == this->point(i).point() &&
+                             v->point().weight() == this->point(i).weight()))
+        v = Vertex();
     return vertices;
   }
 
 private:
-  Triangulation& m_tr;
-  const std::vector<Point>& m_points;
-  const std::vector<std::size_t>& m_order;
   Cell m_cell;
-  std::size_t m_inserted = 0; // of the order
 };
 
 // Inserts in the order given, or, if it is empty, in that of the input.
@@ -167,10 +141,11 @@ insert_with_weights(Triangulation& tr, const std::vector<typename Triangulation:
     std::iota(order.order.begin(), order.order.end(), std::size_t(0));
     order.round_ends.push_back(points.size());
   }
-  Regular_target<Triangulation> target(tr, points, order.order);
+  const auto ordered = permuted(points, order.order);
+  Regular_target<Triangulation> target(tr, ordered);
   Inserted_points<typename Triangulation::Vertex_handle> inserted;
   inserted.is_complete = insert_in_traced_rounds(order, target, target, observer);
-  inserted.vertices = target.vertices();
+  inserted.vertices = permuted(target.take_vertices(), inverse(order.order));
   return inserted;
 }
 
