@@ -8,7 +8,6 @@
 #include <CGAL/Delaunay_from_surface_3/adapters/Executor_by_tag.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/Read_mesh.h>
 #include <CGAL/Delaunay_from_surface_3/adapters/insert_surface.h>
-#include <CGAL/Delaunay_from_surface_3/adapters/refuse_triangulation.h>
 #include <CGAL/Delaunay_from_surface_3/paper/spanning_subgraph.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 #include <CGAL/Surface_insertion_traits_3.h>
