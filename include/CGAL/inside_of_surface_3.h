@@ -86,9 +86,7 @@ Inside_3 inside_of_surface_3(const PointRange& points, const FaceRange& faces,
   const Rounding_to_nearest rounding; // to denormal numbers, too
   Read_coordinates<PointRange> read(points);
   const Point_array array = read.points();
-  if (array.size() != arrays.number_of_points())
-    throw Surface_input_error("the arrays are of " + std::to_string(arrays.number_of_points()) +
-                              " points, and " + std::to_string(array.size()) + " are given");
+  check_number_of_points(arrays, array.size());
   if (arrays.dimension() < 3)
     throw Surface_input_error("the surface has no inside: there are no tetrahedra");
   for (std::size_t i = 0; i < array.size(); ++i)

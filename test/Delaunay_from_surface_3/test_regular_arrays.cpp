@@ -14,6 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/measures_of_simplices.h>
+#include <CGAL/circumspheres_3.h>
 #include <CGAL/delaunay_3_arrays.h>
 #include <CGAL/is_valid_delaunay_3_arrays.h>
 #include <CGAL/regular_3_arrays.h>
@@ -446,21 +447,21 @@ BOOST_AUTO_TEST_CASE(kept_order)
   Balls balls = cube(1500, .01);
   Random random(3);
   for (int step = 0; step < 4; ++step) {
-    BOOST_TEST(mistake_in(regular_3_arrays(points_of(balls), weights_of(balls), order), balls) ==
-               "");
+    const Arrays arrays = regular_3_arrays(points_of(balls), weights_of(balls), order);
+    BOOST_TEST(mistake_in(arrays, balls) == "");
     BOOST_TEST(order.order.size() == 1500u);
-    for (auto& b : balls)
     BOOST_TEST(are_same(regular_3_arrays(weighted_points_of(balls), of_weighted_points), arrays));
     BOOST_TEST((of_weighted_points.order == order.order));
+    for (auto& b : balls)
       b = {b[0] + .001 * random(), b[1], b[2], b[3] + .001 * random()};
   }
   order.order[0] = order.order[1];
   BOOST_CHECK_THROW(regular_3_arrays(points_of(balls), weights_of(balls), order),
                     CGAL::Surface_input_error);
-}
   BOOST_CHECK_THROW(
       regular_3_arrays(weighted_points_of(balls), order, CGAL::parameters::random_seed(1)),
       CGAL::Surface_input_error);
+}
 
 BOOST_AUTO_TEST_CASE(many_threads)
 {
@@ -578,6 +579,62 @@ BOOST_AUTO_TEST_CASE(power_spheres)
       {{0, 0, 0, -huge}, {huge, 0, 0, huge}, {0, huge, 0, huge}, {0, 0, huge, huge}});
   for (const double x : far.center)
     BOOST_TEST(x == huge / 2);
+}
+
+// Those of arrays, with weights and without, are compared with what CGAL constructs exactly.
+BOOST_AUTO_TEST_CASE(spheres_of_arrays)
+{
+  using Exact = CGAL::Epeck;
+  const Exact kernel;
+  const auto difference = [](double x, const Exact::FT& of) {
+    return std::abs(CGAL::to_double(CGAL::exact(Exact::FT(x) - of)));
+  };
+  const auto wrong_spheres = [&](const auto& spheres, const Arrays& arrays, const Balls& balls,
+                                 const auto& center_of, const auto& squared_radius_of) {
+    std::size_t wrong = spheres.size() != arrays.number_of_simplices();
+    for (std::size_t c = 0; c < spheres.size(); ++c) {
+      std::vector<Exact::Weighted_point_3> p;
+      double size = 0;
+      for (const std::int32_t v : arrays.vertices(c)) {
+        const auto& b = balls[std::size_t(v)];
+        p.emplace_back(Exact::Point_3(b[0], b[1], b[2]), Exact::FT(b[3]));
+        size = std::abs(b[0]) + std::abs(b[1]) + std::abs(b[2]);
+      }
+      const Exact::Point_3 center = center_of(p[0], p[1], p[2], p[3]);
+      const double squared = CGAL::to_double(CGAL::squared_distance(center, p[0].point()));
+      for (int i = 0; i < 3; ++i)
+        wrong +=
+            difference(spheres[c][std::size_t(i)], center[i]) > 1e-12 * (std::sqrt(squared) + size);
+      wrong += difference(spheres[c][3], squared_radius_of(p[0], p[1], p[2], p[3])) >
+               1e-12 * (squared + std::abs(CGAL::to_double(p[0].weight())));
+    }
+    return wrong;
+  };
+  for (const Balls& balls :
+       {cube(300, .05), protein(300), lattice({5, 5, 4}, 3), shifted(cube(100, .01), -7)}) {
+    const auto points = points_of(balls);
+    const auto weights = weights_of(balls);
+    const Arrays weighted = regular_3_arrays(points, weights);
+    const Arrays plain = CGAL::delaunay_3_arrays(points);
+    BOOST_TEST(wrong_spheres(CGAL::circumspheres_3(weighted, points, weights), weighted, balls,
+                             kernel.construct_weighted_circumcenter_3_object(),
+                             kernel.compute_squared_radius_smallest_orthogonal_sphere_3_object()) ==
+               0u);
+    const auto bare = [](const auto& construct) {
+      return [construct](const auto&... p) { return construct(p.point()...); };
+    };
+    BOOST_TEST(wrong_spheres(CGAL::circumspheres_3(plain, points), plain, balls,
+                             bare(kernel.construct_circumcenter_3_object()),
+                             bare(kernel.compute_squared_radius_3_object())) == 0u);
+    BOOST_CHECK_EXCEPTION(CGAL::circumspheres_3(plain, points_of({{0, 0, 0, 0}})),
+                          CGAL::Surface_input_error, [&](const auto& error) {
+                            return error.what() == "the arrays are of " +
+                                                       std::to_string(balls.size()) +
+                                                       " points, and 1 are given";
+                          });
+  }
+  const Balls flat = lattice({4, 4, 1}, 2);
+  BOOST_TEST(CGAL::circumspheres_3(arrays_of(flat), points_of(flat), weights_of(flat)).empty());
 }
 
 BOOST_AUTO_TEST_CASE(refused_weights)

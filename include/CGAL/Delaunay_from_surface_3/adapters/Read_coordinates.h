@@ -149,6 +149,15 @@ private:
   Large_vector<double> m_copy;
 };
 
+// Throws unless the arrays, of any index, are of n points.
+template <class Arrays>
+void check_number_of_points(const Arrays& arrays, std::size_t n)
+{
+  if (arrays.number_of_points() != n)
+    throw Surface_input_error("the arrays are of " + std::to_string(arrays.number_of_points()) +
+                              " points, and " + std::to_string(n) + " are given");
+}
+
 // Maps items to points: to those in the weighted points to which another map leads.
 template <class Weighted_point_map>
 struct Bare_point_map
