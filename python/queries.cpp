@@ -276,7 +276,7 @@ py::array voronoi_volumes(const Points& points, const Numbers& simplices)
   const auto n = std::size_t(points.shape(0));
   std::vector<double> result(n);
   measure(points, simplices, 1, [&](std::size_t c, const auto& corners) {
-    const std::array<double, 4> shares = core::voronoi_shares_of(corners);
+    const std::array<double, 4> shares = core::power_shares_of(corners).volumes;
     for (std::size_t k = 0; k < 4; ++k)
       result[std::size_t(rows.number(c, k, n))] += shares[k];
   });

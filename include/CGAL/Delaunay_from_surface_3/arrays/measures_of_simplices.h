@@ -243,64 +243,10 @@ inline Power_sphere power_sphere_of(const std::array<double, 4> (&corners)[4])
   return {center, dot(center, center) - corners[0][3]};
 }
 
-// Finds the shares that the corners of a triangle have of the tetrahedron on it whose apex is the
-// centre of the sphere: for each of the six flags, a corner, the middle of an edge, the centre of
-// the triangle and the apex form a tetrahedron with three right angles. o is the apex relative to
-// the first corner. Shares are positive if it is on the inner side of the triangle, which is
-// counterclockwise as seen from outside.
-template <class Rows, class Vector>
-bool find_shares(const Vector (&corners)[3], const std::array<double, 3>& o, int unit,
-                 std::array<double, 3>& shares)
-{
-  const Vector p = minus(corners[1], corners[0]), q = minus(corners[2], corners[1]),
-               r = minus(corners[0], corners[2]);
-  const Vector n = cross(p, r); // inwards
-  if (!is_known<Rows>(n))
-    return false;
-  const Scaled_double length = Rows::rounded(n[largest_of<Rows>(n)]);
-  std::array<double, 3> normal;
-  for (std::size_t i = 0; i < 3; ++i)
-    normal[i] = quotient(Rows::rounded(n[i]), length);
-  const double height = -dot(normal, o) / (24 * dot(normal, normal));
-  const auto a = dot(p, p) * dot(q, r), b = dot(q, q) * dot(r, p), c = dot(r, r) * dot(p, q);
-  const auto share = [&](const auto& products) {
-    return quotient(Rows::rounded(products), length, 2 * unit) * height;
-  };
-  shares = {share(c + a), share(a + b), share(b + c)};
-  return true;
-}
-
-// Returns the signed shares that the corners have of a tetrahedron by Voronoi's rule: their sum
-// over the tetrahedra of a vertex is the volume of its Voronoi cell.
-inline std::array<double, 4> voronoi_shares_of(const Corners_of_tetrahedron& corners)
-{
-  std::array<double, 4> shares = {no_measure, no_measure, no_measure, no_measure};
-  measure_at_corner(corners, 0, [&](const auto& in) {
-    using Rows = std::decay_t<decltype(in)>;
-    Circumsphere sphere;
-    if (!sphere.find(in))
-      return false;
-    const auto b = vector_of(in.rows[0]), c = vector_of(in.rows[1]), d = vector_of(in.rows[2]);
-    const std::array<decltype(minus(b, c)), 4> at = {minus(b, b), b, c, d};
-    std::array<double, 4> sums = {0, 0, 0, 0};
-    for (const auto& f : facet_corners) {
-      std::array<double, 3> parts;
-      const auto o = minus(sphere.center, minus(corners[f[0]], corners[0]));
-      if (!find_shares<Rows>({at[f[0]], at[f[1]], at[f[2]]}, o, in.unit, parts))
-        return false;
-      for (std::size_t k = 0; k < 3; ++k)
-        sums[f[k]] += parts[k];
-    }
-    shares = sums;
-    return true;
-  });
-  return shares;
-}
-
 // Represents what a tetrahedron adds to the power diagram of its corners. Each edge is crossed by a
 // facet, between the power cells of its ends; in each triangle at the edge, the centres of edge and
 // triangle, where the two and three powers are least and equal, and that of the tetrahedron form a
-// right triangle that belongs to it. Shares are signed, as those of Voronoi's rule.
+// right triangle that belongs to it. Shares are signed: positive on the inner side of the triangle.
 struct Power_shares
 {
   std::array<double, 6> areas;   // of edges 01, 02, 03, 12, 13, 23
@@ -320,7 +266,7 @@ bool add_power_shares(const std::array<std::array<Number, 3>, 4>& at,
                       const std::array<Number, 4>& lifts, const unsigned char (&f)[3],
                       const std::array<double, 3>& o, int unit, Power_shares& sums)
 {
-  const auto u = minus(at[f[1]], at[f[0]]), v = minus(at[f[2]], at[f[0]]);
+  const auto u = minus(at[f[1]], at[f[0]]), v = minus(at[f[2]], at[f[0]]), w = minus(v, u);
   const auto n = cross(v, u); // inwards
   if (!is_known<Rows>(n))
     return false;
@@ -329,10 +275,11 @@ bool add_power_shares(const std::array<std::array<Number, 3>, 4>& at,
   for (std::size_t i = 0; i < 3; ++i)
     normal[i] = quotient(Rows::rounded(n[i]), length);
   const double height = dot(normal, o) / (4 * dot(normal, normal));
-  const auto uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), nn = dot(n, n);
-  const auto of_u = uu + lifts[f[1]] - lifts[f[0]], of_v = vv + lifts[f[2]] - lifts[f[0]];
-  const auto of_1 = of_u * vv - of_v * uv, of_2 = of_v * uu - of_u * uv;
-  const std::array<Number, 3> of = {nn + nn - of_1 - of_2, of_1, of_2};
+  const auto uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
+  const auto of_u = lifts[f[1]] - lifts[f[0]], of_v = lifts[f[2]] - lifts[f[0]];
+  const std::array<Number, 3> of = {dot(w, w) * uv + of_v * uw - of_u * vw,
+                                    of_u * vv - of_v * uv - vv * uw,
+                                    of_v * uu - of_u * uv + uu * vw};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = f[(k + 1) % 3], j = f[(k + 2) % 3];
     const auto edge = minus(at[i], at[j]);
@@ -349,10 +296,11 @@ bool add_power_shares(const std::array<std::array<Number, 3>, 4>& at,
   return true;
 }
 
-// Returns the shares of a tetrahedron with corners (x, y, z, weight), NaNs if coordinates are not
-// finite: the sum over the tetrahedra of an edge is the area of the facet that crosses it, and that
-// over those of a vertex the volume of its power cell.
-inline Power_shares power_shares_of(const std::array<double, 4> (&corners)[4])
+// Returns the shares of a tetrahedron with corners (x, y, z), or (x, y, z, weight), NaNs if they are
+// not finite: the sum over the tetrahedra of an edge is the area of the facet that crosses it, and
+// that over those of a vertex the volume of its cell, by Voronoi's rule or by power.
+template <std::size_t size>
+Power_shares power_shares_of(const std::array<double, size> (&corners)[4])
 {
   constexpr double none = no_measure;
   Power_shares shares = {{none, none, none, none, none, none}, {none, none, none, none}};
@@ -364,10 +312,12 @@ inline Power_shares power_shares_of(const std::array<double, 4> (&corners)[4])
       return false;
     const auto b = vector_of(in.rows[0]);
     std::array<std::array<Number, 3>, 4> at = {minus(b, b)};
-    std::array<Number, 4> lifts = {at[0][0]};
+    std::array<Number, 4> lifts;
+    lifts.fill(at[0][0]); // 0
     for (std::size_t k = 1; k < 4; ++k) {
       at[k] = vector_of(in.rows[k - 1]);
-      lifts[k] = in.rows[k - 1].w - dot(at[k], at[k]);
+      if constexpr (size == 4)
+        lifts[k] = in.rows[k - 1].w - dot(at[k], at[k]);
     }
     Power_shares sums = {};
     for (const auto& f : facet_corners) {
