@@ -149,7 +149,10 @@ void begin_to_build(Ordered_complex<Vertex>& built, Source& source, const Build_
   if (!options.inserts)
     return;
   observer.phase_begins(Phase::SUBGRAPH, 0);
-  if (simplex.dimension == 3) {
+  if constexpr (is_rounded<typename Vertex::Place>) {
+    if (simplex.dimension == 3)
+      built.start_copies(source, executor, options.most_cells);
+  } else if (simplex.dimension == 3) {
     built.start(points, nullptr, executor, options.most_cells, weights_of(source));
   } else if (simplex.dimension == 2 && options.adds_apex) {
     const auto apex = apex_of_plane(points[simplex.points[0]], points[simplex.points[1]],

@@ -22,9 +22,12 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -46,6 +49,7 @@ struct Compact_cell
 struct alignas(32) Compact_vertex
 {
   using Place = const double*; // what predicates know of it (Sphere_filter.h)
+  using Exact_place = Place;
   static constexpr bool has_weight = false;
   static constexpr std::size_t size = 3; // of `coordinates`, with a weight
 
@@ -91,6 +95,14 @@ struct Compact_numbers
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+// A copy of a point in a periodic box, moved by so many periods.
+struct Periodic_copy
+{
+  Id point;
+  std::int16_t shift[3];
+  bool is_at_home; // it is the point itself
+};
 
 // Refers to an order of insertion that is owned elsewhere (see Insertion_order).
 struct Order_view
@@ -144,6 +156,22 @@ public:
   Compact_cell* cells = nullptr;
   std::size_t cells_end = 0;    // counts dead ones, too
   std::size_t vertices_end = 0; // counts 0 and unused ones, too
+};
+
+// Holds what build_in_box() makes: the triangulation of points in a box, their *home*, and of copies around, as many as determine the
+// stars of the points at home.
+struct Built_in_box
+{
+  std::unique_ptr<Built> built; // the points come first, in their order, and then the copies
+
+  // By vertex, less 1: the shifts are from home.
+  std::vector<Periodic_copy> copies;
+
+  // By point: how many periods home is away from the user's point; empty if none is.
+  std::vector<std::array<std::int32_t, 3>> home;
+
+  // All edges are shorter than half the shortest period.
+  bool has_short_edges = false;
 };
 
 // Says what a caller asks of build().

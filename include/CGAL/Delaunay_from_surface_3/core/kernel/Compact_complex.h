@@ -35,12 +35,20 @@ inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 struct Weighted_vertex
 {
   using Place = Weighted_place;
+  using Exact_place = Place;
   static constexpr bool has_weight = true;
   static constexpr std::size_t size = 4;
 
   double coordinates[4];
   Id cell; // any cell of the vertex, or for a hidden one a cell that it was in, or that hid it
   Id label;
+};
+
+// What the exact predicates use beside the vertices, by point.
+template <class Vertex>
+struct Exact_coordinates
+{
+  using type = std::vector<std::array<double, Vertex::size>>; // empty if none are rounded
 };
 
 template <class Vertex_>
@@ -50,7 +58,9 @@ public:
   using Cell = Compact_cell;
   using Vertex = Vertex_;
   using Place = typename Vertex::Place;
+  using Exact_place = typename Vertex::Exact_place;
   using Coordinates_of_point = std::array<double, Vertex::size>; // with the weight, if it has one
+  using Own_coordinates = typename Exact_coordinates<Vertex>::type;
   using Numbers = Compact_numbers;
   using Numbers::dead;
   using Numbers::encode;
@@ -113,6 +123,9 @@ public:
       m_own_coordinates[point_of_vertex(number)] = own_coordinates(v);
   }
 
+  Own_coordinates& all_own_coordinates() { return m_own_coordinates; }
+  const Own_coordinates& all_own_coordinates() const { return m_own_coordinates; }
+
   // Removes the vertices from this one on, which must be in no cell.
   void drop_vertices(std::size_t end)
   {
@@ -125,18 +138,27 @@ public:
   }
 
   // Keeps the coordinates of the points before they were scaled. To be called if that rounded any.
-  void keep_own_coordinates(std::vector<Coordinates_of_point>&& coordinates)
+  void keep_own_coordinates(Own_coordinates&& coordinates)
   {
     m_own_coordinates = std::move(coordinates);
   }
-  bool is_rounded() const { return !m_own_coordinates.empty(); }
+  bool is_rounded() const
+  {
+    if constexpr (core::is_rounded<Place>) // each exact place tells
+      return false;
+    else
+      return !m_own_coordinates.empty();
+  }
 
   // Return where a vertex has its coordinates, and where a finite one has exact ones, up to a power
   // of 2 that all have in common.
   Place place(Id v) const { return Place(vertex(v).coordinates); }
-  Place exact_place(Id v) const
+  Exact_place exact_place(Id v) const
   {
-    return is_rounded() ? Place(own_coordinates(v).data()) : place(v);
+    if constexpr (core::is_rounded<Place>)
+      return m_own_coordinates.place(point_of_vertex(v));
+    else
+      return is_rounded() ? Place(own_coordinates(v).data()) : place(v);
   }
   const double* exact_coordinates(Id v) const { return coordinates_of(exact_place(v)); }
 
@@ -290,7 +312,7 @@ private:
 
   Page_array<Cell> m_cells;
   Page_array<Vertex> m_vertices;
-  std::vector<Coordinates_of_point> m_own_coordinates;
+  Own_coordinates m_own_coordinates;
   std::size_t m_most_cells = max_cells;
   std::size_t m_cells_end = 0;
   std::size_t m_cells_ready = 0; // up to here cells are prepared

@@ -120,6 +120,7 @@ class Compact_predicates
   using Complex = Compact_complex<Vertex>;
   using Cell = Compact_cell;
   using Place = typename Vertex::Place;
+  using Exact_place = typename Vertex::Exact_place;
 
 public:
   // Keeps references to both.
@@ -134,10 +135,9 @@ public:
   // The vertex of the cell that has the coordinates of p, and its weight, or 0.
   Id vertex_at(const Cell& cell, Id p) const
   {
-    const double* const q = coordinates_of(m_complex.exact_place(p));
+    const auto q = m_complex.exact_place(p);
     for (const Id v : cell.v)
-      if (v != Complex::infinite &&
-          std::equal(q, q + Vertex::size, coordinates_of(m_complex.exact_place(v))))
+      if (v != Complex::infinite && are_equal(q, m_complex.exact_place(v)))
         return v;
     return 0;
   }
@@ -165,14 +165,16 @@ public:
   bool is_beyond_exactly(const Cell& cell, Id p)
   {
     const auto at = [this](Id v) { return m_complex.exact_place(v); };
-    const Place v[3] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2])};
-    const Place q = at(p);
-    if (!m_complex.is_rounded())
-      if (const int flat = flat_beyond_sign(v, q))
-        return flat > 0;
-    if (m_is_flat)
-      if (const int sign = beyond_sign_by_columns(v, q))
-        return sign > 0;
+    const Exact_place v[3] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2])};
+    const Exact_place q = at(p);
+    if constexpr (!is_rounded<Place>) {
+      if (!m_complex.is_rounded())
+        if (const int flat = flat_beyond_sign(v, q))
+          return flat > 0;
+      if (m_is_flat)
+        if (const int sign = beyond_sign_by_columns(v, q))
+          return sign > 0;
+    }
     const Exact_sign exact =
         m_complex.is_rounded() ? wide_sign<Exact_beyond>(v, q) : exact_sign<Exact_beyond>(v, q);
     ++m_counts.facet_tests_by_stage[exact.stage];
@@ -203,15 +205,16 @@ private:
   bool is_in_sphere_exactly(const Cell& cell, Id p)
   {
     const auto at = [this](Id v) { return m_complex.exact_place(v); };
-    const Place v[4] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2]),
-                        at(cell.v[3])};
-    const Place q = at(p);
+    const Exact_place v[4] = {at(Complex::first_vertex(cell)), at(cell.v[1]), at(cell.v[2]),
+                              at(cell.v[3])};
+    const Exact_place q = at(p);
     const Exact_sign exact =
         m_complex.is_rounded() ? wide_sign<Exact_sphere>(v, q) : exact_sign<Exact_sphere>(v, q);
     ++m_counts.sphere_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
-    m_is_flat = exact.is_flat || (exact.stage <= ONE_DIGIT && !exact.is_perturbed &&
-                                  (m_is_flat || ++m_integer_signs % 32 == 0) && is_flat(cell, p));
+    m_is_flat = exact.is_flat || (!is_rounded<Place> && exact.stage <= ONE_DIGIT &&
+                                  !exact.is_perturbed && (m_is_flat || ++m_integer_signs % 32 == 0) &&
+                                  is_flat(cell, p));
     return exact.sign > 0;
   }
 
@@ -234,7 +237,9 @@ private:
   unsigned close_facet(const Cell& cell, const Cell_view& view, Id p) const
   {
     const double bound =
-        (std::min)(view.facet_bound, column_sizes(cell, place(p)).bound_of_three());
+        is_rounded<Place>
+            ? view.facet_bound
+            : (std::min)(view.facet_bound, column_sizes(cell, place(p)).bound_of_three());
     for (unsigned k = 0; k < 4; ++k)
       if (view.facets[k] < -bound)
         return k;
@@ -254,10 +259,13 @@ private:
 
   bool is_beyond_facet(const Cell& cell, unsigned k, Id p) const
   {
-    const auto at = [this](Id v) { return coordinates_of(m_complex.exact_place(v)); };
-    const double* const v[3] = {at(cell.v[k ^ 1]), at(cell.v[k ^ 2]), at(cell.v[k ^ 3])};
-    const double* const q = at(p);
-    const int sign = m_complex.is_rounded() ? 0 : balanced_sign<3>(v, q).sign;
+    const auto at = [this](Id v) { return position_of(m_complex.exact_place(v)); };
+    using Position = decltype(at(p));
+    const Position v[3] = {at(cell.v[k ^ 1]), at(cell.v[k ^ 2]), at(cell.v[k ^ 3])};
+    const Position q = at(p);
+    int sign = 0;
+    if constexpr (!is_rounded<Place>)
+      sign = m_complex.is_rounded() ? 0 : balanced_sign<3>(v, q).sign;
     return (sign != 0 ? sign : orientation(q, v[0], v[1], v[2])) < 0;
   }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Delaunay_from_surface_3/Insertion_order.h>
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Compact_complex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Copy_vertex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Walk_to_conflict.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/exact_signs.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/obstacle_of_compiler.h>
@@ -51,13 +52,19 @@ inline bool share_a_coordinate(const double* a, const double* b, const double* c
   return false;
 }
 
+inline bool share_a_coordinate(Copy_place<false>, Copy_place<false>, Copy_place<false>,
+                               Copy_place<false>)
+{
+  return false; // is for speed
+}
+
 // Returns the first such points among n, where point(i) returns the coordinates of the i-th. It is
 // exact. Cost: O(n) at worst, a few tests as a rule.
 template <class PointOf>
 Starting_simplex starting_simplex(std::size_t n, const PointOf& point)
 {
   std::size_t b = 1;
-  while (b < n && std::equal(point(0), point(0) + 3, point(b)))
+  while (b < n && are_equal(point(0), point(b)))
     ++b;
   std::size_t c = b + 1;
   while (c < n && are_collinear(point(0), point(b), point(c)))
@@ -87,8 +94,9 @@ Id start_complex(const Starting_simplex& simplex, Compact_complex<Vertex>& compl
     v[k] = vertex_of[simplex.points[k]] =
         Compact_complex<Vertex>::vertex_of_point(simplex.points[k]);
   CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(
-      orientation(complex.exact_coordinates(v[0]), complex.exact_coordinates(v[1]),
-                  complex.exact_coordinates(v[2]), complex.exact_coordinates(v[3])) > 0);
+      orientation(position_of(complex.exact_place(v[0])), position_of(complex.exact_place(v[1])),
+                  position_of(complex.exact_place(v[2])), position_of(complex.exact_place(v[3]))) >
+      0);
   complex.start(v);
   return v[0];
 }
@@ -317,6 +325,34 @@ public:
       complex.keep_own_coordinates(std::move(own));
     }
     complex.limit_cells(most_cells);
+    m_any_vertex = start_complex(starting_simplex(vertices.size(), point), complex, vertices);
+    show();
+  }
+
+  // Does the same for copies of points in a periodic box (Box_of_points.h), which are scaled.
+  template <class Source>
+  void start_copies(Source& source, const Executor& executor, std::size_t most_cells)
+  {
+    const Point_array positions = source.points();
+    vertices.assign(order.size, 0);
+    complex = Compact_complex<Vertex>(
+        order.size,
+        [&](std::size_t k) {
+          typename Compact_complex<Vertex>::Coordinates_of_point p;
+          std::copy_n(positions[order.order[k]], 3, p.begin());
+          if constexpr (Vertex::has_weight)
+            p[3] = source.weight(order.order[k]);
+          return p;
+        },
+        executor);
+    auto copies = source.copies();
+    for (std::size_t k = 0; k < order.size; ++k)
+      copies.copies[k] = source.copies().copies[order.order[k]];
+    complex.keep_own_coordinates(std::move(copies));
+    complex.limit_cells(most_cells);
+    const auto point = [&](std::size_t k) {
+      return position_of(complex.exact_place(Compact_numbers::vertex_of_point(k)));
+    };
     m_any_vertex = start_complex(starting_simplex(vertices.size(), point), complex, vertices);
     show();
   }

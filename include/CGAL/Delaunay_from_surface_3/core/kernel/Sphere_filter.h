@@ -259,17 +259,49 @@ struct Weighted_place
   const double* coordinates;
 };
 
+// Points to coordinates that are rounded, each by at most 2^4: those of a copy of a point in a periodic
+// box (Copy_vertex.h).
+template <bool has_weight>
+struct Rounded_place
+{
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE explicit Rounded_place(const double* place)
+    : coordinates(place)
+  {
+  }
+  Rounded_place() = default;
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE const double& operator[](std::size_t k) const
+  {
+    return coordinates[k];
+  }
+  CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE double weight() const { return coordinates[3]; }
+
+  const double* coordinates;
+};
+
 inline const double* coordinates_of(const double* v)
 {
   return v;
 }
-inline const double* coordinates_of(Weighted_place v)
+template <class Place>
+const double* coordinates_of(Place v)
 {
   return v.coordinates;
 }
 
 template <class Place>
-constexpr bool is_weighted = std::is_same<Place, Weighted_place>::value;
+inline constexpr bool is_weighted = false;
+template <>
+inline constexpr bool is_weighted<Weighted_place> = true;
+template <>
+inline constexpr bool is_weighted<Rounded_place<true>> = true;
+
+// Whether places are rounded, or know what was rounded (Copy_vertex.h).
+template <class Place>
+inline constexpr bool is_rounded = false;
+template <class Place>
+inline constexpr bool is_copy = false;
+template <bool has_weight>
+inline constexpr bool is_rounded<Rounded_place<has_weight>> = true;
 
 // A row in doubles with a weight in w, and what bounds the error of that: the squared length of
 // (x, y, z), and this plus the absolute value of the difference of weights.
@@ -284,6 +316,13 @@ struct Power_row : Row<double>
   {
     w += dw;
   }
+};
+
+// A row of places that are rounded: each of its coordinates is off by at most 2^5.
+template <class R>
+struct Rounded_row : R
+{
+  using R::R;
 };
 
 inline double square_of(const Row<double>& r)
@@ -312,6 +351,15 @@ inline Power_row row(Weighted_place v, Weighted_place p)
   return {v[0] - p[0], v[1] - p[1], v[2] - p[2], p.weight() - v.weight()};
 }
 
+inline Rounded_row<Row<double>> row(Rounded_place<false> v, Rounded_place<false> p)
+{
+  return {v[0] - p[0], v[1] - p[1], v[2] - p[2]};
+}
+inline Rounded_row<Power_row> row(Rounded_place<true> v, Rounded_place<true> p)
+{
+  return {v[0] - p[0], v[1] - p[1], v[2] - p[2], p.weight() - v.weight()};
+}
+
 template <class Place>
 using Row_of = decltype(row(Place(), Place()));
 
@@ -321,11 +369,25 @@ template <class R>
 struct Bound_factors
 {
   static constexpr double four = 80, columns = 450, circle = 40;
+  static constexpr double off = 0; // by how much coordinates are
 };
 template <>
 struct Bound_factors<Power_row>
 {
   static constexpr double four = 88, columns = 480, circle = 44;
+  static constexpr double off = 0;
+};
+
+// Where coordinates are off by d, and m bounds all w, a determinant of four rows is off by less than
+// 72 d m^2, or exceeds this bound in no case: a row (x, y, z, w / √m) is at most √(2 m) long, and is
+// moved by at most √15 d, and a bit, since w is by 2 √3 d √m; by Hadamard's inequality for each row
+// that is moved, that is 4 √m (2 m)^(3/2) √15 d < 44 d m^2 in all, times 1.41 for what is left out if
+// √m > 12 d, and otherwise the determinant is less than 4 m^(5/2) itself. In the same way one of three
+// rows is off by less than 3 √3 m d, and a bit: less than 8 d m.
+template <class R>
+struct Bound_factors<Rounded_row<R>> : Bound_factors<R>
+{
+  static constexpr double off = 0x1p5;
 };
 
 struct Filter_bounds
@@ -335,9 +397,20 @@ struct Filter_bounds
   template <class R>
   static double four_rows(double m)
   {
-    return Bound_factors<R>::four * unit * (m * m * std::sqrt(m)) + tiny;
+    if constexpr (Bound_factors<R>::off > 0)
+      return m * m * (Bound_factors<R>::four * unit * std::sqrt(m) + 72 * Bound_factors<R>::off) +
+             tiny;
+    else
+      return Bound_factors<R>::four * unit * (m * m * std::sqrt(m)) + tiny;
   }
-  static double three_rows(double m) { return 16 * unit * (m * std::sqrt(m)) + tiny; }
+  template <class R = Row<double>>
+  static double three_rows(double m)
+  {
+    if constexpr (Bound_factors<R>::off > 0)
+      return m * (16 * unit * std::sqrt(m) + 8 * Bound_factors<R>::off) + tiny;
+    else
+      return 16 * unit * (m * std::sqrt(m)) + tiny;
+  }
 };
 
 // Returns the sign of a number whose error is at most `bound`, or 0 if that leaves it undecided.
@@ -363,7 +436,7 @@ template <class R>
 int beyond_sign(const R& a, const R& b, const R& c)
 {
   return -certified_sign(determinant_of<double>(a, b, c),
-                         Filter_bounds::three_rows(largest_square(a, b, c)));
+                         Filter_bounds::three_rows<R>(largest_square(a, b, c)));
 }
 
 // Tests p against a positively oriented cell (a, b, c, d).
@@ -407,7 +480,9 @@ int sphere_sign_by_either(const R& a, const R& b, const R& c, const R& d)
   const double value = Sphere_cofactors<double>(a, b, c, d).lifted(a, b, c, d);
   const double m = (std::max)(largest_size(a, b, c), size_of(d));
   const int sign = certified_sign(value, Filter_bounds::four_rows<R>(m));
-  return sign != 0 || value == 0 ? sign : sign_by_columns(value, m, a, b, c, d);
+  return sign != 0 || value == 0 || Bound_factors<R>::off > 0
+             ? sign
+             : sign_by_columns(value, m, a, b, c, d);
 }
 
 // Holds the results of four sphere tests, with the neighbours of a cell. Bit i of `inside` says
@@ -463,7 +538,7 @@ struct Sphere_filter
     Cell_view view;
     std::copy(cofactors.of, cofactors.of + 4, view.facets);
     view.sphere = certified_sign(cofactors.lifted(a, b, c, d), Filter_bounds::four_rows<R>(m));
-    view.facet_bound = Filter_bounds::three_rows(m);
+    view.facet_bound = Filter_bounds::three_rows<R>(m);
     const double w[4] = {square_of(a), square_of(b), square_of(c), square_of(d)};
     for (unsigned k = 0; k < 4; ++k)
       view.pushes[k] = view.facets[k] * w[k] * w[k];
@@ -569,9 +644,13 @@ struct Wide_sphere_filter
       const Four_doubles two = max_of(rows.size, lanes_of<1, 0, 3, 2>(rows.size));
       m = max_of(e.size, max_of(two, lanes_of<2, 3, 0, 1>(two)));
     }
-    const Four_doubles bound =
-        m * m * sqrt_of(m) * (Bound_factors<Row_of<Place>>::four * Filter_bounds::unit) +
-        Filter_bounds::tiny;
+    using Factors = Bound_factors<Row_of<Place>>;
+    Four_doubles bound;
+    if constexpr (Factors::off > 0)
+      bound = m * m * (sqrt_of(m) * (Factors::four * Filter_bounds::unit) + 72 * Factors::off) +
+              Filter_bounds::tiny;
+    else
+      bound = m * m * sqrt_of(m) * (Factors::four * Filter_bounds::unit) + Filter_bounds::tiny;
     return {bits_of(value > bound), bits_of(value < -bound)};
   }
 
@@ -590,7 +669,7 @@ struct Wide_sphere_filter
     const double m = (std::max)((std::max)(w[0], w[1]), (std::max)(w[2], w[3]));
     view.sphere = certified_sign((value[0] + value[1]) + (value[2] + value[3]),
                                  Filter_bounds::four_rows<Row_of<Place>>(m));
-    view.facet_bound = Filter_bounds::three_rows(m);
+    view.facet_bound = Filter_bounds::three_rows<Row_of<Place>>(m);
     return view;
   }
 };

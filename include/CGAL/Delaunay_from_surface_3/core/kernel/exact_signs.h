@@ -45,6 +45,21 @@ bool is_lexicographically_less(Place a, Place b)
   return a[0] != b[0] ? a[0] < b[0] : a[1] != b[1] ? a[1] < b[1] : a[2] < b[2];
 }
 
+// Returns true if two vertices have the same coordinates, and the same weight, if they have any.
+template <class Place>
+bool are_equal(Place a, Place b)
+{
+  const double* const p = coordinates_of(a);
+  return std::equal(p, p + (is_weighted<Place> ? 4 : 3), coordinates_of(b));
+}
+
+// A place without its weight.
+template <class Place>
+const double* position_of(Place v)
+{
+  return coordinates_of(v);
+}
+
 // CGAL's symbolic perturbation (Devillers, Teillaud 2003): the paraboloid is raised at the
 // lexicographically greatest of the points, and so on down. Raising it at a vertex has the sign of
 // the vertex's cofactor; raising it at p moves p out. Weights do not matter, since two points at
@@ -209,11 +224,14 @@ Exact_sign exact_sign(const Place* vertices, Place p)
   constexpr int n = Determinant::size;
   if constexpr (is_weighted<Place>)
     if (std::all_of(vertices, vertices + n, [p](Place v) { return v.weight() == p.weight(); })) {
-      const double* unweighted[n];
-      std::transform(vertices, vertices + n, unweighted, [](Place v) { return v.coordinates; });
-      return exact_sign<Determinant, const double*>(unweighted, p.coordinates);
+      decltype(position_of(p)) unweighted[n];
+      std::transform(vertices, vertices + n, unweighted, [](Place v) { return position_of(v); });
+      return exact_sign<Determinant>(unweighted, position_of(p));
     }
   const Exact_differences<n, Place> exact_differences(vertices, p);
+  if constexpr (is_copy<Place>)
+    if (!exact_differences.are_exact)
+      return wide_sign<Determinant>(vertices, p);
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
   const Integer_differences<n, Place> differences(exact_differences);
   if (!differences.can_be_scaled())
@@ -229,9 +247,11 @@ Exact_sign exact_sign(const Place* vertices, Place p)
       return Determinant::sign(rows, ONE_DIGIT, vertices, p);
   }
 #endif
-  const Exact_sign rounded = Determinant::rounded(exact_differences, vertices, p);
-  if (rounded.sign != 0)
-    return rounded;
+  if constexpr (!is_copy<Place>) { // whose differences alone are known in doubles
+    const Exact_sign rounded = Determinant::rounded(exact_differences, vertices, p);
+    if (rounded.sign != 0)
+      return rounded;
+  }
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_HAS_FIXED_INTEGER)
   Row<Fixed_integer<4>> rows[n];
   if (differences.set_rows(rows))
@@ -254,8 +274,8 @@ inline bool is_safe(double square)
 }
 
 // The sign of an integer determinant of differences, whatever their size.
-template <class Determinant>
-int exact_sign_of_any(const double* const* vertices, const double* p)
+template <class Determinant, class Place>
+int exact_sign_of_any(const Place* vertices, Place p)
 {
   return (obstacle_of_compiler() == nullptr ? exact_sign<Determinant>(vertices, p)
                                             : wide_sign<Determinant>(vertices, p))
@@ -267,9 +287,8 @@ struct Exact_orientation
 {
   static constexpr int size = 3;
 
-  template <class Number>
-  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const double* const*,
-                         const double*)
+  template <class Number, class Place>
+  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const Place*, Place)
   {
     return {sign_of(determinant_of(r[0], r[1], r[2])), false, stage};
   }
@@ -284,9 +303,8 @@ struct Exact_area
 {
   static constexpr int size = 2;
 
-  template <class Number>
-  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const double* const*,
-                         const double*)
+  template <class Number, class Place>
+  static Exact_sign sign(const Row<Number>* r, Exact_stage stage, const Place*, Place)
   {
     const Row<Number>&a = r[0], &b = r[1];
     const bool has_area = sign_of(carried(a.x * b.y - a.y * b.x)) != 0 ||

@@ -111,7 +111,7 @@ template <class Vertex>
 bool are_finite_cells_positive(const Compact_complex<Vertex>& complex)
 {
   using Complex = Compact_complex<Vertex>;
-  const auto at = [&](Id v) { return complex.exact_coordinates(v); };
+  const auto at = [&](Id v) { return position_of(complex.exact_place(v)); };
   for (std::size_t c = 0; c < complex.cells_end(); ++c) {
     const Compact_cell& cell = complex.cell(c);
     if (!Complex::is_dead(cell) && !Complex::is_infinite(cell) &&
