@@ -34,24 +34,18 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Makes arrays of the points, by the core: in the order `kept`, if one is given, and else in its own.
-// A source with weights calls for build_regular.h.
-template <class Index, class Source, class Executor, class NamedParameters>
-Delaunay_3_arrays<Index> insert_into_arrays(Source& points, Insertion_order* kept,
-                                            const std::optional<std::string>& irregularity,
-                                            const Executor& executor, const NamedParameters& np,
-                                            Build_options options = Build_options())
+// Prepares for a call of the core for n points, and returns make(options, observer).
+template <class NamedParameters, class Make>
+auto call_core(std::size_t n, Build_options options, const std::optional<std::string>& irregularity,
+               const NamedParameters& np, const Make& make)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using Phase = Surface_insertion_phase;
-  static_assert(std::is_same<Index, std::int32_t>::value,
-                "indices are std::int32_t: for more points use delaunay_3_tiles()");
   check_named_parameters<internal_np::point_t, internal_np::random_seed_t, internal_np::visitor_t>(
       np);
   auto&& visitor = visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
                                          get_parameter(np, internal_np::visitor)),
-                                     points.points().size());
+                                     n);
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   const Rounding_to_nearest rounding;
   if (const char* const obstacle = obstacle_of_core())
@@ -62,21 +56,40 @@ Delaunay_3_arrays<Index> insert_into_arrays(Source& points, Insertion_order* kep
     observer.notice(Surface_insertion_notice::SURFACE_IS_IRREGULAR, *irregularity);
   options.seed =
       static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0));
-  options.adds_apex = true;
-  const auto built = kept == nullptr ? build(points, options, observer, executor)
-                                     : build_again(*kept, points, options, observer, executor);
-  if (built->outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
-    observer.phase_begins(Phase::INSERTION, 1);
-    if (points.points().size() > 0 && !observer.go_further(0)) {
-      built->outcome = Insertion_outcome::STOPPED;
-    } else {
-      observer.insertion_ends(static_cast<const Insertion_counts&>(built->counts));
-      observer.phase_begins(Phase::FINISH);
-    }
-  }
-  Delaunay_3_arrays<Index> arrays = arrays_of_built<Index>(*built, points, executor);
-  observer.phase_begins(Phase::DONE);
+  auto arrays = make(options, observer);
+  observer.phase_begins(Surface_insertion_phase::DONE);
   return arrays;
+}
+
+// Makes arrays of the points, by the core: in the order `kept`, if one is given, and else in its own.
+// A source with weights calls for build_regular.h.
+template <class Index, class Source, class Executor, class NamedParameters>
+Delaunay_3_arrays<Index> insert_into_arrays(Source& points, Insertion_order* kept,
+                                            const std::optional<std::string>& irregularity,
+                                            const Executor& executor, const NamedParameters& np,
+                                            Build_options options = Build_options())
+{
+  using Phase = Surface_insertion_phase;
+  static_assert(std::is_same<Index, std::int32_t>::value,
+                "indices are std::int32_t: for more points use delaunay_3_tiles()");
+  options.adds_apex = true;
+  return call_core(
+      points.points().size(), options, irregularity, np,
+      [&](const Build_options& chosen, auto& observer) {
+        const auto built = kept == nullptr
+                               ? build(points, chosen, observer, executor)
+                               : build_again(*kept, points, chosen, observer, executor);
+        if (built->outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
+          observer.phase_begins(Phase::INSERTION, 1);
+          if (points.points().size() > 0 && !observer.go_further(0)) {
+            built->outcome = Insertion_outcome::STOPPED;
+          } else {
+            observer.insertion_ends(static_cast<const Insertion_counts&>(built->counts));
+            observer.phase_begins(Phase::FINISH);
+          }
+        }
+        return arrays_of_built<Index>(*built, points, executor);
+      });
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
