@@ -58,6 +58,7 @@ target_include_directories(Delaunay_from_surface_3 INTERFACE
 add_library(Delaunay_from_surface_3_compiled STATIC EXCLUDE_FROM_ALL
   "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/core.cpp"
   "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/core_regular.cpp"
+  "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/core_periodic.cpp"
   "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/tiles/Point_files_3.cpp"
   "${DELAUNAY_FROM_SURFACE_3_ROOT}/src/tiles/Tiles_to_files.cpp")
 add_library(Delaunay_from_surface_3::compiled ALIAS Delaunay_from_surface_3_compiled)

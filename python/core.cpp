@@ -7,5 +7,6 @@
 #undef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
 #include <src/core.cpp>
 #include <src/core_regular.cpp>
+#include <src/core_periodic.cpp>
 #include <src/tiles/Point_files_3.cpp>
 #include <src/tiles/Tiles_to_files.cpp>

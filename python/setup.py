@@ -54,6 +54,7 @@ class SourceDistribution(sdist):
         shutil.copytree(ROOT / "include/CGAL/Delaunay_from_surface_3", core / "include/CGAL/Delaunay_from_surface_3")
         shutil.copytree(ROOT / "src/tiles", core / "src/tiles")
         for source, target in (("src/core.cpp", core / "src"), ("src/core_regular.cpp", core / "src"),
+                               ("src/core_periodic.cpp", core / "src"),
                                ("CMakeLists.txt", core), ("LICENSE", base_dir), ("LICENSE.LGPL", base_dir)):
             shutil.copy(ROOT / source, target)
 

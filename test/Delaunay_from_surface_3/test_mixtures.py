@@ -17,7 +17,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 COMPILED = "-DCGAL_DELAUNAY_FROM_SURFACE_3_COMPILED"
-LIBRARY = [Path("core.cpp"), Path("core_regular.cpp"), Path("tiles/Point_files_3.cpp"), Path("tiles/Tiles_to_files.cpp")]
+LIBRARY = [Path("core.cpp"), Path("core_regular.cpp"), Path("core_periodic.cpp"),
+           Path("tiles/Point_files_3.cpp"), Path("tiles/Tiles_to_files.cpp")]
 UNITS = {
     "header_only": ["-DNDEBUG"],
     "compiled": ["-DNDEBUG", COMPILED],

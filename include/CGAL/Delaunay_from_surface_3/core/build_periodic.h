@@ -14,10 +14,7 @@
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
 
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <vector>
+#include <type_traits>
 
 #if !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED) || defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY)
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Insert_alone.h>
@@ -39,27 +36,57 @@ Built_in_box build_in_box(const Point_array& points, const double* weights, cons
                           const Build_options& options, Observer& observer,
                           const Executor& executor);
 
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+
 #if defined(CGAL_DELAUNAY_FROM_SURFACE_3_LIBRARY) || !defined(CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED)
 
-CGAL_DELAUNAY_FROM_SURFACE_3_INLINE Built_in_box build_in_box(const Point_array& points,
-                                                              const double* weights,
-                                                              const double* box,
-                                                              const Build_options& options,
-                                                              Observer& observer,
-                                                              const Executor& executor)
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Does it with the class that inserts vertices.
+template <template <class> class Insert>
+Built_in_box build_in_box_by(const Point_array& points, const double* weights, const double* box,
+                             const Build_options& options, Observer& observer,
+                             const Executor& executor)
 {
   const auto build = [&](const auto& box_of_points) {
-    return executor.number_of_workers() > 1
-               ? build_in_box_by<Insert_by_workers>(box_of_points, options, observer, executor)
-               : build_in_box_by<Insert_alone>(box_of_points, options, observer, executor);
+    using Box = std::decay_t<decltype(box_of_points)>;
+    return Periodic_triangulation<Box>(box_of_points, observer, executor)
+        .template build<Insert>(options);
   };
   return weights == nullptr ? build(Box_of_points<false>(points, weights, box))
                             : build(Box_of_points<true>(points, weights, box));
 }
 
-#endif
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE {
+
+CGAL_DELAUNAY_FROM_SURFACE_3_INLINE Built_in_box
+build_in_box(const Point_array& points, const double* weights, const double* box,
+             const Build_options& options, Observer& observer, const Executor& executor)
+{
+  return executor.number_of_workers() > 1
+             ? build_in_box_by<Insert_by_workers>(points, weights, box, options, observer, executor)
+             : build_in_box_by<Insert_alone>(points, weights, box, options, observer, executor);
+}
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_INTERFACE
+
+#endif
+
+#ifndef CGAL_DELAUNAY_FROM_SURFACE_3_COMPILED
+inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
+
+// Does the same with one thread, as that of build.h.
+inline Built_in_box build_in_box(const Point_array& points, const double* weights,
+                                 const double* box, const Build_options& options,
+                                 Observer& observer, const Alone& executor)
+{
+  return build_in_box_by<Insert_alone>(points, weights, box, options, observer, executor);
+}
+
+} // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
+#endif
 } // namespace core
 } // namespace Delaunay_from_surface_3
 } // namespace CGAL

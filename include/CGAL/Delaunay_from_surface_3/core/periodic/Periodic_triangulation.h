@@ -239,14 +239,6 @@ private:
   double m_largest_radius = 0; // of the cells that were looked at
 };
 
-// Is build_in_box() with the class that inserts vertices.
-template <template <class> class Insert, class Box>
-Built_in_box build_in_box_by(const Box& box, const Build_options& options, Observer& observer,
-                             const Executor& executor)
-{
-  return Periodic_triangulation<Box>(box, observer, executor).template build<Insert>(options);
-}
-
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
 } // namespace core
 } // namespace Delaunay_from_surface_3
