@@ -575,8 +575,9 @@ BOOST_AUTO_TEST_CASE(power_spheres)
   BOOST_TEST(imaginary > 20u);
   BOOST_TEST(flat < 500u);
   const double huge = 1e308;
-  const auto far = DFS::internal::power_sphere_of(
-      {{0, 0, 0, -huge}, {huge, 0, 0, huge}, {0, huge, 0, huge}, {0, 0, huge, huge}});
+  const std::array<double, 4> huge_corners[4] = {
+      {0, 0, 0, -huge}, {huge, 0, 0, huge}, {0, huge, 0, huge}, {0, 0, huge, huge}};
+  const auto far = DFS::internal::power_sphere_of(huge_corners);
   for (const double x : far.center)
     BOOST_TEST(x == huge / 2);
 }

@@ -11,10 +11,14 @@
 // So each measure states which polynomials have to be known well. It is computed in doubles, which
 // are enough for most tetrahedra; if their error bounds are too large, in sums of two doubles; and
 // otherwise in integers.
+//
+// Corners are arrays (x, y, z) or, with a weight, (x, y, z, weight); or copies of points in a periodic
+// box, whose positions are never rounded.
 
 #include <CGAL/Delaunay_from_surface_3/core/interface/Built.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Big_integer.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Copy_vertex.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/balanced_signs.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/form.h>
@@ -61,6 +65,58 @@ inline bool is_larger(const Scaled_double& s, const Scaled_double& t)
                                   : std::abs(quotient(s, t)) > 1;
 }
 
+// What the measures need to know of a corner.
+inline const double* place_of(const std::array<double, 3>& p)
+{
+  return p.data();
+}
+inline Weighted_place place_of(const std::array<double, 4>& p)
+{
+  return Weighted_place(p.data());
+}
+template <bool has_weight>
+Copy_place<has_weight> place_of(const Copy_place<has_weight>& p)
+{
+  return p;
+}
+
+inline double weight_of(const std::array<double, 4>& p)
+{
+  return p[3];
+}
+inline double weight_of(const Copy_place<true>& p)
+{
+  return p.weight();
+}
+
+template <class Place>
+double rounded_difference(const Place& p, const Place& q, int axis)
+{
+  if constexpr (is_copy<Place>)
+    return Periodic_difference(p, q, std::size_t(axis)).high;
+  else
+    return p[axis] - q[axis];
+}
+
+template <class Corner>
+std::array<double, 3> rounded_difference(const Corner& p, const Corner& q)
+{
+  const auto a = place_of(p), b = place_of(q);
+  return {rounded_difference(a, b, 0), rounded_difference(a, b, 1), rounded_difference(a, b, 2)};
+}
+
+template <class Place>
+bool is_finite_place(const Place& p)
+{
+  const double* coordinates;
+  if constexpr (is_copy<Place>)
+    coordinates = p.point;
+  else
+    coordinates = &p[0];
+  return std::all_of(coordinates, coordinates + (is_weighted<Place> ? 4 : 3),
+                     [](double x) { return std::isfinite(x); });
+}
+
 // Holds the differences of N points and an origin, divided by 2^unit, and those of their weights, if
 // any, by its square, with error bounds (balanced_signs.h). The differences are at most 4, and 16, so
 // that underflow adds an error of less than 2^-1000 to a polynomial of degree 4.
@@ -75,7 +131,7 @@ struct Bounded_rows
   {
     double largest = 0;
     for (int k = 0; k < 3 * N; ++k)
-      largest = (std::max)(largest, std::abs(points[k / 3][k % 3] - origin[k % 3]));
+      largest = (std::max)(largest, std::abs(rounded_difference(points[k / 3], origin, k % 3)));
     if constexpr (is_weighted<Place>)
       for (int k = 0; k < N; ++k)
         largest = (std::max)(largest, std::sqrt(std::abs(origin.weight() - points[k].weight())));
@@ -85,7 +141,15 @@ struct Bounded_rows
     const double scale = power_of_2(2045 - exponent);
     const auto bounded = [](const auto& d) { return Number{d, std::abs(Numbers::high(d))}; };
     const auto difference = [&](int k, int i) {
-      return bounded(Numbers::difference(points[k][i], origin[i], scale));
+      if constexpr (is_copy<Place>) {
+        const Periodic_difference d(points[k], origin, std::size_t(i));
+        Number number = bounded(Numbers::scaled(d.high, d.low, scale));
+        if (!d.is_exact)
+          number.size = std::numeric_limits<double>::infinity(); // nothing is known
+        return number;
+      } else {
+        return bounded(Numbers::difference(points[k][i], origin[i], scale));
+      }
     };
     for (int k = 0; k < N; ++k)
       if constexpr (is_weighted<Place>) // the square of the scale may be too large for a double
@@ -128,30 +192,21 @@ void measure_in_stages(const Place* points, Place origin, const Measure& measure
   if (measure(Bounded_rows<Bounded_doubles, N, Place>(points, origin)) ||
       measure(Bounded_rows<Bounded_double_doubles<Portable_products>, N, Place>(points, origin)))
     return;
-  constexpr int size = is_weighted<Place> ? 4 : 3;
-  bool are_finite = true;
-  for (int i = 0; i < size * N; ++i)
-    are_finite =
-        are_finite && std::isfinite(points[i / size][i % size]) && std::isfinite(origin[i % size]);
-  if (are_finite)
+  if (is_finite_place(origin) && std::all_of(points, points + N, is_finite_place<Place>))
     measure(Integer_rows<N, Place>(points, origin));
 }
 
 constexpr double no_measure = std::numeric_limits<double>::quiet_NaN();
 
-using Corners_of_tetrahedron = std::array<double, 3>[4];
-
-// Measures a tetrahedron in the frame of one of its corners: (x, y, z), or (x, y, z, weight).
-template <std::size_t size, class Measure>
-void measure_at_corner(const std::array<double, size> (&corners)[4], int origin,
-                       const Measure& measure)
+// Measures a tetrahedron in the frame of one of its corners.
+template <class Corner, class Measure>
+void measure_at_corner(const Corner (&corners)[4], int origin, const Measure& measure)
 {
-  using Place = std::conditional_t<size == 4, Weighted_place, const double*>;
-  Place others[3];
+  decltype(place_of(corners[0])) others[3];
   for (int k = 0, n = 0; k < 4; ++k)
     if (k != origin)
-      others[n++] = Place(corners[k].data());
-  measure_in_stages<3>(others, Place(corners[origin].data()), measure);
+      others[n++] = place_of(corners[k]);
+  measure_in_stages<3>(others, place_of(corners[origin]), measure);
 }
 
 template <class Number>
@@ -181,7 +236,8 @@ bool is_known(const std::array<Number, 3>& v)
 }
 
 // Returns the volume of a tetrahedron abcd, positive if (b - a, c - a, d - a) is right-handed.
-inline double volume_of(const Corners_of_tetrahedron& corners)
+template <class Corner>
+double volume_of(const Corner (&corners)[4])
 {
   double volume = no_measure;
   measure_at_corner(corners, 0, [&](const auto& in) {
@@ -219,8 +275,8 @@ struct Circumsphere
   }
 };
 
-template <std::size_t size>
-Circumsphere circumsphere_of(const std::array<double, size> (&corners)[4])
+template <class Corner>
+Circumsphere circumsphere_of(const Corner (&corners)[4])
 {
   Circumsphere sphere;
   measure_at_corner(corners, 0, [&](const auto& in) { return sphere.find(in); });
@@ -234,13 +290,14 @@ struct Power_sphere
   double squared_radius;        // negative if the sphere is imaginary
 };
 
-// Returns the power sphere of points (x, y, z, weight). Its centre is as accurate as that of a
+// Returns the power sphere of points with weights. Its centre is as accurate as that of a
 // circumsphere; the squared radius is its squared distance from a point less the weight there, which
 // may have most digits in common.
-inline Power_sphere power_sphere_of(const std::array<double, 4> (&corners)[4])
+template <class Corner>
+Power_sphere power_sphere_of(const Corner (&corners)[4])
 {
   const std::array<double, 3> center = circumsphere_of(corners).center;
-  return {center, dot(center, center) - corners[0][3]};
+  return {center, dot(center, center) - weight_of(corners[0])};
 }
 
 // Represents what a tetrahedron adds to the power diagram of its corners. Each edge is crossed by a
@@ -296,11 +353,11 @@ bool add_power_shares(const std::array<std::array<Number, 3>, 4>& at,
   return true;
 }
 
-// Returns the shares of a tetrahedron with corners (x, y, z), or (x, y, z, weight), NaNs if they are
-// not finite: the sum over the tetrahedra of an edge is the area of the facet that crosses it, and
-// that over those of a vertex the volume of its cell, by Voronoi's rule or by power.
-template <std::size_t size>
-Power_shares power_shares_of(const std::array<double, size> (&corners)[4])
+// Returns the shares of a tetrahedron, NaNs if its corners are not finite: the sum over the tetrahedra of
+// an edge is the area of the facet that crosses it, and that over those of a vertex the volume of its
+// cell, by Voronoi's rule or, if corners have weights, by power.
+template <class Corner>
+Power_shares power_shares_of(const Corner (&corners)[4])
 {
   constexpr double none = no_measure;
   Power_shares shares = {{none, none, none, none, none, none}, {none, none, none, none}};
@@ -316,14 +373,12 @@ Power_shares power_shares_of(const std::array<double, size> (&corners)[4])
     lifts.fill(at[0][0]); // 0
     for (std::size_t k = 1; k < 4; ++k) {
       at[k] = vector_of(in.rows[k - 1]);
-      if constexpr (size == 4)
+      if constexpr (is_weighted<decltype(place_of(corners[0]))>)
         lifts[k] = in.rows[k - 1].w - dot(at[k], at[k]);
     }
     Power_shares sums = {};
     for (const auto& f : facet_corners) {
-      std::array<double, 3> o;
-      for (std::size_t i = 0; i < 3; ++i)
-        o[i] = sphere.center[i] - (corners[f[0]][i] - corners[0][i]);
+      const auto o = minus(sphere.center, rounded_difference(corners[f[0]], corners[0]));
       if (!add_power_shares<Rows>(at, lifts, f, o, in.unit, sums))
         return false;
     }
@@ -334,13 +389,13 @@ Power_shares power_shares_of(const std::array<double, size> (&corners)[4])
 }
 
 // Returns the barycentric coordinates of a point. They add up to 1, and are exact at a corner.
-inline std::array<double, 4> barycentric_of(const Corners_of_tetrahedron& corners,
-                                            const std::array<double, 3>& point)
+template <class Corner>
+std::array<double, 4> barycentric_of(const Corner (&corners)[4], const Corner& point)
 {
   std::array<double, 4> weights = {no_measure, no_measure, no_measure, no_measure};
-  const double* const points[4] = {corners[0].data(), corners[1].data(), corners[2].data(),
-                                   corners[3].data()};
-  measure_in_stages<4>(points, point.data(), [&](const auto& in) {
+  const decltype(place_of(point)) points[4] = {place_of(corners[0]), place_of(corners[1]),
+                                               place_of(corners[2]), place_of(corners[3])};
+  measure_in_stages<4>(points, place_of(point), [&](const auto& in) {
     const Sphere_cofactors<typename std::decay_t<decltype(in)>::Number> parts(
         in.rows[0], in.rows[1], in.rows[2], in.rows[3]);
     const auto sum = (parts.of[0] + parts.of[1]) + (parts.of[2] + parts.of[3]);
@@ -356,7 +411,7 @@ inline std::array<double, 4> barycentric_of(const Corners_of_tetrahedron& corner
 
 // Returns the gradients of the first three barycentric coordinates, or NaNs if these change so fast
 // that rounding x - corners[3] and the products with it may cause an error of 1e-9 inside.
-inline std::array<std::array<double, 3>, 3> gradients_of(const Corners_of_tetrahedron& corners)
+inline std::array<std::array<double, 3>, 3> gradients_of(const std::array<double, 3> (&corners)[4])
 {
   constexpr std::array<double, 3> none = {no_measure, no_measure, no_measure};
   std::array<std::array<double, 3>, 3> gradients = {none, none, none};

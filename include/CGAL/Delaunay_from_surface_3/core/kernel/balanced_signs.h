@@ -148,6 +148,7 @@ struct Bounded_doubles
   {
     return (a - b) * scale;
   }
+  static Number scaled(double high, double, double scale) { return high * scale; }
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double high(Number d) { return d; }
 };
 
@@ -161,6 +162,10 @@ struct Bounded_double_doubles
   {
     const double high = a - b;
     return {high * scale, error_of_difference(a, b, high) * scale};
+  }
+  static Number scaled(double high, double low, double scale)
+  {
+    return {high * scale, low * scale};
   }
   CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE static double high(const Number& d) { return d.high; }
 };
