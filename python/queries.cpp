@@ -10,6 +10,7 @@
 #include "interruptible.h"
 #include "numpy_rows.h"
 
+#include <CGAL/Delaunay_from_surface_3/arrays/Find_in_box.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/complete_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
@@ -223,16 +224,113 @@ Numbers minimum_spanning_tree(const Points& points, const py::array_t<std::int64
   return array_from(std::move(tree), {number, 2});
 }
 
-// Calls write(c, corners of the tetrahedron) for each tetrahedron c.
-template <class Write>
-void measure(const Points& points, const Numbers& simplices, std::size_t threads,
-             const Write& write)
+// What a triangulation has in a periodic box beside points and simplices: the periods, infinite ones
+// where there are none, and the offsets of the corners.
+class In_box
 {
-  const Rows rows(simplices);
-  if (rows.corners() != 4)
-    throw py::value_error("simplices: expected tetrahedra");
-  const Point_of point_of = {python::Points_view(points)};
-  const auto n = std::size_t(points.shape(0));
+public:
+  explicit In_box(const py::object& pair, const Rows& rows)
+    : In_box(pair.cast<std::pair<Lengths, Offsets>>(), rows)
+  {
+  }
+
+  const double* box() const { return m_box.data(); }
+  const std::int16_t* offsets() const { return m_offsets.data(); }
+
+private:
+  using Lengths = py::array_t<double, py::array::c_style | py::array::forcecast>;
+  using Offsets = py::array_t<std::int16_t, py::array::c_style | py::array::forcecast>;
+
+  In_box(std::pair<Lengths, Offsets>&& pair, const Rows& rows)
+    : m_box(std::move(pair.first))
+    , m_offsets(std::move(pair.second))
+  {
+    if (m_box.ndim() != 1 || m_box.shape(0) != 3)
+      throw py::value_error("box: expected three periods");
+    if (m_offsets.ndim() != 3 || std::size_t(m_offsets.shape(0)) != rows.size() ||
+        std::size_t(m_offsets.shape(1)) != rows.corners() || m_offsets.shape(2) != 3)
+      throw py::value_error("offsets: expected three for each corner of the simplices");
+  }
+
+  Lengths m_box;
+  Offsets m_offsets;
+};
+
+// Corners of simplices in a box, whose points are copied, with weights if there are any.
+template <bool has_weight>
+class Corners_in_box
+{
+public:
+  Corners_in_box(const Points& points, const double* weights, const In_box& in_box)
+    : m_periods(core::periods_of(in_box.box()))
+    , m_offsets(in_box.offsets())
+  {
+    const Point_of point_of = {python::Points_view(points)};
+    const auto n = std::size_t(points.shape(0));
+    m_points.reserve(size * n);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (const double x : point_of(i)) {
+        m_points.push_back(x);
+        m_periods.are_scaled = m_periods.are_scaled && std::fabs(x) < 0x1p1000;
+      }
+      if (has_weight)
+        m_points.push_back(weights[i]);
+    }
+  }
+
+  // Corner k of simplex c, which is point i.
+  core::Copy_place<has_weight> operator()(std::size_t c, std::size_t k, std::size_t i) const
+  {
+    const std::int16_t* const offset = m_offsets + 12 * c + 3 * k;
+    return {m_points.data() + size * i, &m_periods, {offset[0], offset[1], offset[2]}};
+  }
+
+private:
+  static constexpr std::size_t size = has_weight ? 4 : 3;
+  std::vector<double> m_points;
+  core::Periods m_periods;
+  const std::int16_t* m_offsets;
+};
+
+// The simplices as those look at them who find points: with neighbours, or without.
+struct Simplices_of
+{
+  const core::Points_in_box points;
+  const core::Simplices_in_box<Index> view;
+
+  Simplices_of(const Points& given, const Rows& vertices, const Rows* neighbors,
+               const In_box& in_box)
+    : points(std::size_t(given.shape(0)), Point_of{python::Points_view(given)}, in_box.box())
+    , view{{vertices.data(), vertices.stride(), neighbors == nullptr ? nullptr : neighbors->data(),
+            neighbors == nullptr ? 0 : neighbors->stride(), vertices.size(), vertices.size(),
+            std::size_t(given.shape(0))},
+           in_box.offsets(),
+           points}
+  {
+  }
+};
+
+double coordinate(const std::array<double, 3>& p, std::size_t axis)
+{
+  return p[axis];
+}
+double coordinate(const std::array<double, 4>& p, std::size_t axis)
+{
+  return p[axis];
+}
+template <bool has_weight>
+double coordinate(const core::Copy_place<has_weight>& p, std::size_t axis)
+{
+  return p.shift[axis] == 0 ? p.point[axis]
+                            : std::fma(p.shift[axis], p.periods->lengths[axis], p.point[axis]);
+}
+
+// Calls write(c, corners) for each tetrahedron c; corner_of(c, k, i) is its corner k, which is point
+// i of n.
+template <class CornerOf, class Write>
+void measure_rows(const Rows& rows, std::size_t n, std::size_t threads, const CornerOf& corner_of,
+                  const Write& write)
+{
   const python::Unlocked unlocked;
   const python::Interruptible_executor executor(threads);
   const std::size_t blocks = core::number_of_blocks(executor, rows.size(), 4096);
@@ -240,42 +338,64 @@ void measure(const Points& points, const Numbers& simplices, std::size_t threads
                        [&](std::size_t first, std::size_t last, std::size_t) {
                          core::Steps step(executor);
                          for (std::size_t c = first; c < last; ++c, step()) {
-                           std::array<double, 3> corners[4];
+                           decltype(corner_of(c, 0, 0)) corners[4];
                            for (std::size_t k = 0; k < 4; ++k)
-                             corners[k] = point_of(std::size_t(rows.number(c, k, n)));
+                             corners[k] = corner_of(c, k, std::size_t(rows.number(c, k, n)));
                            write(c, corners);
                          }
                        });
 }
 
-py::array volumes(const Points& points, const Numbers& simplices, std::size_t threads)
+// The same for corners as measures_of_simplices.h takes them: coordinates or, in a box, copies.
+template <class Write>
+void measure(const Points& points, const Numbers& simplices, const py::object& in_box,
+             std::size_t threads, const Write& write)
+{
+  const Rows rows(simplices);
+  if (rows.corners() != 4)
+    throw py::value_error("simplices: expected tetrahedra");
+  const Point_of point_of = {python::Points_view(points)};
+  const auto n = std::size_t(points.shape(0));
+  if (in_box.is_none()) {
+    measure_rows(
+        rows, n, threads, [&](std::size_t, std::size_t, std::size_t i) { return point_of(i); },
+        write);
+  } else {
+    const In_box of_simplices(in_box, rows);
+    measure_rows(rows, n, threads, Corners_in_box<false>(points, nullptr, of_simplices), write);
+  }
+}
+
+py::array volumes(const Points& points, const Numbers& simplices, const py::object& in_box,
+                  std::size_t threads)
 {
   std::vector<double> result(std::size_t(simplices.shape(0)));
-  measure(points, simplices, threads,
+  measure(points, simplices, in_box, threads,
           [&](std::size_t c, const auto& corners) { result[c] = core::volume_of(corners); });
   return array_from(std::move(result), {simplices.shape(0)});
 }
 
-py::tuple circumspheres(const Points& points, const Numbers& simplices, std::size_t threads)
+py::tuple circumspheres(const Points& points, const Numbers& simplices, const py::object& in_box,
+                        std::size_t threads)
 {
   const auto m = std::size_t(simplices.shape(0));
   std::vector<double> centers(3 * m), radii(m);
-  measure(points, simplices, threads, [&](std::size_t c, const auto& corners) {
+  measure(points, simplices, in_box, threads, [&](std::size_t c, const auto& corners) {
     const core::Circumsphere sphere = core::circumsphere_of(corners);
     for (std::size_t i = 0; i < 3; ++i)
-      centers[3 * c + i] = corners[0][i] + sphere.center[i];
+      centers[3 * c + i] = coordinate(corners[0], i) + sphere.center[i];
     radii[c] = sphere.radius();
   });
   return py::make_tuple(array_from(std::move(centers), {py::ssize_t(m), 3}),
                         array_from(std::move(radii), {py::ssize_t(m)}));
 }
 
-py::array voronoi_volumes(const Points& points, const Numbers& simplices)
+py::array voronoi_volumes(const Points& points, const Numbers& simplices, const py::object& in_box)
 {
   const Rows rows(simplices);
   const auto n = std::size_t(points.shape(0));
   std::vector<double> result(n);
-  measure(points, simplices, 1, [&](std::size_t c, const auto& corners) {
+  measure(points, simplices, in_box, 1, [&](std::size_t c, const auto& corners) {
     const std::array<double, 4> shares = core::power_shares_of(corners).volumes;
     for (std::size_t k = 0; k < 4; ++k)
       result[std::size_t(rows.number(c, k, n))] += shares[k];
@@ -288,33 +408,42 @@ using Weights = py::array_t<double, py::array::c_style>;
 // Calls write(c, corners with weights) for each tetrahedron c.
 template <class Write>
 void measure_weighted(const Points& points, const Weights& weights, const Numbers& simplices,
-                      std::size_t threads, const Write& write)
+                      const py::object& in_box, std::size_t threads, const Write& write)
 {
   const Rows rows(simplices);
   if (weights.ndim() != 1 || weights.shape(0) != points.shape(0))
     throw py::value_error("weights: expected one for each point");
   const double* const weight = weights.data();
+  if (rows.corners() != 4)
+    throw py::value_error("simplices: expected tetrahedra");
+  const Point_of point_of = {python::Points_view(points)};
   const auto n = std::size_t(points.shape(0));
-  measure(points, simplices, threads, [&](std::size_t c, const auto& corners) {
-    std::array<double, 4> weighted[4];
-    for (std::size_t k = 0; k < 4; ++k)
-      weighted[k] = {corners[k][0], corners[k][1], corners[k][2],
-                     weight[std::size_t(rows.number(c, k, n))]};
-    write(c, weighted);
-  });
+  if (in_box.is_none()) {
+    measure_rows(
+        rows, n, threads,
+        [&](std::size_t, std::size_t, std::size_t i) {
+          const std::array<double, 3> p = point_of(i);
+          return std::array<double, 4>{p[0], p[1], p[2], weight[i]};
+        },
+        write);
+  } else {
+    const In_box of_simplices(in_box, rows);
+    measure_rows(rows, n, threads, Corners_in_box<true>(points, weight, of_simplices), write);
+  }
 }
 
 py::tuple power_spheres(const Points& points, const Weights& weights, const Numbers& simplices,
-                        std::size_t threads)
+                        const py::object& in_box, std::size_t threads)
 {
   const auto m = std::size_t(simplices.shape(0));
   std::vector<double> centers(3 * m), squared_radii(m);
-  measure_weighted(points, weights, simplices, threads, [&](std::size_t c, const auto& corners) {
-    const core::Power_sphere sphere = core::power_sphere_of(corners);
-    for (std::size_t i = 0; i < 3; ++i)
-      centers[3 * c + i] = corners[0][i] + sphere.center[i];
-    squared_radii[c] = sphere.squared_radius;
-  });
+  measure_weighted(points, weights, simplices, in_box, threads,
+                   [&](std::size_t c, const auto& corners) {
+                     const core::Power_sphere sphere = core::power_sphere_of(corners);
+                     for (std::size_t i = 0; i < 3; ++i)
+                       centers[3 * c + i] = coordinate(corners[0], i) + sphere.center[i];
+                     squared_radii[c] = sphere.squared_radius;
+                   });
   return py::make_tuple(array_from(std::move(centers), {py::ssize_t(m), 3}),
                         array_from(std::move(squared_radii), {py::ssize_t(m)}));
 }
@@ -322,16 +451,17 @@ py::tuple power_spheres(const Points& points, const Weights& weights, const Numb
 // Returns the volumes of power cells, and for each edge of each tetrahedron its share of the facet
 // that crosses it.
 py::tuple power_diagram(const Points& points, const Weights& weights, const Numbers& simplices,
-                        std::size_t threads)
+                        const py::object& in_box, std::size_t threads)
 {
   const Rows rows(simplices);
   const auto n = std::size_t(points.shape(0)), m = std::size_t(simplices.shape(0));
   std::vector<double> areas(6 * m), shares(4 * m), volumes(n);
-  measure_weighted(points, weights, simplices, threads, [&](std::size_t c, const auto& corners) {
-    const core::Power_shares of = core::power_shares_of(corners);
-    std::copy(of.areas.begin(), of.areas.end(), areas.begin() + std::ptrdiff_t(6 * c));
-    std::copy(of.volumes.begin(), of.volumes.end(), shares.begin() + std::ptrdiff_t(4 * c));
-  });
+  measure_weighted(
+      points, weights, simplices, in_box, threads, [&](std::size_t c, const auto& corners) {
+        const core::Power_shares of = core::power_shares_of(corners);
+        std::copy(of.areas.begin(), of.areas.end(), areas.begin() + std::ptrdiff_t(6 * c));
+        std::copy(of.volumes.begin(), of.volumes.end(), shares.begin() + std::ptrdiff_t(4 * c));
+      });
   for (std::size_t i = 0; i < 4 * m; ++i)
     volumes[std::size_t(rows.number(i / 4, i % 4, n))] += shares[i];
   return py::make_tuple(array_from(std::move(volumes), {py::ssize_t(n)}),
@@ -342,12 +472,18 @@ py::array transform(const Points& points, const Numbers& simplices, std::size_t 
 {
   const auto m = std::size_t(simplices.shape(0));
   std::vector<double> result(12 * m);
-  measure(points, simplices, threads, [&](std::size_t c, const auto& corners) {
-    double* to = result.data() + 12 * c;
-    for (const std::array<double, 3>& gradient : core::gradients_of(corners))
-      to = std::copy(gradient.begin(), gradient.end(), to);
-    std::copy(corners[3].begin(), corners[3].end(), to);
-  });
+  const Rows rows(simplices);
+  if (rows.corners() != 4)
+    throw py::value_error("simplices: expected tetrahedra");
+  const Point_of point_of = {python::Points_view(points)};
+  const auto corner_of = [&](std::size_t, std::size_t, std::size_t i) { return point_of(i); };
+  measure_rows(rows, std::size_t(points.shape(0)), threads, corner_of,
+               [&](std::size_t c, const auto& corners) {
+                 double* to = result.data() + 12 * c;
+                 for (const std::array<double, 3>& gradient : core::gradients_of(corners))
+                   to = std::copy(gradient.begin(), gradient.end(), to);
+                 std::copy(corners[3].begin(), corners[3].end(), to);
+               });
   return array_from(std::move(result), {py::ssize_t(m), 4, 3});
 }
 
@@ -387,6 +523,91 @@ py::array barycentric(const Points& points, const Numbers& simplices, const Poin
         });
   }
   return array_from(std::move(result), {py::ssize_t(number), 4});
+}
+
+// Returns NaN for points whose simplex is negative. Each simplex is moved by an offset.
+py::array barycentric_in_box(const Points& points, const Numbers& simplices,
+                             const py::object& in_box, const Points& queries,
+                             const py::array_t<std::int64_t>& simplices_of_queries,
+                             const py::array_t<std::int64_t>& offsets_of_queries,
+                             std::size_t threads)
+{
+  const auto number = std::size_t(queries.shape(0));
+  const Rows rows(simplices);
+  if (rows.corners() != 4)
+    throw py::value_error("simplices: expected tetrahedra");
+  const In_box of_simplices(in_box, rows);
+  const Point_of query_of = {python::Points_view(queries)};
+  const auto simplex_of = simplices_of_queries.unchecked<1>();
+  const auto offset_of = offsets_of_queries.unchecked<2>();
+  std::vector<double> result(4 * number, core::no_measure);
+  {
+    const python::Unlocked unlocked;
+    const Simplices_of simplices_of(points, rows, nullptr, of_simplices);
+    const python::Interruptible_executor executor(threads);
+    const std::size_t blocks = core::number_of_blocks(executor, number, 4096);
+    core::for_each_block(
+        executor, number, blocks, [&](std::size_t first, std::size_t last, std::size_t) {
+          core::Steps step(executor);
+          for (std::size_t q = first; q < last; ++q, step()) {
+            core::Simplex_copy<Index> copy = {-1, {0, 0, 0}};
+            const std::int64_t c = simplex_of(py::ssize_t(q));
+            if (c < 0)
+              continue;
+            if (std::size_t(c) >= rows.size())
+              throw std::out_of_range("barycentric: " + std::to_string(c) + " is not one of the " +
+                                      std::to_string(rows.size()) + " simplices");
+            copy.simplex = Index(c);
+            std::array<double, 3> wrapped = query_of(q);
+            const core::Number_of_periods back = core::wrap(
+                simplices_of.points.periods(), wrapped.data(), "xi: point " + std::to_string(q));
+            for (std::size_t a = 0; a < 3; ++a) {
+              const std::int64_t by = offset_of(py::ssize_t(q), py::ssize_t(a));
+              if (by < -(1 << 30) || by > (1 << 30))
+                throw std::invalid_argument("barycentric: offset: more than 2^30 periods");
+              copy.offset[a] = std::int32_t(by) - back[a];
+            }
+            core::Copy_place<false> corners[4];
+            for (std::size_t k = 0; k < 4; ++k)
+              corners[k] = simplices_of.view.corner(copy, k);
+            const std::array<double, 4> weights =
+                core::barycentric_of(corners, simplices_of.points.place(wrapped.data()));
+            std::copy(weights.begin(), weights.end(), result.begin() + std::ptrdiff_t(4 * q));
+          }
+        });
+  }
+  return array_from(std::move(result), {py::ssize_t(number), 4});
+}
+
+// Takes the queries in groups, as find_simplex().
+py::tuple find_copies(const Points& points, const Numbers& simplices, const Numbers& neighbors,
+                      const py::object& in_box, const Points& queries, std::size_t threads)
+{
+  python::refuse_obstacle();
+  const Rows vertices(simplices), across(neighbors);
+  if (vertices.corners() != 4 || across.corners() != 4 || vertices.size() != across.size())
+    throw py::value_error("find_simplex: expected tetrahedra");
+  const In_box of_simplices(in_box, vertices);
+  const core::Rounding_to_nearest rounding;
+  const python::Interruptible_executor executor(threads);
+  const Simplices_of simplices_of(points, vertices, &across, of_simplices);
+  const auto number = std::size_t(queries.shape(0));
+  std::vector<Index> found(number), offsets(3 * number);
+  std::vector<double> coordinates;
+  constexpr std::size_t group = 1 << 20;
+  for (std::size_t first = 0; first < number; first += group) {
+    const std::size_t size = (std::min)(group, number - first);
+    python::copy_points(python::Points_view(queries, first), size, "xi: point", coordinates, first);
+    const python::Unlocked unlocked;
+    core::find_in_box(simplices_of.view, core::Point_array(coordinates.data(), size), first,
+                      executor, [&](std::size_t i, const core::Simplex_copy<Index>& copy) {
+                        found[first + i] = copy.simplex;
+                        for (std::size_t a = 0; a < 3; ++a)
+                          offsets[3 * (first + i) + a] = copy.offset[a];
+                      });
+  }
+  return py::make_tuple(array_from(std::move(found), {py::ssize_t(number)}),
+                        array_from(std::move(offsets), {py::ssize_t(number), 3}));
 }
 
 bool is_valid(const Points& points, const Numbers& simplices, const Numbers& vertices_of_points,
@@ -456,6 +677,7 @@ void python::define_queries(py::module_& m)
   m.def("array_of_weights", &python::array_of_weights);
   m.def("neighbors", &neighbors);
   m.def("find_simplex", &find_simplex);
+  m.def("find_copies", &find_copies);
   m.def("adjacent_vertices", &adjacent_vertices);
   m.def("minimum_spanning_tree", &minimum_spanning_tree);
   m.def("volumes", &volumes);
@@ -465,5 +687,6 @@ void python::define_queries(py::module_& m)
   m.def("power_diagram", &power_diagram);
   m.def("transform", &transform);
   m.def("barycentric", &barycentric);
+  m.def("barycentric_in_box", &barycentric_in_box);
   m.def("is_valid", &is_valid);
 }

@@ -139,7 +139,8 @@ def hash_of(simplices):
 
 def contains(corners, x):
     """Whether a positive tetrahedron contains a point, its facets included; exact."""
-    corners, x = [[Fraction(float(t)) for t in p] for p in corners], [Fraction(float(t)) for t in x]
+    corners, x = ([[t if isinstance(t, Fraction) else Fraction(float(t)) for t in p] for p in points] for points in (corners, [x]))
+    x, = x
 
     def is_positive(a, b, c, d):
         (x, y, z), (u, v, w), (p, q, r) = ([t - o for t, o in zip(corner, a)] for corner in (b, c, d))
@@ -839,6 +840,366 @@ class Regular(unittest.TestCase):
             self.ours.minimum_spanning_tree()
 
 
+def copies_around(points, box, reach=1):
+    """All copies up to so many periods away, with the indices of their points and their offsets."""
+    steps = [range(-reach, reach + 1) if np.isfinite(period) else (0,) for period in box]
+    offsets = np.array(list(itertools.product(*steps)))
+    lengths = np.where(np.isfinite(box), box, 0)
+    return ((points[None] + (offsets * lengths)[:, None]).reshape(-1, 3), np.tile(np.arange(len(points)), len(offsets)),
+            np.repeat(offsets, len(points), axis=0))
+
+
+def simplex_of_copies(indices, offsets):
+    """The corners in order, moved so that the first is where it was given: the same for all copies."""
+    corners = sorted(zip(map(int, indices), map(tuple, np.asarray(offsets, dtype=int).tolist())))
+    first = corners[0][1]
+    return tuple((i, tuple(a - b for a, b in zip(offset, first))) for i, offset in corners)
+
+
+def simplices_of_copies(result):
+    return [simplex_of_copies(*corners) for corners in zip(result.simplices, result.offsets)]
+
+
+def without_rectangles(simplices):
+    """Without those with three copies of one point: four of these may lie on a circle, as on the hull of a slab."""
+    return {s for s in simplices if max(sum(i == j for j, _ in s) for i, _ in s) < 3}
+
+
+class Periodic(unittest.TestCase):
+    BOXES = ((1, 1, 1), (1, 1, None), (None, 1, np.inf), (1, 1.5, .8))
+
+    def setUp(self):
+        random = np.random.default_rng(5)
+        self.points = random.random((80, 3))
+        self.weights = random.random(80) * .06
+        self.lattice = np.array(list(itertools.product(range(5), repeat=3))) * .2
+        self.sets = {str(box): (self.points * np.where(np.isfinite(self.periods(box)), self.periods(box), 1), box)
+                     for box in self.BOXES}
+
+    @staticmethod
+    def periods(box):
+        return np.array([np.inf if period is None else period for period in box], dtype=float)
+
+    def check_structure(self, ours):
+        """Tetrahedra are kept as they should be, positive, and share facets in pairs with their neighbours."""
+        self.assertEqual((ours.simplices.dtype, ours.offsets.dtype, ours.offsets.shape),
+                         (np.int32, np.int16, (ours.nsimplex, 4, 3)))
+        finite = np.isfinite(ours.box)
+        self.assertTrue((ours.offsets[..., ~finite] == 0).all())
+        self.assertTrue((ours.volumes > 0).all())
+        lengths = np.where(finite, ours.box, 0)
+        np.testing.assert_allclose(ours.corners, ours.points[ours.simplices] + ours.offsets * lengths, atol=1e-12)
+        all_simplices = simplices_of_copies(ours)
+        self.assertEqual(len(set(all_simplices)), len(all_simplices))
+        facets = {}
+        for c, (corners, offsets) in enumerate(zip(ours.simplices, ours.offsets)):
+            self.assertTrue((offsets[min(range(4), key=lambda k: (corners[k], tuple(offsets[k])))] == 0).all())
+            for k in range(4):
+                facet = simplex_of_copies(np.delete(corners, k), np.delete(offsets, k, axis=0))
+                facets.setdefault(facet, []).append((c, k))
+        for sides in facets.values():
+            if len(sides) == 2:
+                for (c, k), (d, _) in (sides, sides[::-1]):
+                    self.assertEqual(ours.neighbors[c, k], d)
+            else:
+                (c, k), = sides
+                self.assertEqual(ours.neighbors[c, k], -1)
+        hull = {simplex_of_copies(*facet) for facet in zip(ours.convex_hull, ours.convex_hull_offsets)}
+        self.assertEqual(hull, {facet for facet, sides in facets.items() if len(sides) == 1})
+        if finite.all():
+            self.assertEqual(len(hull), 0)
+            volume = ours.box.prod()
+            self.assertAlmostEqual(ours.volumes.sum(), volume, delta=1e-12 * volume)
+
+    def test_copies(self):
+        """The tetrahedra are those of SciPy among copies around, of which those farther away have no part in them."""
+        for name, (points, box) in self.sets.items():
+            with self.subTest(name):
+                ours = dfs.delaunay3(points, box=box)
+                self.assertEqual(repr(ours).split(":")[0], "<Periodic3")
+                self.check_structure(ours)
+                around, indices, offsets = copies_around(points, self.periods(box))
+                theirs = scipy.spatial.Delaunay(around).simplices
+                at_home = (offsets[theirs] == 0).all(axis=2).any(axis=1)
+                expected = {simplex_of_copies(indices[s], offsets[s]) for s in theirs[at_home]}
+                self.assertEqual(*map(without_rectangles, (simplices_of_copies(ours), expected)))
+                self.assertTrue(ours.is_simplicial_complex or len(box) == 3)
+                for threads in (2, None):
+                    again = dfs.delaunay3(points, box=box, threads=threads, seed=3)
+                    self.assertEqual(set(simplices_of_copies(again)), set(simplices_of_copies(ours)))
+
+    def test_voronoi_volumes(self):
+        for name, (points, box) in self.sets.items():
+            with self.subTest(name):
+                ours = dfs.delaunay3(points, box=box)
+                volumes = ours.voronoi_volumes
+                around, indices, offsets = copies_around(points, self.periods(box))
+                theirs = dfs.delaunay3(around).voronoi_volumes[(offsets == 0).all(axis=1)]
+                self.assertEqual(set(np.flatnonzero(volumes == -1)), set(ours.convex_hull.ravel()))
+                bounded = volumes >= 0
+                np.testing.assert_allclose(volumes[bounded], theirs[bounded], rtol=1e-9)
+                if np.isfinite(self.periods(box)).all():
+                    self.assertTrue(bounded.all())
+                    self.assertAlmostEqual(volumes.sum() / ours.box.prod(), 1, 12)
+                distances = np.linalg.norm(ours.corners - ours.circumcenters[:, None], axis=2)
+                np.testing.assert_allclose(distances, np.repeat(ours.circumradii[:, None], 4, axis=1), rtol=1e-7)
+
+    def test_lattices(self):
+        """Their tetrahedra are so flat that rounded corners would not do: the periods and the points are not multiples."""
+        for scale, shift in ((1, 0), (.1, .3), (1e-200, 0), (1e150, 0), (1, 1e6)):
+            ours = dfs.delaunay3(self.lattice * scale + shift, box=(scale,) * 3)
+            self.assertAlmostEqual(ours.volumes.sum() / scale ** 3 if 1e-100 < scale < 1e100 else 1, 1, 12)
+            if shift == 0 and .01 < scale < 100:
+                np.testing.assert_allclose(ours.voronoi_volumes, .008 * scale ** 3, rtol=1e-9)
+        whole = dfs.delaunay3(self.lattice * 5, box=(5, 5, 5), weights=np.full(125, 7.))
+        np.testing.assert_allclose(whole.power_volumes, 1, rtol=1e-13)
+        self.assertTrue(whole.is_simplicial_complex)
+
+    def test_few_points(self):
+        for points in ([[0, 0, 0]], [[.3, 5, -7]], [[0, 0, 0], [.5, .5, .5]], [[.1, .2, .3], [.1, .2, .3]]):
+            for box in ((1, 1, 1), (1, 2, 3), (.1, 1, 10)):
+                ours = dfs.delaunay3(points, box=box)
+                self.assertFalse(ours.is_simplicial_complex)
+                self.check_structure(ours)
+                self.assertAlmostEqual(ours.voronoi_volumes[np.unique(ours.vertices)].sum(), np.prod(box), 9)
+                x = random_points(50) * 9 - 4
+                found = ours.find_copies(x)
+                self.assertTrue((found.simplices >= 0).all())
+                self.assertTrue((ours.barycentric(x) >= -1e-13).all())
+        one = dfs.delaunay3([[.5, .5, .5]], box=(1, 1, 1))
+        self.assertEqual((one.nsimplex, len(one.vertex_neighbor_vertices.indices)), (6, 14))
+        none = dfs.delaunay3([], box=(1, 1, 1))
+        self.assertEqual((none.nsimplex, none.dimension, none.corners.shape[-1], len(none.convex_hull)), (0, -1, 3, 0))
+
+    def test_equal_points(self):
+        points = np.vstack([self.points, self.points[:30] + [1, -2, 0]])
+        points[80:] = np.where(points[80:] - [1, -2, 0] == points[:30], points[80:], self.points[:30])
+        ours = dfs.delaunay3(points, box=(1, 1, 1))
+        self.assertEqual(ours.vertices.tolist(), [*range(80), *range(30)])
+        self.assertEqual(ours.coplanar[:, [0, 2]].tolist(), [[80 + i, i] for i in range(30)])
+        np.testing.assert_allclose(ours.voronoi_volumes[80:], ours.voronoi_volumes[:30])
+
+    def test_points_anywhere(self):
+        """Moved by whole periods, they have the same tetrahedra with other offsets."""
+        points = np.floor(self.points * 2 ** 20) / 2 ** 20
+        moves = np.random.default_rng(1).integers(-9, 9, (80, 3))
+        ours, moved = dfs.delaunay3(points, box=(1, 1, 1)), dfs.delaunay3(points + moves, box=(1, 1, 1))
+        self.check_structure(moved)
+        again = {simplex_of_copies(corners, offsets + moves[corners])
+                 for corners, offsets in zip(moved.simplices, moved.offsets)}
+        self.assertEqual(again, set(simplices_of_copies(ours)))
+        np.testing.assert_allclose(np.sort(moved.volumes), np.sort(ours.volumes), rtol=1e-9)
+        self.assertTrue((moved.find_simplex(points) >= 0).all())
+
+    def test_weights(self):
+        for name, (points, box) in self.sets.items():
+            with self.subTest(name):
+                ours = dfs.delaunay3(points, box=box, weights=self.weights)
+                self.assertTrue(isinstance(ours, dfs.Periodic3) and isinstance(ours, dfs.Regular3))
+                self.check_structure(ours)
+                around, indices, offsets = copies_around(points, self.periods(box))
+                lifted = np.column_stack([around, (around ** 2).sum(axis=1) - self.weights[indices]])
+                hull = scipy.spatial.ConvexHull(lifted)
+                theirs = hull.simplices[hull.equations[:, 3] < 0]
+                at_home = (offsets[theirs] == 0).all(axis=2).any(axis=1)
+                expected = {simplex_of_copies(indices[s], offsets[s]) for s in theirs[at_home]}
+                self.assertEqual(*map(without_rectangles, (simplices_of_copies(ours), expected)))
+                shown = np.unique(ours.simplices)
+                np.testing.assert_array_equal(ours.hidden, np.setdiff1d(np.arange(80), shown))
+                self.assertGreater(len(ours.hidden), 0)
+                self.assertIn(f"{len(ours.hidden)} hidden points, box", repr(ours))
+                powers = ((ours.power_centers[:, None] - ours.corners) ** 2).sum(axis=2) - self.weights[ours.simplices]
+                np.testing.assert_allclose(powers, np.repeat(ours.squared_power_radii[:, None], 4, axis=1), atol=1e-7)
+                volumes = ours.power_volumes
+                self.assertTrue((volumes[ours.hidden] == 0).all())
+                if np.isfinite(self.periods(box)).all():
+                    self.assertAlmostEqual(volumes.sum() / ours.box.prod(), 1, 12)
+                else:
+                    self.assertEqual(set(np.flatnonzero(volumes == -1)), set(ours.convex_hull.ravel()))
+
+    def test_power_facets(self):
+        """Areas are derivatives of volumes, and those of a cell add up to its area."""
+        points, weights = self.points[:20], self.weights[:20] * .5
+        ours = dfs.delaunay3(points, box=(1, 1, 1), weights=weights)
+        pairs, areas, offsets = ours.power_facets
+        self.assertEqual(len({(*pair, *offset) for pair, offset in zip(pairs.tolist(), offsets.tolist())}), len(pairs))
+        self.assertTrue((areas > -1e-12).all())
+        same = pairs[:, 0] == pairs[:, 1]
+        self.assertTrue(all(tuple(offset) > (0, 0, 0) for offset in offsets[same].tolist()))
+        edges = points[pairs[:, 1]] + offsets - points[pairs[:, 0]]
+        lengths = np.linalg.norm(edges, axis=1)
+        step = 1e-7
+        for j in range(3):
+            moved = weights.copy()
+            moved[j] += step
+            change = (dfs.delaunay3(points, box=(1, 1, 1), weights=moved).power_volumes - ours.power_volumes) / step
+            expected = np.zeros(20)
+            for pair, share in zip(pairs[~same], (areas / (2 * lengths))[~same]):
+                if j in pair:
+                    expected[pair.sum() - j] -= share
+                    expected[j] += share
+            np.testing.assert_allclose(change, expected, atol=1e-4)
+        # Gauss: a cell's volume is a third of the sum over its facets of area times distance.
+        distances = (lengths ** 2 + weights[pairs[:, 0]] - weights[pairs[:, 1]]) / (2 * lengths)
+        sums = np.zeros(20)
+        np.add.at(sums, pairs[:, 0], areas * distances / 3)
+        np.add.at(sums, pairs[:, 1], areas * (lengths - distances) / 3)
+        np.testing.assert_allclose(sums, ours.power_volumes, rtol=1e-9)
+        slab = dfs.delaunay3(points, box=(1, 1, None), weights=weights)
+        at_hull = slab.power_facets.areas == -1
+        corners = {simplex_of_copies(i[list(k)], o[list(k)]) for i, o in zip(slab.convex_hull, slab.convex_hull_offsets)
+                   for k in ((0, 1), (0, 2), (1, 2))}
+        self.assertEqual({simplex_of_copies(pair, [(0, 0, 0), offset]) for pair, offset in
+                          zip(slab.power_facets.pairs[at_hull], slab.power_facets.offsets[at_hull])}, corners)
+
+    def test_find(self):
+        random = np.random.default_rng(3)
+        for name, (points, box) in self.sets.items():
+            periods = self.periods(box)
+            lengths = np.where(np.isfinite(periods), periods, 0)
+            for weights in (None, self.weights):
+                with self.subTest(name):
+                    ours = dfs.delaunay3(points, box=box, weights=weights)
+                    x = random.random((200, 3)) * 7 * np.where(lengths > 0, 1, .2) - 3 * (lengths > 0)
+                    x[:80], x[80:90] = points, points[:10] + lengths * [3, -5, 7]
+                    found, offsets = ours.find_copies(x)
+                    np.testing.assert_array_equal(ours.find_copies(x, threads=3).offsets, offsets)
+                    np.testing.assert_array_equal(ours.find_simplex(x), found)
+                    for q in range(0, 200, 4):
+                        near = self.simplices_near(ours, x[q])
+                        self.assertEqual(next((c for c in near if self.some_copy_contains(ours, c, x[q])), -1), found[q])
+                        if found[q] >= 0:
+                            self.assertTrue(contains(self.exact_corners(ours, found[q], offsets[q]), x[q]))
+                        else:
+                            self.assertFalse(np.isfinite(periods).all())
+                    inner = found >= 0
+                    shares = ours.barycentric(x, found, offsets)
+                    np.testing.assert_array_equal(shares, ours.barycentric(x))
+                    np.testing.assert_array_equal(shares, ours.barycentric(x, found))
+                    self.assertTrue(np.isnan(shares[~inner]).all() and (shares[inner] > -1e-13).all())
+                    corners = ours.corners[found] + (offsets * lengths)[:, None]
+                    np.testing.assert_allclose(np.einsum("ij,ijk->ik", shares, corners)[inner], x[inner], atol=1e-12)
+        ours = dfs.delaunay3(self.points, box=(1, 1, 1))
+        self.assertEqual(ours.find_simplex([.5, .5, .5]).shape, ())
+        self.assertEqual(ours.find_copies(np.full((2, 5, 3), .5)).offsets.shape, (2, 5, 3))
+        self.assertEqual(ours.barycentric(np.full((2, 5, 3), .5)).shape, (2, 5, 4))
+        far = np.array([[2. ** 28, -2. ** 28, .5]])
+        np.testing.assert_allclose(ours.find_copies(far).offsets, [[2 ** 28, -2 ** 28, 0]], atol=2)
+        with self.assertRaisesRegex(ValueError, r"xi: point 1 is 2\^29 or more periods away from the box along y"):
+            ours.find_simplex([[0, 0, 0], [0, 1e10, 0]])
+        with self.assertRaisesRegex(ValueError, "barycentric: other simplices than those of find_copies"):
+            ours.barycentric([[.5, .5, .5]], [ours.find_simplex([.5, .5, .5]) ^ 1])
+        with self.assertRaisesRegex(ValueError, "barycentric: there are offsets, but no simplices"):
+            ours.barycentric([[.5, .5, .5]], offset=[[0, 0, 0]])
+        with self.assertRaisesRegex(ValueError, "barycentric: 1 simplices and 2 numbers of offsets for 1 points"):
+            ours.barycentric([[.5, .5, .5]], [0], [0, 0])
+        with self.assertRaisesRegex(TypeError, "barycentric: offset: expected integers"):
+            ours.barycentric([[.5, .5, .5]], [0], [[0., 0, 0]])
+        with self.assertRaisesRegex(IndexError, "barycentric: 9999 is not one of"):
+            ours.barycentric([[.5, .5, .5]], [9999], [[0, 0, 0]])
+
+    @staticmethod
+    def exact_corners(ours, simplex, offset):
+        periods = [Fraction(float(period)) if np.isfinite(period) else 0 for period in ours.box]
+        return [[Fraction(float(x)) + (int(k) + int(t)) * period
+                 for x, k, t, period in zip(ours.points[i], offsets, offset, periods)]
+                for i, offsets in zip(ours.simplices[simplex], ours.offsets[simplex])]
+
+    @staticmethod
+    def simplices_near(ours, x, slack=1e-9):
+        """Those with a copy whose bounding box contains the point."""
+        low, high = ours.corners.min(axis=1) - slack, ours.corners.max(axis=1) + slack
+        periods = np.where(np.isfinite(ours.box), ours.box, 1)
+        with_period = np.floor((x - low) / periods) >= np.ceil((x - high) / periods)
+        return np.flatnonzero(np.where(np.isfinite(ours.box), with_period, (low <= x) & (x <= high)).all(axis=1))
+
+    def some_copy_contains(self, ours, simplex, x):
+        low, high = ours.corners[simplex].min(axis=0), ours.corners[simplex].max(axis=0)
+        steps = []
+        for axis, period in enumerate(ours.box):
+            if np.isfinite(period):
+                steps.append(range(int(np.floor((x[axis] - high[axis]) / period)), int(np.ceil((x[axis] - low[axis]) / period)) + 1))
+            else:
+                steps.append((0,))
+        return any(contains(self.exact_corners(ours, simplex, offset), x) for offset in itertools.product(*steps))
+
+    def test_neighbor_vertices(self):
+        for name, (points, box) in {**self.sets, "few": (self.points[:3], (1, 1, 1))}.items():
+            with self.subTest(name):
+                ours = dfs.delaunay3(points, box=box)
+                indptr, indices, offsets = ours.vertex_neighbor_vertices
+                expected = {(i, j, *(b - a)) for corners, of in zip(ours.simplices.tolist(), ours.offsets.astype(int))
+                            for (i, a), (j, b) in itertools.permutations(zip(corners, of), 2)}
+                found = [(i, int(indices[k]), *offsets[k]) for i in range(len(points)) for k in range(indptr[i], indptr[i + 1])]
+                self.assertEqual(found, sorted(expected))
+
+    def test_pickle(self):
+        for weights in (None, self.weights):
+            ours = dfs.delaunay3(self.points, box=(1, 1, None), weights=weights)
+            again = pickle.loads(pickle.dumps(ours))
+            self.assertIs(type(again), type(ours))
+            for name in ("points", "simplices", "neighbors", "vertices", "offsets", "box", "corners", "volumes"):
+                np.testing.assert_array_equal(getattr(again, name), getattr(ours, name))
+            self.assertEqual(again.is_simplicial_complex, ours.is_simplicial_complex)
+            np.testing.assert_array_equal(again.find_simplex(random_points(9)), ours.find_simplex(random_points(9)))
+            for name in ("offsets", "box", "corners", "is_simplicial_complex"):
+                with self.assertRaises(AttributeError):
+                    setattr(ours, name, 1)
+
+    def test_progress(self):
+        shares = []
+        dfs.delaunay3(random_points(20000), box=(1, 1, 1), progress=shares.append)
+        self.assertTrue(shares == sorted(shares) and shares[-1] == 1)
+        with self.assertRaises(dfs.Stopped):
+            dfs.delaunay3(random_points(20000), box=(1, 1, 1), progress=lambda share: False)
+
+    def test_other_types(self):
+        narrow = self.points.astype(np.float32)
+        ours, wide = dfs.delaunay3(narrow, box=(1, 1, 1)), dfs.delaunay3(narrow.astype(float), box=np.ones(3, dtype=int))
+        self.assertEqual(simplices_of_copies(ours), simplices_of_copies(wide))
+        np.testing.assert_array_equal(ours.volumes, wide.volumes)
+        np.testing.assert_array_equal(ours.find_simplex(narrow), wide.find_simplex(narrow))
+
+    def test_refusals(self):
+        points = self.points
+        for box, error, message in (
+                ((1, 0, 1), ValueError, "^box: the period along y is not positive: got 0$"),
+                ((1, 1, -2.), ValueError, "box: the period along z is not positive: got -2.0"),
+                ((np.nan, 1, 1), ValueError, "box: the period along x is not positive: got nan"),
+                ((1, 1), ValueError, "box: expected three periods, one along each axis, got 2"),
+                (3, TypeError, "box: expected three periods, got 3"),
+                ((1, "a", 1), TypeError, "box: the period along y: expected a number, or None if there is no period, got 'a'"),
+                ((1, 1, 1e-5), ValueError, "^box: the period along z is less than 1/30000 of the diagonal of the box$"),
+                ((1e-10, None, None), ValueError, "box: the period along x is so small that point")):
+            with self.assertRaisesRegex(error, message):
+                dfs.delaunay3(points + (1 if box[0] == 1e-10 else 0) * np.arange(80)[:, None] if isinstance(box, tuple) else points,
+                              box=box)
+        for flat, box in ((points * [1, 1, 0], (1, 1, None)), (points * [0, 1, 1], (None, 1, None)), ([[0, 0, 0]], (1, None, 1))):
+            with self.assertRaisesRegex(ValueError, "box: the points lie in a plane or on a line that is parallel to all axes"):
+                dfs.delaunay3(flat, box=box)
+        for keywords, message in (({"faces": [[0, 1, 2]]}, "faces: there are none in a periodic box"),
+                                  ({"inside": True}, "faces: there are none in a periodic box"),
+                                  ({"order": dfs.InsertionOrder()}, "order: it is not kept for a periodic box"),
+                                  ({"weights": [1]}, r"weights: expected an array of shape \(80,\)"),
+                                  ({"threads": 0}, "threads: expected a whole number")):
+            with self.assertRaisesRegex(ValueError, message):
+                dfs.delaunay3(points, box=(1, 1, 1), **keywords)
+        with self.assertRaisesRegex(ValueError, "points: point 3: its x coordinate is not a finite number"):
+            dfs.delaunay3(np.where(np.arange(240).reshape(80, 3) == 9, np.inf, points), box=(1, 1, 1))
+        for weights in (None, self.weights):
+            ours = dfs.delaunay3(points, box=(1, 1, 1), weights=weights)
+            for name in ("inside", "transform"):
+                with self.assertRaisesRegex(ValueError, f"^{name}: the points are in a periodic box: "):
+                    getattr(ours, name)
+            for name, arguments in (("alpha_complex", (.1,)), ("minimum_spanning_tree", ()), ("check", ())):
+                with self.assertRaisesRegex(ValueError, f"^{name}: the points are in a periodic box: "):
+                    getattr(ours, name)(*arguments)
+            if weights is not None:
+                for name in ("circumcenters", "circumradii", "voronoi_volumes"):
+                    with self.assertRaisesRegex(ValueError, f"{name}: the points have weights"):
+                        getattr(ours, name)
+
+
 class Inside(unittest.TestCase):
     """Of a cube with more points on its sides, each side cut up alike."""
 
@@ -1010,6 +1371,16 @@ class Meshes(unittest.TestCase):
             block, = dfs.delaunay3(self.points[3]).to_meshio().cells
             self.assertEqual((block.type, block.data.shape[1]), ("tetra", 4))
 
+    def test_in_a_box(self):
+        """Each tetrahedron has points of its own."""
+        ours = dfs.delaunay3(self.points[3], box=(1, 1, 1))
+        meshio = types.SimpleNamespace(Mesh=lambda points, cells: (points, cells))
+        pyvista = types.SimpleNamespace(CellType=types.SimpleNamespace(TETRA=10), UnstructuredGrid=lambda cells, points: (points, cells))
+        with unittest.mock.patch.dict(sys.modules, meshio=meshio, pyvista=pyvista):
+            for points, cells in (ours.to_meshio(), ours.to_pyvista()):
+                cells = cells[10] if isinstance(cells, dict) else dict(cells)["tetra"]
+                np.testing.assert_array_equal(points[cells], ours.corners)
+
     def test_pyvista(self):
         stand_in = types.SimpleNamespace(CellType=types.SimpleNamespace(TETRA=10, TRIANGLE=5, LINE=3),
                                          UnstructuredGrid=lambda *arguments: arguments)
@@ -1028,7 +1399,8 @@ class Meshes(unittest.TestCase):
 class Examples(unittest.TestCase):
     def test_run(self):
         for name, line in (("interpolate", "mean error inside the hull: 0.0"), ("show_tetrahedra", "tetrahedra"),
-                           ("power_diagram", "add up to 1.000000000")):
+                           ("power_diagram", "add up to 1.000000000"),
+                           ("transport", "2000 cells have the volumes that were asked for, to 1e-10, after")):
             done = subprocess.run([sys.executable, Path(__file__).with_name("examples") / f"{name}.py"],
                                   capture_output=True, text=True, check=True)
             if name != "show_tetrahedra" or "PyVista was not found" in done.stdout:
@@ -1609,9 +1981,10 @@ class Module(unittest.TestCase):
             self.assertIn("return", typing.get_type_hints(function))
             self.assertEqual([name for name in inspect.signature(function).parameters
                               if not re.search(rf"\b{name}\b", function.__doc__)], [])
-        for name, member in vars(dfs.Delaunay3).items():
-            if not name.startswith("_") and (callable(member) or hasattr(member, "__get__")):
-                self.assertTrue(member.__doc__, name)
+        for kind in (dfs.Delaunay3, dfs.Regular3, dfs.Periodic3, dfs.PeriodicRegular3):
+            for name, member in vars(kind).items():
+                if not name.startswith("_") and (callable(member) or hasattr(member, "__get__")):
+                    self.assertTrue(member.__doc__, name)
         self.assertRegex(dfs.__version__, r"^\d+\.\d+\.\d+$")
         self.assertTrue(Path(dfs.__file__).with_name("py.typed").exists())
 
@@ -1649,6 +2022,10 @@ class Types(unittest.TestCase):
             weights = ours.barycentric([[.5, .5, .5]], [3]) * ours.volumes[0]
             edges = ours.alpha_complex(np.float32(3)).edges.max() + dfs.subgraph([[0, 1, 2]], np.int64(3))
             power = dfs.delaunay3(points, weights=[1, 2, 3, 4, 5])
+            slab = dfs.delaunay3(points, box=(1, 2., None))
+            box = dfs.delaunay3(points, box=np.ones(3), weights=[1, 2, 3, 4, 5])
+            length: float = slab.box[0] + slab.corners[0, 0, 0] + slab.voronoi_volumes[0] + box.power_facets.areas[0]
+            slab.barycentric(points, *slab.find_copies(points)), slab.vertex_neighbor_vertices.offsets[0] + slab.offsets[0, 0]
             size: float = power.power_volumes[0] + power.power_facets.areas[0] + power.alpha_complex(3).vertices[0]
             cpp.triangulate(points, threads=2)
             for some, cells in dfs.delaunay3_tiles("cloud.npy", "tiles", memory="8G"):
@@ -1659,7 +2036,7 @@ class Types(unittest.TestCase):
                 print(stopped.args)
             """
         wrong = ['dfs.delaunay3(points, threads="all")', "dfs.delaunay3(points, [1, 2, 3])", "ours.check(3)",
-                 "ours.power_volumes", "ours.simplices.no_such_member", "ours.points = 3", "dfs.no_such_function()"]
+                 "ours.power_volumes", "ours.offsets", "slab.power_volumes", "dfs.delaunay3(points, box=3)", "ours.simplices.no_such_member", "ours.points = 3", "dfs.no_such_function()"]
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "user.py"
             file.write_text("\n".join([textwrap.dedent(program.replace("if True:\n", "", 1)), *wrong]), encoding="utf-8")

@@ -16,6 +16,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -95,8 +96,9 @@ public:
 private:
   bool is_content(double inserted)
   {
-    m_is_stopped =
-        says_no(called(m_progress, py::make_tuple(inserted / double(m_number_of_points))));
+    // Copies of points in a box are inserted, too.
+    m_is_stopped = says_no(
+        called(m_progress, py::make_tuple((std::min)(inserted / double(m_number_of_points), 1.))));
     return !m_is_stopped;
   }
 

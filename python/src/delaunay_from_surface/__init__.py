@@ -24,14 +24,16 @@ from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads, whole_number
 from ._dask import DaskTiles, delaunay3_dask
 from ._delaunay_from_surface import InsertionOrder, Stopped, __version__ as __version__
+from ._periodic import Periodic3, PeriodicNeighbors, PeriodicPowerFacets, PeriodicRegular3, SimplexCopies, periods_of
 from ._regular import PowerFacets, Regular3, WeightedAlphaComplex
 from ._result import AlphaComplex, Delaunay3, InsideFigures
 from ._tiles import Tile, Tiles, delaunay3_tiles
-from ._types import ArrayLike, Faces, Indices, Points
+from ._types import ArrayLike, Box, Faces, Indices, Points, Reals
 
-__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "InsideFigures", "PowerFacets", "Regular3", "Stopped",
-           "SurfaceComponent", "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3", "delaunay3_dask", "delaunay3_tiles",
-           "subgraph", "surface_topology"]
+__all__ = ["AlphaComplex", "DaskTiles", "Delaunay3", "InsertionOrder", "InsideFigures", "Periodic3", "PeriodicNeighbors",
+           "PeriodicPowerFacets", "PeriodicRegular3", "PowerFacets", "Regular3", "SimplexCopies", "Stopped", "SurfaceComponent",
+           "Tile", "Tiles", "WeightedAlphaComplex", "delaunay3", "delaunay3_dask", "delaunay3_tiles", "subgraph",
+           "surface_topology"]
 
 
 class SurfaceComponent(NamedTuple):
@@ -51,21 +53,37 @@ class SurfaceComponent(NamedTuple):
 
 
 @overload
-def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: None = None, neighbors: bool = False,
-              inside: bool = False, seed: SupportsIndex = 0, progress: Optional[Callable[[float], object]] = None,
-              threads: Optional[SupportsIndex] = 1, order: Optional[InsertionOrder] = None) -> Delaunay3: ...
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: None = None, box: None = None,
+              neighbors: bool = False, inside: bool = False, seed: SupportsIndex = 0,
+              progress: Optional[Callable[[float], object]] = None, threads: Optional[SupportsIndex] = 1,
+              order: Optional[InsertionOrder] = None) -> Delaunay3: ...
 
 
 @overload
-def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: ArrayLike, neighbors: bool = False,
-              inside: bool = False, seed: SupportsIndex = 0, progress: Optional[Callable[[float], object]] = None,
-              threads: Optional[SupportsIndex] = 1, order: Optional[InsertionOrder] = None) -> Regular3: ...
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: ArrayLike, box: None = None,
+              neighbors: bool = False, inside: bool = False, seed: SupportsIndex = 0,
+              progress: Optional[Callable[[float], object]] = None, threads: Optional[SupportsIndex] = 1,
+              order: Optional[InsertionOrder] = None) -> Regular3: ...
 
 
-def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optional[ArrayLike] = None, neighbors: bool = False,
+@overload
+def delaunay3(points: Points, faces: None = None, *, weights: None = None, box: Box, neighbors: bool = False,
               inside: bool = False, seed: SupportsIndex = 0, progress: Optional[Callable[[float], object]] = None,
-              threads: Optional[SupportsIndex] = 1, order: Optional[InsertionOrder] = None) -> Delaunay3:
-    """Return the Delaunay triangulation of points in space, or the regular triangulation of points with weights.
+              threads: Optional[SupportsIndex] = 1, order: None = None) -> Periodic3: ...
+
+
+@overload
+def delaunay3(points: Points, faces: None = None, *, weights: ArrayLike, box: Box, neighbors: bool = False,
+              inside: bool = False, seed: SupportsIndex = 0, progress: Optional[Callable[[float], object]] = None,
+              threads: Optional[SupportsIndex] = 1, order: None = None) -> PeriodicRegular3: ...
+
+
+def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optional[ArrayLike] = None,
+              box: Optional[Box] = None, neighbors: bool = False, inside: bool = False, seed: SupportsIndex = 0,
+              progress: Optional[Callable[[float], object]] = None, threads: Optional[SupportsIndex] = 1,
+              order: Optional[InsertionOrder] = None) -> Delaunay3:
+    """Return the Delaunay triangulation of points in space or in a periodic box, or the regular triangulation of points
+    with weights.
 
     Parameters
     ----------
@@ -79,6 +97,11 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     weights
         The weight of each point, a squared radius: (n,) finite numbers, converted to float64. The result is then a
         `Regular3`, in which points may be hidden. It has no `inside`.
+    box
+        The period along each of the three axes, None or infinite along one that has none: `box=(1, 1, None)` is a slab.
+        The result is then a `Periodic3` or, with weights, a `PeriodicRegular3`: the triangulation of all copies of the
+        points, which may lie anywhere. It is exact, and copies are never rounded. It has no faces, `inside` and `order`;
+        neighbours are always kept.
     neighbors
         Whether the neighbours are kept: they and the simplices are then views of one array, 16 bytes apart.
         Else they are found anew when they are first asked for.
@@ -109,7 +132,9 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
         seed or the number of threads is out of range. If `inside` is asked of a surface that has none: less volume is
         surely inside, with a number near a whole one other than 0, than in doubt, and its openings have more than 3/10
         of its area, or there are several wide ones. So it is with patches, sheets and short tubes. It has none, either,
-        if a part of it is not orientable, or its faces cancel each other.
+        if a part of it is not orientable, or its faces cancel each other. If a period is not positive, is less than 1/30000
+        of the box's diagonal, or so small that points are 2**29 of them away or corners of a tetrahedron more than 32767
+        of them apart, or if there are points, but all in a plane or on a line parallel to the axes that have periods.
     TypeError
         If an array does not hold numbers of the right kind.
     OverflowError
@@ -120,6 +145,8 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     Memory: about 270 bytes per point at the peak, the result included, where points have 6.8 cells each; more with `inside`,
     and 24 bytes per point more with `weights`.
     """
+    if box is not None:
+        return _in_box(points, faces, weights, periods_of(box), inside, seed, progress, threads, order)
     chosen = whole_number("seed", seed, 0, 2 ** 32 - 1)
     number = number_of_threads("threads", threads)
     array = np.asarray(_core.array_of_points(points, "points"))  # not one of a derived class
@@ -145,6 +172,27 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
     if warning:
         warnings.warn(f"inside: {warning}", stacklevel=2)
     return Delaunay3(array, simplices, across, vertices, dimension, number, winding_numbers, InsideFigures(*figures))
+
+
+def _in_box(points: Points, faces: Optional[Faces], weights: Optional[ArrayLike], box: Reals, inside: bool,
+            seed: SupportsIndex, progress: Optional[Callable[[float], object]], threads: Optional[SupportsIndex],
+            order: Optional[InsertionOrder]) -> Periodic3:
+    """What `delaunay3` returns for a box."""
+    if faces is not None or inside:
+        raise ValueError("faces: there are none in a periodic box: leave them out")
+    if order is not None:
+        raise ValueError("order: it is not kept for a periodic box, whose points are inserted with copies: leave it out")
+    chosen = whole_number("seed", seed, 0, 2 ** 32 - 1)
+    number = number_of_threads("threads", threads)
+    array = np.asarray(_core.array_of_points(points, "points"))
+    array_of_weights = None if weights is None else _core.array_of_weights(weights, len(array))
+    views, offsets, is_simplicial_complex = _core.periodic3(array, box, chosen, progress, number, array_of_weights)
+    simplices, across, vertices, dimension = views
+    arguments = (array, simplices, across, vertices, dimension, number)
+    if array_of_weights is None:
+        return Periodic3(box, offsets, is_simplicial_complex, *arguments)
+    array_of_weights.flags.writeable = False
+    return PeriodicRegular3(box, offsets, is_simplicial_complex, array_of_weights, *arguments)
 
 
 def _kept(faces: Iterable[Iterable[SupportsIndex]]) -> List[Tuple[SupportsIndex, ...]]:

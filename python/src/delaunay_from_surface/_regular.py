@@ -82,7 +82,7 @@ class Regular3(Delaunay3):
 
     @cached_property
     def _power_spheres(self) -> Spheres:
-        return _core.power_spheres(self.points, self._weights, self.simplices, self._threads)
+        return _core.power_spheres(self.points, self._weights, self.simplices, self._in_box, self._threads)
 
     @property
     def power_centers(self) -> Reals:
@@ -99,7 +99,7 @@ class Regular3(Delaunay3):
 
     @cached_property
     def _power_diagram(self) -> Tuple[Reals, Reals]:
-        return _core.power_diagram(self.points, self._weights, self.simplices, self._threads)
+        return _core.power_diagram(self.points, self._weights, self.simplices, self._in_box, self._threads)
 
     @cached_property
     def power_volumes(self) -> Reals:
@@ -140,7 +140,7 @@ class Regular3(Delaunay3):
         weights = np.ldexp(np.ldexp(self._weights, -exponent), -exponent)
         with np.errstate(all="ignore"):
             most = np.ldexp(float(alpha), -exponent) ** 2
-            radii = _core.power_spheres(points, weights, self.simplices, self._threads)[1]
+            radii = _core.power_spheres(points, weights, self.simplices, None, self._threads)[1]
             triangles, of_triangles = self._weighted_triangles(points, weights, radii)
             edges, of_edges = self._weighted_edges(points, weights, triangles, of_triangles)
             vertices, of_vertices = self._weighted_vertices(points, weights, edges, of_edges)

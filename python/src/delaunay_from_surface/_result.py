@@ -14,7 +14,7 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads
-from ._types import ArrayLike, Coordinates, Indices, Lists, Points, Radius, Reals, Spheres, Truths
+from ._types import ArrayLike, Coordinates, InBox, Indices, Lists, Points, Radius, Reals, Spheres, Truths
 
 LEVELS = ("links", "euler", "orientation", "delaunay")
 NAMES = {3: "tetrahedra", 2: "triangles", 1: "segments", 0: "vertices", -1: "simplices"}
@@ -146,6 +146,11 @@ class Delaunay3:
                              self.dimension, self._threads, self.winding_numbers, self.inside_figures))
 
     @property
+    def _in_box(self) -> InBox:
+        """The periods, and the offsets of the corners, of a triangulation in a periodic box."""
+        return None
+
+    @property
     def ndim(self) -> int:
         """3: that of the space."""
         return 3
@@ -266,11 +271,11 @@ class Delaunay3:
     def volumes(self) -> Reals:
         """(m,) float64: the volumes of the tetrahedra."""
         self._needs_space("volumes")
-        return _core.volumes(self.points, self.simplices, self._threads)
+        return _core.volumes(self.points, self.simplices, self._in_box, self._threads)
 
     @cached_property
     def _circumspheres(self) -> Spheres:
-        return _core.circumspheres(self.points, self.simplices, self._threads)
+        return _core.circumspheres(self.points, self.simplices, self._in_box, self._threads)
 
     @property
     def circumcenters(self) -> Reals:
@@ -289,7 +294,7 @@ class Delaunay3:
         """(n,) float64: the volume of each point's Voronoi cell; -1 where it is unbounded, as on the convex hull.
         Equal points have the cell of their vertex."""
         self._needs_space("voronoi_volumes")
-        volumes = _core.voronoi_volumes(self.points, self.simplices)
+        volumes = _core.voronoi_volumes(self.points, self.simplices, self._in_box)
         volumes[self.convex_hull] = -1
         return volumes[self.vertices]
 

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterable, SupportsIndex, Tuple, Union
+from typing import TYPE_CHECKING, Any, Iterable, Optional, SupportsIndex, Tuple, Union
 
 import numpy as np
 
@@ -16,16 +16,20 @@ if TYPE_CHECKING:
     """Numbers of shape (n, 3)."""
     Faces = Union[NDArray[np.integer[Any]], Iterable[Iterable[SupportsIndex]]]
     """Indices of points, of shape (m, k), or sequences of any lengths."""
+    Box = Union[Iterable[Optional[float]], NDArray[np.floating[Any]], NDArray[np.integer[Any]]]
+    """Three periods, None or infinite along axes that have none."""
     Coordinates = Union[NDArray[np.float64], NDArray[np.float32]]
     Indices = NDArray[np.int32]
+    Offsets = NDArray[np.int16]
     Places = NDArray[np.int64]
     Reals = NDArray[np.float64]
     Truths = NDArray[np.bool_]
     Radius = Union[float, np.floating[Any], np.integer[Any]]
 else:
-    ArrayLike = Points = Faces = Any
-    Coordinates = Indices = Places = Reals = Truths = np.ndarray
+    ArrayLike = Box = Points = Faces = Any
+    Coordinates = Indices = Offsets = Places = Reals = Truths = np.ndarray
     Radius = float
 
 Lists = Tuple[Places, Indices]
 Spheres = Tuple[Reals, Reals]
+InBox = Optional[Tuple[Reals, Offsets]]

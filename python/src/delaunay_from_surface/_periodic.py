@@ -1,0 +1,309 @@
+# Copyright (c) 2026 The authors of Delaunay_from_surface_3
+#
+# SPDX-License-Identifier: LGPL-3.0-or-later
+
+"""The result of delaunay3(points, box=…)."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any, NamedTuple, NoReturn, Optional, SupportsIndex, Tuple
+
+import numpy as np
+
+from . import _delaunay_from_surface as _core
+from ._arguments import number_of_threads
+from ._regular import CORNERS_OF_EDGES, Regular3
+from ._result import Delaunay3
+from ._types import ArrayLike, Box, Indices, Offsets, Places, Points, Radius, Reals, Truths
+
+CORNERS_OF_FACETS = np.array([[1, 2, 3], [2, 0, 3], [0, 1, 3], [2, 1, 0]])
+
+
+class SimplexCopies(NamedTuple):
+    """What `Periodic3.find_copies()` finds."""
+
+    simplices: Indices
+    """(…,) int32: numbers of tetrahedra; -1 outside."""
+
+    offsets: Indices
+    """(…, 3) int32: by how many periods the copy that contains the point is moved: its corners are
+    `corners[simplices] + offsets * box`, along the axes that have a period."""
+
+
+class PeriodicNeighbors(NamedTuple):
+    """The vertices that share an edge with each point: `indices[indptr[i]:indptr[i + 1]]` and their `offsets` are those of
+    point i."""
+
+    indptr: Places
+    """(n + 1,) int64."""
+
+    indices: Indices
+    """(2 e,) int32 for e edges: indices of points, ascending; those of a point's own copies are among them."""
+
+    offsets: Indices
+    """(2 e, 3) int32: by how many periods they are moved, if point i is not; in lexicographical order for each point."""
+
+
+class PeriodicPowerFacets(NamedTuple):
+    """The facets of the power diagram in a box, each between the cells of two copies of points, or of one point."""
+
+    pairs: Indices
+    """(e, 2) int32: the ends of the edges of the triangulation: indices of points, ascending."""
+
+    areas: Reals
+    """(e,) float64: the areas of the facets; -1 where they are unbounded, as on the hull of a box without some period."""
+
+    offsets: Indices
+    """(e, 3) int32: by how many periods the second end is moved, if the first is not. Positive, in lexicographical order,
+    where both are the same point."""
+
+
+def periods_of(box: Box) -> Reals:
+    """(3,) float64: the periods, infinite along axes that have none."""
+    try:
+        given = list(box)
+    except TypeError:
+        raise TypeError(f"box: expected three periods, got {box!r}") from None
+    if len(given) != 3:
+        raise ValueError(f"box: expected three periods, one along each axis, got {len(given)}")
+    periods = np.full(3, np.inf)
+    for axis, period in enumerate(given):
+        name = f"box: the period along {'xyz'[axis]}"
+        if period is None:
+            continue
+        try:
+            periods[axis] = float(period)
+        except (TypeError, ValueError):
+            raise TypeError(f"{name}: expected a number, or None if there is no period, got {period!r}") from None
+        if not periods[axis] > 0:
+            raise ValueError(f"{name} is not positive: got {period!r}")
+    periods.flags.writeable = False
+    return periods
+
+
+class Periodic3(Delaunay3):
+    """A Delaunay triangulation of points in a periodic box: that of all their copies, which are moved by any whole numbers
+    of periods. Each tetrahedron here stands for all its copies.
+
+    Corner k of tetrahedron c is `points[simplices[c, k]] + offsets[c, k] * box`, along the axes that have a period; `corners`
+    are these. What it has beside that of `Delaunay3` is the same, with these differences:
+
+    - Without a period along some axis there is a hull, as in slabs and wires; else all neighbours are there, all Voronoi cells
+      are bounded, and the volumes of either add up to that of the box.
+    - Points that are equal but for whole periods are one vertex.
+    - Points may be looked for anywhere. `find_copies()` says, beside the numbers of `find_simplex()`, by how many periods the
+      tetrahedron must be moved.
+    - Measures are those of the corners as they are, which rounding does not move; only the results are rounded.
+    - Facets, edges and neighbours are copies, with offsets of their own.
+
+    Refused, as they are not made for boxes: `inside`, `transform`, `alpha_complex`, `minimum_spanning_tree`, and `check`.
+    """
+
+    offsets: Offsets
+    """(m, 4, 3) int16: by how many periods the corners are moved from the points as they were given. The first corner that has
+    the smallest index of the four is not moved."""
+
+    is_simplicial_complex: bool
+    """Whether indices alone determine each edge, and so each tetrahedron: no edge joins a point to its own copy, and no two have
+    the same ends. So it is unless points are few, or far apart."""
+
+    def __init__(self, box: Reals, offsets: Offsets, is_simplicial_complex: bool, *arguments: Any) -> None:
+        super().__init__(*arguments)
+        self._box = box
+        self.offsets = offsets
+        self.is_simplicial_complex = is_simplicial_complex
+
+    def __repr__(self) -> str:
+        periods = " x ".join("none" if np.isinf(period) else f"{period:g}" for period in self._box)
+        return f"{super().__repr__()[:-1]}, box {periods}>".replace("<Delaunay3", "<Periodic3").replace(
+            "<Regular3", "<PeriodicRegular3")
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        kind, arguments = super().__reduce__()
+        return (kind, (self._box, self.offsets, self.is_simplicial_complex, *arguments))
+
+    @property
+    def box(self) -> Reals:
+        """(3,) float64: the periods, infinite along axes that have none."""
+        return self._box
+
+    @property
+    def _in_box(self) -> Tuple[Reals, Offsets]:
+        return self._box, self.offsets
+
+    @cached_property
+    def corners(self) -> Reals:
+        """(m, 4, 3) float64: the coordinates of the corners of each tetrahedron, in one piece."""
+        return self._moved(self.simplices, self.offsets)
+
+    @cached_property
+    def convex_hull(self) -> Indices:
+        """(k, 3) int32: the facets of the hull, where axes lack a period: triangles, counterclockwise as seen from outside.
+        None in a box with three periods."""
+        simplex, corner = self._hull
+        return self.simplices[simplex[:, None], CORNERS_OF_FACETS[corner]]
+
+    @cached_property
+    def convex_hull_offsets(self) -> Offsets:
+        """(k, 3, 3) int16: by how many periods their corners are moved."""
+        simplex, corner = self._hull
+        return self.offsets[simplex[:, None], CORNERS_OF_FACETS[corner]]
+
+    @cached_property
+    def vertex_neighbor_vertices(self) -> PeriodicNeighbors:  # type: ignore[override]
+        """(indptr, indices, offsets), (n + 1,) int64, (2 e,) int32 and (2 e, 3) int32 for e edges: the vertices that share an
+        edge with point i are points[indices[j]] + offsets[j] * box for j from indptr[i] to indptr[i + 1] - 1."""
+        ends, offsets = self._edges_of_box[0]
+        ends, offsets = np.concatenate([ends, ends[:, ::-1]]), np.concatenate([offsets, -offsets])
+        order = np.lexsort((*offsets.T[::-1], ends[:, 1], ends[:, 0]))
+        counts = np.bincount(ends[:, 0], minlength=self.npoints)
+        return PeriodicNeighbors(np.append(0, np.cumsum(counts)).astype(np.int64), ends[order, 1], offsets[order])
+
+    def find_simplex(self, xi: Points, bruteforce: bool = False, tol: Optional[float] = None, *,
+                     threads: Optional[SupportsIndex] = 1) -> Indices:
+        """Return the numbers of the tetrahedra that have a copy that contains the points `xi`, of shape (…, 3); -1 outside the
+        hull of a box without some period. (…,) int32.
+
+        Exact: neither points nor copies are rounded. Facets and edges belong to a tetrahedron, and of several the one with the
+        smallest number is meant. `find_copies` says which copy it is. `bruteforce` and `tol` are there for SciPy's callers, and
+        change nothing.
+
+        Raises ValueError if a coordinate is not a finite number, or a point is 2**29 or more periods away.
+        """
+        return self.find_copies(xi, threads=threads).simplices
+
+    def find_copies(self, xi: Points, *, threads: Optional[SupportsIndex] = 1) -> SimplexCopies:
+        """Return what `find_simplex` does, and by how many periods the copies that contain the points are moved: (…,) and
+        (…, 3) int32. Of several copies of a tetrahedron that which is moved least, in lexicographical order, is meant; outside
+        the offset is 0.
+        """
+        self._needs_space("find_simplex")
+        queries, shape = self._rows_of(xi)
+        found, offsets = _core.find_copies(self.points, self.simplices, self.neighbors, self._in_box, queries,
+                                           number_of_threads("threads", threads))
+        return SimplexCopies(found.reshape(shape), offsets.reshape(*shape, 3))
+
+    def barycentric(self, xi: Points, simplex: Optional[ArrayLike] = None, offset: Optional[ArrayLike] = None, *,
+                    threads: Optional[SupportsIndex] = 1) -> Reals:
+        """Return the barycentric coordinates of the points `xi`, of shape (…, 3), in copies of tetrahedra: (…, 4) float64.
+
+        `simplex` and `offset` are what `find_copies(xi)` returns, which is called if `offset` is left out. Outside the coordinates
+        are NaN. In flat tetrahedra they are computed with as many digits as it takes.
+
+        Raises ValueError if there are not as many simplices or offsets as points, or if `simplex` is given without `offset`, and
+        is not what is found; IndexError for a simplex that there is not; TypeError if simplices or offsets are no integers.
+        """
+        self._needs_space("barycentric")
+        queries, shape = self._rows_of(xi)
+        if offset is None:
+            found = self.find_copies(xi, threads=threads)
+            if simplex is not None and not np.array_equal(np.reshape(simplex, -1), found.simplices.reshape(-1)):
+                raise ValueError("barycentric: other simplices than those of find_copies() need an offset for each")
+            simplex, offset = found
+        elif simplex is None:
+            raise ValueError("barycentric: there are offsets, but no simplices")
+        numbers_of, offsets = np.asarray(simplex).reshape(-1), np.asarray(offset)
+        for name, array in (("simplex", numbers_of), ("offset", offsets)):
+            if array.dtype.kind not in "iu":
+                raise TypeError(f"barycentric: {name}: expected integers, got entries of type {array.dtype}")
+        if len(numbers_of) != len(queries) or offsets.size != 3 * len(queries):
+            raise ValueError(f"barycentric: {len(numbers_of)} simplices and {offsets.size} numbers of offsets for "
+                             f"{len(queries)} points")
+        return _core.barycentric_in_box(self.points, self.simplices, self._in_box, queries, numbers_of,
+                                        offsets.reshape(-1, 3), number_of_threads("threads", threads)).reshape(*shape, 4)
+
+    def to_pyvista(self) -> Any:
+        """Return a pyvista.UnstructuredGrid of the tetrahedra: each has four points of its own, its `corners`."""
+        import pyvista
+        cells = np.arange(4 * self.nsimplex).reshape(-1, 4)
+        if self.nsimplex == 0:
+            return pyvista.UnstructuredGrid()
+        return pyvista.UnstructuredGrid({pyvista.CellType.TETRA: cells}, self.corners.reshape(-1, 3))
+
+    def to_meshio(self) -> Any:
+        """Return a meshio.Mesh of the tetrahedra: each has four points of its own, its `corners`."""
+        import meshio
+        cells = np.arange(self.simplices.size).reshape(self.simplices.shape)
+        return meshio.Mesh(self.corners.reshape(-1, 3), [("tetra" if self.dimension == 3 else "vertex", cells)])
+
+    @property
+    def inside(self) -> Truths:
+        """Refused: no surface is given in a box."""
+        self._not_in_box("inside", "give a surface without a box")
+
+    @property
+    def transform(self) -> Reals:
+        """Refused: what it is multiplied with would have to be moved, and rounded."""
+        self._not_in_box("transform", "use barycentric")
+
+    def alpha_complex(self, alpha: Radius) -> Any:
+        """Refused: faces are not determined by indices of points here."""
+        self._not_in_box("alpha_complex", "its tetrahedra are those whose circumradii are at most alpha")
+
+    def minimum_spanning_tree(self) -> Indices:
+        """Refused: edges are not determined by indices of points here."""
+        self._not_in_box("minimum_spanning_tree", "find one of the edges of vertex_neighbor_vertices")
+
+    def check(self, level: str = "delaunay") -> bool:
+        """Refused: it is not there yet for boxes."""
+        self._not_in_box("check", "there is none")
+
+    def _not_in_box(self, name: str, instead: str) -> NoReturn:
+        raise ValueError(f"{name}: the points are in a periodic box: {instead}")
+
+    @property
+    def _hull(self) -> Tuple[Any, Any]:
+        """Simplices with no neighbour, and the corners opposite."""
+        simplex, corner = np.nonzero(self.neighbors < 0)
+        return simplex, corner
+
+    def _moved(self, points: Indices, offsets: Any) -> Reals:
+        moved = np.asarray(self.points, dtype=float)[points]
+        for axis in np.flatnonzero(np.isfinite(self._box)):
+            moved[..., axis] += offsets[..., axis] * self._box[axis]
+        return moved
+
+    @cached_property
+    def _edges_of_box(self) -> Tuple[Tuple[Indices, Indices], Places]:
+        """Each edge once: its ends, ascending, and by how many periods the second is moved; and for each edge of each tetrahedron
+        which one it is."""
+        self._needs_space("edges")
+        first, second = CORNERS_OF_EDGES.T
+        offsets = (self.offsets[:, second].astype(np.int32) - self.offsets[:, first]).reshape(-1, 3)
+        ends = self.simplices[:, CORNERS_OF_EDGES].reshape(-1, 2)
+        sign = np.sign(offsets[:, 0])
+        for axis in (1, 2):
+            sign = np.where(sign == 0, np.sign(offsets[:, axis]), sign)
+        turned = (ends[:, 0] > ends[:, 1]) | ((ends[:, 0] == ends[:, 1]) & (sign < 0))
+        ends = np.where(turned[:, None], ends[:, ::-1], ends)
+        offsets = np.where(turned[:, None], -offsets, offsets)
+        order = np.lexsort((*offsets.T[::-1], ends[:, 1], ends[:, 0]))
+        ends, offsets = ends[order], offsets[order]
+        is_new = np.append(True, (ends[1:] != ends[:-1]).any(axis=1) | (offsets[1:] != offsets[:-1]).any(axis=1))
+        place = np.empty(len(order), dtype=np.int64)
+        place[order] = np.cumsum(is_new) - 1
+        return (ends[is_new], offsets[is_new]), place
+
+
+class PeriodicRegular3(Periodic3, Regular3):
+    """A regular triangulation of points with weights in a periodic box: that of all copies, which have the weights of their
+    points. It has what `Periodic3` and `Regular3` have; `power_facets` have offsets."""
+
+    @cached_property
+    def power_facets(self) -> PeriodicPowerFacets:  # type: ignore[override]
+        """The facets of the power diagram, as those of `Regular3`: one crosses each edge of the triangulation. Two points may
+        have several, at copies that lie on different sides. A facet's area over twice the length of the edge is the derivative of
+        one point's volume by the other's weight, with a minus sign; where both are one point, that is none."""
+        self._needs_space("power_facets")
+        (ends, offsets), place = self._edges_of_box
+        areas = np.zeros(len(ends))
+        np.add.at(areas, place, self._power_diagram[1].reshape(-1))
+        simplex, corner = self._hull
+        at_facet = (CORNERS_OF_EDGES[None] != corner[:, None, None]).all(axis=2)
+        areas[place.reshape(-1, 6)[simplex][at_facet]] = -1
+        return PeriodicPowerFacets(ends, areas, offsets)
+
+    def alpha_complex(self, alpha: Radius) -> Any:
+        """Refused: faces are not determined by indices of points here."""
+        self._not_in_box("alpha_complex", "its tetrahedra are those whose squared_power_radii are at most alpha ** 2")
