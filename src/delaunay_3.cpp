@@ -9,12 +9,15 @@
 
 #include <CGAL/Delaunay_from_surface_3/Delaunay_validity_level.h>
 #include <CGAL/Delaunay_from_surface_3/Surface_input_error.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/Find_in_box.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/Find_simplex.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_built.h>
+#include <CGAL/Delaunay_from_surface_3/arrays/arrays_of_periodic.h>
 #include <CGAL/Delaunay_from_surface_3/arrays/is_valid_arrays.h>
 #include <CGAL/Delaunay_from_surface_3/core/build.h>
 #include <CGAL/Delaunay_from_surface_3/core/threads/Marks.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_by_threads.h>
+#include <CGAL/Delaunay_from_surface_3/core/build_periodic.h>
 #include <CGAL/Delaunay_from_surface_3/core/build_regular.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
 #include <CGAL/Delaunay_from_surface_3/support/Rounding_to_nearest.h>
@@ -32,16 +35,24 @@
 
 namespace core = CGAL::Delaunay_from_surface_3::core;
 
+namespace {
+
+using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
+using Periodic_arrays = CGAL::Periodic_3_arrays<std::int32_t>;
+using Box = std::array<double, 3>;
+
+} // namespace
+
 struct delaunay_3
 {
   core::Point_array points;
   const double* weights; // null without
-  CGAL::Delaunay_3_arrays<std::int32_t> arrays;
+  Periodic_arrays arrays;
+  bool is_periodic = false;
+  Box box = {};
 };
 
 namespace {
-
-using Arrays = CGAL::Delaunay_3_arrays<std::int32_t>;
 
 // The reason why a call ends early.
 struct Refusal
@@ -152,6 +163,35 @@ Arrays built_of(Source&& source, const core::Executor& executor)
   return core::arrays_of_built<std::int32_t>(*built, source, executor);
 }
 
+Periodic_arrays without_box(Arrays&& arrays)
+{
+  return Periodic_arrays(std::move(arrays), {}, 0, true);
+}
+
+Periodic_arrays built_in_box(const core::Point_array& points, const double* weights, const Box& box,
+                             const core::Executor& executor)
+{
+  core::Observer nobody;
+  try {
+    core::Built_in_box built =
+        core::build_in_box(points, weights, box.data(), core::Build_options(), nobody, executor);
+    return core::arrays_of_box<std::int32_t>(built, points, box);
+  } catch (const CGAL::Surface_input_error&) {
+    throw Refusal{DELAUNAY_3_BAD_BOX, 0};
+  }
+}
+
+core::Simplices_view<std::int32_t> view_of(const delaunay_3& d)
+{
+  return {d.arrays.vertices_data(),
+          d.arrays.stride(),
+          d.arrays.neighbors_data(),
+          d.arrays.stride(),
+          d.arrays.number_of_simplices(),
+          d.arrays.number_of_cells(),
+          d.points.size()};
+}
+
 } // namespace
 
 delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t* triangles,
@@ -166,7 +206,8 @@ delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t
     const core::Point_array checked = checked_points(points, n);
     check_triangles(triangles, number_of_triangles, n);
     *result = std::make_unique<delaunay_3>(
-                  delaunay_3{checked, nullptr, built_of(core::Given_points(checked), executor)})
+                  delaunay_3{checked, nullptr,
+                             without_box(built_of(core::Given_points(checked), executor))})
                   .release();
   });
 }
@@ -181,11 +222,38 @@ delaunay_3_status delaunay_3_build_weighted(const double* points, const double* 
     const core::Thread_executor executor(checked_threads(threads));
     const core::Point_array checked = checked_points(points, n);
     check_weights(weights, n);
+    *result =
+        std::make_unique<delaunay_3>(
+            delaunay_3{checked, weights,
+                       without_box(built_of(Given_weighted_points(checked, weights), executor))})
+            .release();
+  });
+}
+
+delaunay_3_status delaunay_3_build_periodic(const double* points, const double* weights, size_t n,
+                                            const double* box, int threads, delaunay_3** result,
+                                            size_t* where)
+{
+  if (result != nullptr)
+    *result = nullptr;
+  return status_of(where, [&] {
+    refuse_null(result);
+    refuse_null(box);
+    const core::Thread_executor executor(checked_threads(threads));
+    const core::Point_array checked = checked_points(points, n);
+    if (weights != nullptr)
+      check_weights(weights, n);
+    const Box periods = {box[0], box[1], box[2]};
     *result = std::make_unique<delaunay_3>(
-                  delaunay_3{checked, weights,
-                             built_of(Given_weighted_points(checked, weights), executor)})
+                  delaunay_3{checked, weights, built_in_box(checked, weights, periods, executor),
+                             true, periods})
                   .release();
   });
+}
+
+const int16_t* delaunay_3_offsets(const delaunay_3* d)
+{
+  return d == nullptr ? nullptr : d->arrays.offsets_data();
 }
 
 const char* delaunay_3_message(delaunay_3_status status)
@@ -207,6 +275,9 @@ const char* delaunay_3_message(delaunay_3_status status)
   case DELAUNAY_3_NOT_EXACT:
     return "the library is compiled with -ffast-math or -Ofast (remedy: -fno-fast-math), or "
            "denormal numbers become zero in a mode that cannot be left";
+  case DELAUNAY_3_BAD_BOX:
+    return "a period is not positive, or much smaller than the box or the coordinates are, or the "
+           "points lie in a plane or on a line parallel to all axes with periods";
   default:
     return "the library has failed";
   }
@@ -244,18 +315,19 @@ delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, siz
       std::fill_n(found, n, -1);
       return;
     }
-    const core::Simplices_view<std::int32_t> view = {arrays.vertices_data(),
-                                                     arrays.stride(),
-                                                     arrays.neighbors_data(),
-                                                     arrays.stride(),
-                                                     arrays.number_of_simplices(),
-                                                     arrays.number_of_cells(),
-                                                     d->points.size()};
     const auto point_of = [&](std::size_t i) {
       const double* const p = d->points[i];
       return std::array<double, 3>{p[0], p[1], p[2]};
     };
-    core::find_simplices(view, point_of, queries, found, executor);
+    if (d->is_periodic) {
+      const core::Points_in_box wrapped(d->points.size(), point_of, d->box.data());
+      const core::Simplices_in_box<std::int32_t> in_box = {view_of(*d), arrays.offsets_data(),
+                                                           wrapped};
+      core::find_in_box(in_box, queries, 0, executor,
+                        [&](std::size_t i, const auto& copy) { found[i] = copy.simplex; });
+    } else {
+      core::find_simplices(view_of(*d), point_of, queries, found, executor);
+    }
   });
 }
 
@@ -264,7 +336,7 @@ int delaunay_3_is_valid(const delaunay_3* d, int level)
   bool is_valid = false;
   const delaunay_3_status status = status_of(nullptr, [&] {
     refuse_null(d);
-    if (level < 0 || level > int(CGAL::Delaunay_validity_level::DELAUNAY))
+    if (d->is_periodic || level < 0 || level > int(CGAL::Delaunay_validity_level::DELAUNAY))
       throw Refusal{DELAUNAY_3_BAD_ARGUMENT, 0};
     checked_points(d->points.size() > 0 ? d->points[0] : nullptr, d->points.size());
     const auto wanted = CGAL::Delaunay_validity_level(level);

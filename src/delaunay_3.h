@@ -2,9 +2,10 @@
  *
  * SPDX-License-Identifier: LGPL-3.0-or-later
  *
- * 3D Delaunay triangulations, for C and for all languages that can call C. Seven functions compute
+ * 3D Delaunay triangulations, for C and for all languages that can call C. Nine functions compute
  * exactly, with any number of threads. The result equals CGAL's Delaunay_triangulation_3, or its
- * Regular_triangulation_3 for points with weights, but CGAL is not needed.
+ * Regular_triangulation_3 for points with weights, but CGAL is not needed. Points may also lie in a
+ * periodic box.
  *
  *   delaunay_3* d;
  *   delaunay_3_cells cells;
@@ -36,9 +37,13 @@ typedef enum delaunay_3_status {
   DELAUNAY_3_TOO_MANY,     /* more than 2^30 cells, or 2^31 - 2 points or triangles */
   DELAUNAY_3_NO_MEMORY,
   DELAUNAY_3_FAILED, /* a fault of the library */
-  DELAUNAY_3_NOT_EXACT /* the library is compiled with -ffast-math, -Ofast or parts of them, or
-                          denormal numbers become zero in a mode that cannot be left; checked at
-                          each call */
+  DELAUNAY_3_NOT_EXACT, /* the library is compiled with -ffast-math, -Ofast or parts of them, or
+                           denormal numbers become zero in a mode that cannot be left; checked at
+                           each call */
+  DELAUNAY_3_BAD_BOX /* a period is not positive, less than 1/30000 of the diagonal of the box, or so
+                        small that points are 2^29 of them away or corners of a cell more than 32767
+                        of them apart; or the points lie in a plane or on a line parallel to all axes
+                        with periods */
 } delaunay_3_status;
 
 /* Corner k of cell c is point vertices[c * stride + k]; the neighbour opposite to it is cell
@@ -71,6 +76,19 @@ delaunay_3_status delaunay_3_build(const double* points, size_t n, const int32_t
 delaunay_3_status delaunay_3_build_weighted(const double* points, const double* weights, size_t n,
                                             int threads, delaunay_3** result, size_t* where);
 
+/* Does the same for points in a periodic box: the triangulation of all their copies, each cell of which
+ * stands for all its copies. `box` has the period along each axis, INFINITY along one that has none.
+ * `weights` may be null. Points may lie anywhere. Corner k of cell c is the point vertices[c * stride + k]
+ * moved by offsets[12 * c + 3 * k + a] periods along each axis a; the first corner with the smallest index
+ * is not moved. Without a period along some axis there is a hull: there neighbours are -1. There are no
+ * infinite cells. Points that are equal but for whole periods are one vertex. */
+delaunay_3_status delaunay_3_build_periodic(const double* points, const double* weights, size_t n,
+                                            const double* box, int threads, delaunay_3** result,
+                                            size_t* where);
+
+/* Returns these offsets, which live as long as the triangulation; null if there are none. */
+const int16_t* delaunay_3_offsets(const delaunay_3* d);
+
 /* Returns the meaning of a status, in English. */
 const char* delaunay_3_message(delaunay_3_status status);
 
@@ -80,12 +98,13 @@ void delaunay_3_get(const delaunay_3* d, delaunay_3_cells* cells);
 void delaunay_3_free(delaunay_3* d); /* d may be null */
 
 /* Finds for each of n points the tetrahedron with the smallest number that contains it, boundary
- * included, or -1 if there is none. Arrays may be null if n is 0. */
+ * included, or -1 if there is none. Arrays may be null if n is 0. In a box one of its copies contains
+ * it; a point that is 2^29 or more periods away is a bad argument. */
 delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, size_t n, int threads,
                                   int32_t* found, size_t* where);
 
 /* Returns 1 if it is the Delaunay or regular triangulation, else 0; or, with a minus sign, the status that
- * prevented the check (without memory it may still be valid). Level 0 checks that neighbours agree,
+ * prevented the check (without memory it may still be valid; a box is a bad argument). Level 0 checks that neighbours agree,
  * 1 also spheres of cells around vertices, 2 orientations, and 3 all, by Delaunay's lemma. */
 int delaunay_3_is_valid(const delaunay_3* d, int level);
 

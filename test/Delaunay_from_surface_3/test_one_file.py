@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What scripts/amalgamate makes includes no header of others, and serves a C program; its seven functions one by one."""
+"""What scripts/amalgamate makes includes no header of others, and serves a C program; its nine functions one by one."""
 
 import ctypes
 import math
@@ -18,7 +18,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "examples/Delaunay_from_surface_3/without_cgal/triangulate.c"
-OK, NOT_FINITE, BAD_INDEX, BAD_ARGUMENT, TOO_MANY, NO_MEMORY, FAILED, NOT_EXACT = range(8)
+OK, NOT_FINITE, BAD_INDEX, BAD_ARGUMENT, TOO_MANY, NO_MEMORY, FAILED, NOT_EXACT, BAD_BOX = range(9)
 
 
 class Cells(ctypes.Structure):
@@ -30,6 +30,11 @@ class Cells(ctypes.Structure):
 
 def array(kind, values):
     return (kind * max(len(values), 1))(*values)
+
+
+def determinant(a, b, c, d):
+    (x, y, z), (u, v, w), (p, q, r) = ([t - o for t, o in zip(corner, a)] for corner in (b, c, d))
+    return x * (v * r - w * q) - y * (u * r - w * p) + z * (u * q - v * p)
 
 
 class OneFile(unittest.TestCase):
@@ -48,6 +53,7 @@ class OneFile(unittest.TestCase):
                        check=True)
         cls.c = ctypes.CDLL(str(cls.library))
         cls.c.delaunay_3_message.restype = ctypes.c_char_p
+        cls.c.delaunay_3_offsets.restype = ctypes.POINTER(ctypes.c_int16)
 
     def build(self, points, triangles=(), threads=1):
         """(status, triangulation, where)"""
@@ -123,6 +129,76 @@ class OneFile(unittest.TestCase):
         self.assertEqual(self.c.delaunay_3_build_weighted(self.points, None, ctypes.c_size_t(10), 1,
                                                           ctypes.byref(ctypes.c_void_p()), None), BAD_ARGUMENT)
 
+    def build_periodic(self, points, box, weights=None, threads=1):
+        self.points, self.weights = array(ctypes.c_double, points), weights and array(ctypes.c_double, weights)
+        d, where = ctypes.c_void_p(1), ctypes.c_size_t(99)
+        status = self.c.delaunay_3_build_periodic(self.points, self.weights, ctypes.c_size_t(len(points) // 3),
+                                                  array(ctypes.c_double, box), threads, ctypes.byref(d), ctypes.byref(where))
+        return status, d, where.value
+
+    def test_boxes(self):
+        """Tetrahedra are positive and fill full boxes, and contain the points that are found in them."""
+        rng = random.Random(3)
+        cube = [rng.random() for _ in range(900)]
+        for points in (cube, cube[:3], [4 * x - 2 for x in cube], []):
+            n = len(points) // 3
+            for box in ((1, 1, 1), (1, 2, 1.5), (1, 1, math.inf), (math.inf, 1, math.inf)):
+                if 0 < n < 9 and math.inf in box:
+                    self.assertEqual(self.build_periodic(points, box)[0], BAD_BOX)
+                    continue
+                for weights in (None, [rng.random() * .01 for _ in range(n)]):
+                    for threads in (1, 2):
+                        status, d, _ = self.build_periodic(points, box, weights, threads)
+                        self.assertEqual(status, OK)
+                        self.check_box(d, points, box)
+                        self.assertEqual(self.c.delaunay_3_is_valid(d, 0), -BAD_ARGUMENT)
+                        self.c.delaunay_3_free(d)
+
+    def check_box(self, d, points, box):
+        cells, offsets = Cells(), self.c.delaunay_3_offsets(d)
+        self.c.delaunay_3_get(d, ctypes.byref(cells))
+        self.assertEqual(cells.number, cells.number_with_infinite)
+        tetrahedra = []
+        for c in range(cells.number):
+            corners = []
+            for k in range(4):
+                v, offset = cells.vertices[c * cells.stride + k], offsets[12 * c + 3 * k:12 * c + 3 * k + 3]
+                corners.append([x + (t * period if t else 0) for x, t, period in zip(points[3 * v:3 * v + 3], offset, box)])
+                self.assertTrue(-1 <= cells.neighbors[c * cells.stride + k] < cells.number)
+            tetrahedra.append(corners)
+        volume = sum(determinant(*corners) for corners in tetrahedra) / 6
+        self.assertTrue(all(determinant(*corners) > -1e-12 for corners in tetrahedra))
+        if math.inf not in box and points:
+            self.assertAlmostEqual(volume, math.prod(box))
+        n = len(points) // 3
+        found = array(ctypes.c_int32, [7] * n)
+        self.assertEqual(self.c.delaunay_3_find(d, self.points, ctypes.c_size_t(n), 1, found, None), OK)
+        for i in range(n):
+            v = cells.vertex_of_point[i]
+            if v >= 0:
+                c = found[i]
+                self.assertIn(v, cells.vertices[c * cells.stride:c * cells.stride + 4])
+            else:
+                self.assertGreaterEqual(found[i], 0)
+
+    def test_bad_boxes(self):
+        points = [.1 * i * i % 1 for i in range(60)]
+        for wrong in (0, -1, math.nan, 1e-6):
+            self.assertEqual(self.build_periodic(points, (1, wrong, 1))[0], BAD_BOX)
+        self.assertEqual(self.build_periodic(points[:33] + [math.nan] + points[34:], (1, 1, 1))[::2], (NOT_FINITE, 11))
+        self.assertEqual(self.build_periodic(points, (1, 1, 1), [0] * 5 + [math.inf] + [0] * 14)[::2], (NOT_FINITE, 5))
+        self.assertEqual(self.c.delaunay_3_build_periodic(self.points, None, ctypes.c_size_t(20), None, 1,
+                                                          ctypes.byref(ctypes.c_void_p()), None), BAD_ARGUMENT)
+        self.assertFalse(self.c.delaunay_3_offsets(None))
+        _, d, _ = self.build(points)
+        self.assertFalse(self.c.delaunay_3_offsets(d))
+        self.c.delaunay_3_free(d)
+        _, d, _ = self.build_periodic(points, (1, 1, 1))
+        found = array(ctypes.c_int32, [0])
+        for x, status in ((-1e6, OK), (1e12, BAD_ARGUMENT)):
+            self.assertEqual(self.c.delaunay_3_find(d, array(ctypes.c_double, [x, 0, 0]), ctypes.c_size_t(1), 1, found, None), status)
+        self.c.delaunay_3_free(d)
+
     def check_find(self, d, cells, points, threads):
         """Points are in the first cell that has them as a corner."""
         found = array(ctypes.c_int32, [7] * (len(points) // 3))
@@ -154,8 +230,8 @@ class OneFile(unittest.TestCase):
         status = self.c.delaunay_3_find(d, queries, ctypes.c_size_t(2), 1, found, ctypes.byref(where))
         self.assertEqual((status, where.value), (NOT_FINITE, 1))
         self.c.delaunay_3_free(d)
-        messages = [self.c.delaunay_3_message(status) for status in range(8)]
-        self.assertEqual(len(set(messages)), 8)
+        messages = [self.c.delaunay_3_message(status) for status in range(9)]
+        self.assertEqual(len(set(messages)), 9)
 
     def test_sizes_are_not_believed(self):
         _, d, _ = self.build([0.] * 30)
