@@ -310,7 +310,7 @@ delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, siz
     refuse_null(d);
     refuse_null(found, n);
     const core::Point_array queries = checked_points(points, n);
-    const Arrays& arrays = d->arrays;
+    const Periodic_arrays& arrays = d->arrays;
     if (arrays.dimension() < 3) {
       std::fill_n(found, n, -1);
       return;

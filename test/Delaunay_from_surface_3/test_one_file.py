@@ -130,7 +130,7 @@ class OneFile(unittest.TestCase):
                                                           ctypes.byref(ctypes.c_void_p()), None), BAD_ARGUMENT)
 
     def build_periodic(self, points, box, weights=None, threads=1):
-        self.points, self.weights = array(ctypes.c_double, points), weights and array(ctypes.c_double, weights)
+        self.points, self.weights = array(ctypes.c_double, points), weights if weights is None else array(ctypes.c_double, weights)
         d, where = ctypes.c_void_p(1), ctypes.c_size_t(99)
         status = self.c.delaunay_3_build_periodic(self.points, self.weights, ctypes.c_size_t(len(points) // 3),
                                                   array(ctypes.c_double, box), threads, ctypes.byref(d), ctypes.byref(where))
