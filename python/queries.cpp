@@ -563,9 +563,9 @@ py::array barycentric_in_box(const Points& points, const Numbers& simplices,
                 simplices_of.points.periods(), wrapped.data(), "xi: point " + std::to_string(q));
             for (std::size_t a = 0; a < 3; ++a) {
               const std::int64_t by = offset_of(py::ssize_t(q), py::ssize_t(a));
-              if (by < -(1 << 30) || by > (1 << 30))
+              if (std::abs(double(by)) > 0x1p31 || std::abs(double(by - back[a])) > 0x1p30)
                 throw std::invalid_argument("barycentric: offset: more than 2^30 periods");
-              copy.offset[a] = std::int32_t(by) - back[a];
+              copy.offset[a] = std::int32_t(by - back[a]);
             }
             core::Copy_place<false> corners[4];
             for (std::size_t k = 0; k < 4; ++k)

@@ -1123,6 +1123,37 @@ class Periodic(unittest.TestCase):
                 steps.append((0,))
         return any(contains(self.exact_corners(ours, simplex, offset), x) for offset in itertools.product(*steps))
 
+    def test_alpha_complex(self):
+        """That of the copies around; and with all simplices it has no Euler characteristic, as the torus has none."""
+        for name, (points, box) in self.sets.items():
+            for weights in (None, self.weights * .3):
+                ours = dfs.delaunay3(points, box=box, weights=weights)
+                around, indices, offsets = copies_around(points, self.periods(box))
+                theirs = dfs.delaunay3(around, weights=None if weights is None else weights[indices])
+                for alpha in (0, .08, .12, .16, .3):
+                    with self.subTest((name, weights is None, alpha)):
+                        found, of_copies = ours.alpha_complex(alpha), theirs.alpha_complex(alpha)
+                        for faces, moved, expected in (
+                                (ours.simplices[found.simplices], ours.offsets[found.simplices], theirs.simplices[of_copies.simplices]),
+                                (found.triangles, found.triangle_offsets, of_copies.triangles),
+                                (found.edges, found.edge_offsets, of_copies.edges)):
+                            here = [simplex_of_copies(*face) for face in zip(faces, moved)]
+                            self.assertEqual(len(set(here)), len(here))
+                            at_home = (offsets[expected] == 0).all(axis=2).any(axis=1)
+                            self.assertEqual(set(here), {simplex_of_copies(indices[s], offsets[s]) for s in expected[at_home]})
+                        if weights is not None:
+                            at_home = (offsets[of_copies.vertices] == 0).all(axis=1)
+                            self.assertEqual(set(found.vertices), set(indices[of_copies.vertices[at_home]]))
+                with self.assertRaisesRegex(ValueError, "alpha_complex: expected a radius, got -1"):
+                    ours.alpha_complex(-1)
+        for points in (self.points, self.points[:1], self.points[:3]):
+            for weights in (None, self.weights[:len(points)]):
+                ours = dfs.delaunay3(points, box=(1, 1, 1), weights=weights)
+                whole = ours.alpha_complex(np.inf)
+                self.assertEqual(len(whole.vertices) - len(whole.edges) + len(whole.triangles) - len(whole.simplices), 0)
+                self.assertEqual(len(whole.triangles), 2 * ours.nsimplex)
+                self.assertEqual(2 * len(whole.edges), len(ours.vertex_neighbor_vertices.indices))
+
     def test_neighbor_vertices(self):
         for name, (points, box) in {**self.sets, "few": (self.points[:3], (1, 1, 1))}.items():
             with self.subTest(name):
@@ -1160,6 +1191,34 @@ class Periodic(unittest.TestCase):
         np.testing.assert_array_equal(ours.volumes, wide.volumes)
         np.testing.assert_array_equal(ours.find_simplex(narrow), wide.find_simplex(narrow))
 
+    def check_what_others_make(self, ours):
+        """Wrong arrays are refused when they are read."""
+        kind, (box, offsets, flag, *arguments) = ours.__reduce__()
+        at = 1 if isinstance(ours, dfs.Regular3) else 0
+        points, simplices, neighbors = arguments[at:at + 3]
+
+        def made(*instead):
+            values = [box, offsets, flag, *arguments]
+            for place, value in instead:
+                values[place] = value
+            return kind(*values)
+        with self.assertRaisesRegex(ValueError, "neighbors: a triangulation in a periodic box is made with them"):
+            made((5 + at, None))
+        with self.assertRaisesRegex(ValueError, "the simplices are not a triangulation of the points in the box"):
+            made((5 + at, np.roll(neighbors, 1, axis=0))).find_simplex(random_points(99))
+        with self.assertRaisesRegex(ValueError, "offsets: expected three for each corner of the simplices"):
+            _ = made((1, offsets[1:])).volumes
+        with self.assertRaisesRegex(ValueError, "box: expected three periods"):
+            _ = made((0, box[:2])).volumes
+        with self.assertRaisesRegex(ValueError, "a coordinate of a point is not a finite number any more"):
+            made((3 + at, points * [1, 1, np.nan])).find_simplex([0, 0, 0])
+        with self.assertRaisesRegex(ValueError, "point 0 is 2.29 or more periods away from the box along x"):
+            made((3 + at, points + 1e10)).find_simplex([0, 0, 0])
+        for offset, message in ((2 ** 40, "barycentric: offset: more than 2.30 periods"),
+                                (2 ** 20, "box: a corner is more than 32767 periods away from a point")):
+            with self.assertRaisesRegex(ValueError, message):
+                ours.barycentric([[0, 0, 0]], [0], [[0, offset, 0]])
+
     def test_refusals(self):
         points = self.points
         for box, error, message in (
@@ -1188,10 +1247,11 @@ class Periodic(unittest.TestCase):
             dfs.delaunay3(np.where(np.arange(240).reshape(80, 3) == 9, np.inf, points), box=(1, 1, 1))
         for weights in (None, self.weights):
             ours = dfs.delaunay3(points, box=(1, 1, 1), weights=weights)
+            self.check_what_others_make(ours)
             for name in ("inside", "transform"):
                 with self.assertRaisesRegex(ValueError, f"^{name}: the points are in a periodic box: "):
                     getattr(ours, name)
-            for name, arguments in (("alpha_complex", (.1,)), ("minimum_spanning_tree", ()), ("check", ())):
+            for name, arguments in (("minimum_spanning_tree", ()), ("check", ())):
                 with self.assertRaisesRegex(ValueError, f"^{name}: the points are in a periodic box: "):
                     getattr(ours, name)(*arguments)
             if weights is not None:

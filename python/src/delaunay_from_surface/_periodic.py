@@ -17,6 +17,7 @@ from ._regular import CORNERS_OF_EDGES, Regular3
 from ._result import Delaunay3
 from ._types import ArrayLike, Box, Indices, Offsets, Places, Points, Radius, Reals, Truths
 
+Facets = Tuple[Indices, Indices, Indices, Indices, Indices]
 CORNERS_OF_FACETS = np.array([[1, 2, 3], [2, 0, 3], [0, 1, 3], [2, 1, 0]])
 
 
@@ -43,6 +44,28 @@ class PeriodicNeighbors(NamedTuple):
 
     offsets: Indices
     """(2 e, 3) int32: by how many periods they are moved, if point i is not; in lexicographical order for each point."""
+
+
+class PeriodicAlphaComplex(NamedTuple):
+    """The simplices of `Periodic3.alpha_complex()`: each stands for all its copies."""
+
+    simplices: Indices
+    """(j,) int32: numbers of tetrahedra, ascending."""
+
+    triangles: Indices
+    """(k, 3) int32: indices of points, ascending; those of the tetrahedra included."""
+
+    triangle_offsets: Indices
+    """(k, 3, 3) int32: by how many periods these are moved; the first is not."""
+
+    edges: Indices
+    """(e, 2) int32: as triangles."""
+
+    edge_offsets: Indices
+    """(e, 2, 3) int32: the same."""
+
+    vertices: Indices
+    """(v,) int32: indices of points. Without weights all vertices of the triangulation, whose balls have the radius 0."""
 
 
 class PeriodicPowerFacets(NamedTuple):
@@ -97,7 +120,7 @@ class Periodic3(Delaunay3):
     - Measures are those of the corners as they are, which rounding does not move; only the results are rounded.
     - Facets, edges and neighbours are copies, with offsets of their own.
 
-    Refused, as they are not made for boxes: `inside`, `transform`, `alpha_complex`, `minimum_spanning_tree`, and `check`.
+    Refused, as they are not made for boxes: `inside`, `transform`, `minimum_spanning_tree`, and `check`.
     """
 
     offsets: Offsets
@@ -110,6 +133,8 @@ class Periodic3(Delaunay3):
 
     def __init__(self, box: Reals, offsets: Offsets, is_simplicial_complex: bool, *arguments: Any) -> None:
         super().__init__(*arguments)
+        if "neighbors" not in self.__dict__:
+            raise ValueError("neighbors: a triangulation in a periodic box is made with them")
         self._box = box
         self.offsets = offsets
         self.is_simplicial_complex = is_simplicial_complex
@@ -237,9 +262,15 @@ class Periodic3(Delaunay3):
         """Refused: what it is multiplied with would have to be moved, and rounded."""
         self._not_in_box("transform", "use barycentric")
 
-    def alpha_complex(self, alpha: Radius) -> Any:
-        """Refused: faces are not determined by indices of points here."""
-        self._not_in_box("alpha_complex", "its tetrahedra are those whose circumradii are at most alpha")
+    def alpha_complex(self, alpha: Radius) -> PeriodicAlphaComplex:  # type: ignore[override]
+        """Return the simplices that have an empty ball of radius `alpha` or less through their corners, with all their faces, or
+        with weights those that the weighted alpha complex has: as without a box, each once, with the offsets of its corners."""
+        found: Any = super().alpha_complex(alpha)  # whose corners are copies
+        points, offsets = self._copies[0]
+        triangles, edges = found.triangles, found.edges
+        vertices = points[found.vertices] if len(found) > 3 else np.unique(self.simplices)
+        return PeriodicAlphaComplex(found.simplices, points[triangles], offsets[triangles] - offsets[triangles[:, :1]],
+                                    points[edges], offsets[edges] - offsets[edges[:, :1]], vertices)
 
     def minimum_spanning_tree(self) -> Indices:
         """Refused: edges are not determined by indices of points here."""
@@ -251,6 +282,45 @@ class Periodic3(Delaunay3):
 
     def _not_in_box(self, name: str, instead: str) -> NoReturn:
         raise ValueError(f"{name}: the points are in a periodic box: {instead}")
+
+    @cached_property
+    def _copies(self) -> Tuple[Tuple[Indices, Indices], Facets]:
+        """Copies of points, with their offsets: the corners of each tetrahedron, and those beyond facets. And each facet once, as
+        `_facets` returns it."""
+        points, offsets = self.simplices.reshape(-1), self.offsets.reshape(-1, 3).astype(np.int32)
+        own, across = np.arange(len(points)), np.asarray(self.neighbors).reshape(-1)
+        rank = np.empty(len(points), dtype=np.int64)
+        rank[np.lexsort((*offsets.T[::-1], points))] = own
+        facets = (own // 4 * 4)[:, None] + np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])[own % 4]
+        facets = np.take_along_axis(facets, np.argsort(rank[facets], axis=1), axis=1)
+        moved = offsets[facets[:, 1:]] - offsets[facets[:, :1]]
+        key = np.concatenate([points[facets], moved.reshape(-1, 6)], axis=1)  # the same for all copies
+        other = np.full(len(points), -1)
+        for k in range(4):
+            there = 4 * across.astype(np.int64) + k
+            is_same = (across >= 0) & (there != own) & (key == key[there]).all(axis=1)
+            other[is_same] = there[is_same]
+        once = (across < 0) | (own < other)
+        beyond = other[once]
+        moved = offsets[beyond] - offsets[facets[beyond, 0]] + offsets[facets[once, 0]]
+        copies = (np.concatenate([points, points[beyond]]), np.concatenate([offsets, moved]))
+        numbers_beyond = len(points) + np.arange(len(beyond))
+        return copies, (facets[once], own[once], numbers_beyond, own[once] // 4, across[once])
+
+    def _facets(self) -> Facets:
+        return self._copies[1]
+
+    @property
+    def _places(self) -> Reals:
+        return self._moved(*self._copies[0])
+
+    def _codes(self, faces: Indices) -> Places:
+        points, offsets = self._copies[0]
+        columns = np.concatenate([points[faces], (offsets[faces[:, 1:]] - offsets[faces[:, :1]]).reshape(len(faces), -1)], axis=1)
+        order = np.lexsort(columns.T[::-1])
+        codes = np.empty(len(order), dtype=np.int64)
+        codes[order] = np.cumsum(np.append(False, (columns[order[1:]] != columns[order[:-1]]).any(axis=1)))
+        return codes
 
     @property
     def _hull(self) -> Tuple[Any, Any]:
@@ -286,7 +356,7 @@ class Periodic3(Delaunay3):
         return (ends[is_new], offsets[is_new]), place
 
 
-class PeriodicRegular3(Periodic3, Regular3):
+class PeriodicRegular3(Periodic3, Regular3):  # type: ignore[misc]
     """A regular triangulation of points with weights in a periodic box: that of all copies, which have the weights of their
     points. It has what `Periodic3` and `Regular3` have; `power_facets` have offsets."""
 
@@ -304,6 +374,6 @@ class PeriodicRegular3(Periodic3, Regular3):
         areas[place.reshape(-1, 6)[simplex][at_facet]] = -1
         return PeriodicPowerFacets(ends, areas, offsets)
 
-    def alpha_complex(self, alpha: Radius) -> Any:
-        """Refused: faces are not determined by indices of points here."""
-        self._not_in_box("alpha_complex", "its tetrahedra are those whose squared_power_radii are at most alpha ** 2")
+    @property
+    def _weights_of_places(self) -> Reals:
+        return self._weights[self._copies[0][0]]

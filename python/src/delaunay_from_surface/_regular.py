@@ -135,21 +135,33 @@ class Regular3(Delaunay3):
         self._needs_space("alpha_complex")
         if not isinstance(alpha, numbers.Real) or not alpha >= 0:
             raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
-        exponent = self._exponent()
-        points = np.ldexp(np.asarray(self.points, dtype=float), -exponent)
-        weights = np.ldexp(np.ldexp(self._weights, -exponent), -exponent)
+        places, weights = self._places, self._weights_of_places
+        exponent = self._exponent(places, weights)
+        points, weights = np.ldexp(places, -exponent), np.ldexp(np.ldexp(weights, -exponent), -exponent)
         with np.errstate(all="ignore"):
             most = np.ldexp(float(alpha), -exponent) ** 2
-            radii = _core.power_spheres(points, weights, self.simplices, None, self._threads)[1]
+            radii = self._squared_power_radii(exponent)
             triangles, of_triangles = self._weighted_triangles(points, weights, radii)
             edges, of_edges = self._weighted_edges(points, weights, triangles, of_triangles)
             vertices, of_vertices = self._weighted_vertices(points, weights, edges, of_edges)
         return WeightedAlphaComplex(np.flatnonzero(radii <= most).astype(np.int32), triangles[of_triangles <= most],
                                     edges[of_edges <= most], vertices[of_vertices <= most])
 
-    def _exponent(self) -> int:
+    @property
+    def _weights_of_places(self) -> Reals:
+        return self._weights
+
+    def _squared_power_radii(self, exponent: int) -> Reals:
+        """Where lengths are divided by 2 to the power."""
+        points, box = np.ldexp(np.asarray(self.points, dtype=float), -exponent), self._in_box
+        weights = np.ldexp(np.ldexp(self._weights, -exponent), -exponent)
+        in_box = None if box is None else (np.ldexp(box[0], -exponent), box[1])
+        return _core.power_spheres(points, weights, self.simplices, in_box, self._threads)[1]
+
+    @staticmethod
+    def _exponent(points: Reals, weights: Reals) -> int:
         """That of a power of 2 by which lengths are divided, so that their squares neither overflow nor vanish."""
-        largest = max(np.max(np.abs(self.points)), np.sqrt(np.max(np.abs(self._weights))))
+        largest = max(np.max(np.abs(points)), np.sqrt(np.max(np.abs(weights))))
         return int(np.frexp(largest)[1])
 
     def _weighted_triangles(self, points: Reals, weights: Reals, radii: Reals) -> Tuple[Indices, Reals]:
@@ -191,7 +203,7 @@ class Regular3(Delaunay3):
 
     def _merged(self, faces: Indices, own: Reals, is_free: Any, larger: Reals) -> Tuple[Indices, Reals]:
         """Each face once: its own value where all are free that have it, but none above the least of what it bounds."""
-        codes = faces[:, 0].astype(np.int64) * self.npoints + faces[:, -1]
+        codes = self._codes(faces)
         order = np.argsort(codes, kind="stable")
         first = np.flatnonzero(np.append(True, codes[order][1:] != codes[order][:-1]))
         least = np.minimum.reduceat(larger[order], first)

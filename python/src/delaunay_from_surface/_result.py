@@ -14,7 +14,7 @@ import numpy as np
 
 from . import _delaunay_from_surface as _core
 from ._arguments import number_of_threads
-from ._types import ArrayLike, Coordinates, InBox, Indices, Lists, Points, Radius, Reals, Spheres, Truths
+from ._types import ArrayLike, Coordinates, InBox, Indices, Lists, Places, Points, Radius, Reals, Spheres, Truths
 
 LEVELS = ("links", "euler", "orientation", "delaunay")
 NAMES = {3: "tetrahedra", 2: "triangles", 1: "segments", 0: "vertices", -1: "simplices"}
@@ -307,7 +307,7 @@ class Delaunay3:
         self._needs_space("alpha_complex")
         if not isinstance(alpha, numbers.Real) or not alpha >= 0:
             raise ValueError(f"alpha_complex: expected a radius, got {alpha!r}")
-        points = np.asarray(self.points, dtype=float)
+        points = self._places
         with np.errstate(all="ignore"):
             triangles, radii_of_triangles = self._triangles(points)
             edges, radii_of_edges = self._edges(points, triangles, radii_of_triangles)
@@ -362,6 +362,15 @@ class Delaunay3:
         array = xi if len(shape) == 2 or is_refused else np.reshape(xi, (-1, 3))
         return _core.array_of_points(array, "xi"), shape[:-1]
 
+    @property
+    def _places(self) -> Reals:
+        """Those that faces in alpha complexes have as corners, by number."""
+        return np.asarray(self.points, dtype=float)
+
+    def _codes(self, faces: Indices) -> Places:
+        """Equal for faces, of one or two corners, that are the same."""
+        return faces[:, 0].astype(np.int64) * self.npoints + faces[:, -1]
+
     def _triangles(self, points: Reals) -> Tuple[Indices, Reals]:
         """Each triangle once, and the radius of its smallest ball that is empty."""
         triangles, apex, beyond, simplex, across = self._facets()
@@ -397,16 +406,15 @@ class Delaunay3:
         exponent = np.frexp(np.max(np.abs(vectors[:number]), axis=(0, 2)))[1]
         return (exponent, *(np.ldexp(v, -exponent[:, None]) for v in vectors))
 
-    @classmethod
-    def _edges(cls, points: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
+    def _edges(self, points: Reals, triangles: Indices, radii: Reals) -> Tuple[Indices, Reals]:
         """The same for edges."""
         pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [0, 2]], triangles[:, [1, 2]]])
         third = np.concatenate([triangles[:, 2], triangles[:, 1], triangles[:, 0]])
-        codes = pairs[:, 0].astype(np.int64) * len(points) + pairs[:, 1]
+        codes = self._codes(pairs)
         order = np.argsort(codes, kind="stable")
         first = np.flatnonzero(np.append(True, codes[order][1:] != codes[order][:-1]))
         edges = pairs[order[first]]
-        exponent, edge, spoke = cls._scaled(1, *(points[k] - points[pairs[:, 0]] for k in (pairs[:, 1], third)))
+        exponent, edge, spoke = self._scaled(1, *(points[k] - points[pairs[:, 0]] for k in (pairs[:, 1], third)))
         half = np.linalg.norm(edge, axis=1) / 2
         is_free = np.linalg.norm(spoke - edge / 2, axis=1) >= half
         half = np.ldexp(half, exponent)[order[first]]
