@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How dense points in a periodic box are around each of them: a point's density is 4 divided by the
-// volume of its tetrahedra (Schaap, van de Weygaert 2000). No point is at a boundary, so the tetrahedra
+// How dense points in a periodic box are around each of them: the density at one is 4 divided by the
+// volume of its tetrahedra. No point is at a boundary, so the tetrahedra
 // fill the box, and each has four corners: the volumes add up.
 
 #include <CGAL/Random.h>
