@@ -1164,6 +1164,15 @@ class Periodic(unittest.TestCase):
                 found = [(i, int(indices[k]), *offsets[k]) for i in range(len(points)) for k in range(indptr[i], indptr[i + 1])]
                 self.assertEqual(found, sorted(expected))
 
+    def test_numbers_of_rows(self):
+        """Of few bits, and of many, which are sorted in another way."""
+        rows = np.random.default_rng(1).integers(-2, 2, (500, 4)).astype(np.int32)
+        for many in (rows, rows * 2 ** 29, rows[:0]):
+            first, number = dfs._periodic._numbered(many)
+            expected, index, inverse = np.unique(many, axis=0, return_index=True, return_inverse=True)
+            np.testing.assert_array_equal(first, index)
+            np.testing.assert_array_equal(number, inverse.reshape(-1))
+
     def test_pickle(self):
         for weights in (None, self.weights):
             ours = dfs.delaunay3(self.points, box=(1, 1, None), weights=weights)

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cached_property
 from typing import Any, NamedTuple, NoReturn, Optional, SupportsIndex, Tuple
 
@@ -105,6 +106,27 @@ def periods_of(box: Box) -> Reals:
     return periods
 
 
+def _numbered(rows: Indices) -> Tuple[Places, Places]:
+    """Of equal rows the first one, in lexicographical order, and for each row which of these it equals. Faster where rows fit into
+    numbers of 64 bits."""
+    if len(rows) == 0:
+        return np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64)
+    least = rows.min(axis=0).astype(np.int64)
+    sizes = rows.max(axis=0).astype(np.int64) - least + 1
+    if math.prod(sizes.tolist()) < 2 ** 63:
+        key = np.zeros(len(rows), dtype=np.int64)
+        for column, low, size in zip(rows.T, least, sizes):
+            key = key * size + (column - low)
+        order = np.argsort(key, kind="stable")
+        is_new = np.append(True, np.diff(key[order]) != 0)
+    else:
+        order = np.lexsort(rows.T[::-1])
+        is_new = np.append(True, (rows[order[1:]] != rows[order[:-1]]).any(axis=1))
+    number = np.empty(len(rows), dtype=np.int64)
+    number[order] = np.cumsum(is_new) - 1
+    return order[is_new], number
+
+
 class Periodic3(Delaunay3):
     """A Delaunay triangulation of points in a periodic box: that of all their copies, which are moved by any whole numbers
     of periods. Each tetrahedron here stands for all its copies.
@@ -181,7 +203,7 @@ class Periodic3(Delaunay3):
         edge with point i are points[indices[j]] + offsets[j] * box for j from indptr[i] to indptr[i + 1] - 1."""
         ends, offsets = self._edges_of_box[0]
         ends, offsets = np.concatenate([ends, ends[:, ::-1]]), np.concatenate([offsets, -offsets])
-        order = np.lexsort((*offsets.T[::-1], ends[:, 1], ends[:, 0]))
+        order, _ = _numbered(np.concatenate([ends, offsets], axis=1))
         counts = np.bincount(ends[:, 0], minlength=self.npoints)
         return PeriodicNeighbors(np.append(0, np.cumsum(counts)).astype(np.int64), ends[order, 1], offsets[order])
 
@@ -277,8 +299,8 @@ class Periodic3(Delaunay3):
         self._not_in_box("minimum_spanning_tree", "find one of the edges of vertex_neighbor_vertices")
 
     def check(self, level: str = "delaunay") -> bool:
-        """Refused: it is not there yet for boxes."""
-        self._not_in_box("check", "there is none")
+        """Refused: what it checks is not known of boxes yet."""
+        self._not_in_box("check", "compare it with that of the copies around")
 
     def _not_in_box(self, name: str, instead: str) -> NoReturn:
         raise ValueError(f"{name}: the points are in a periodic box: {instead}")
@@ -289,8 +311,7 @@ class Periodic3(Delaunay3):
         `_facets` returns it."""
         points, offsets = self.simplices.reshape(-1), self.offsets.reshape(-1, 3).astype(np.int32)
         own, across = np.arange(len(points)), np.asarray(self.neighbors).reshape(-1)
-        rank = np.empty(len(points), dtype=np.int64)
-        rank[np.lexsort((*offsets.T[::-1], points))] = own
+        _, rank = _numbered(np.concatenate([points[:, None], offsets], axis=1))
         facets = (own // 4 * 4)[:, None] + np.array([[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]])[own % 4]
         facets = np.take_along_axis(facets, np.argsort(rank[facets], axis=1), axis=1)
         moved = offsets[facets[:, 1:]] - offsets[facets[:, :1]]
@@ -317,10 +338,7 @@ class Periodic3(Delaunay3):
     def _codes(self, faces: Indices) -> Places:
         points, offsets = self._copies[0]
         columns = np.concatenate([points[faces], (offsets[faces[:, 1:]] - offsets[faces[:, :1]]).reshape(len(faces), -1)], axis=1)
-        order = np.lexsort(columns.T[::-1])
-        codes = np.empty(len(order), dtype=np.int64)
-        codes[order] = np.cumsum(np.append(False, (columns[order[1:]] != columns[order[:-1]]).any(axis=1)))
-        return codes
+        return _numbered(columns)[1]
 
     @property
     def _hull(self) -> Tuple[Any, Any]:
@@ -348,12 +366,8 @@ class Periodic3(Delaunay3):
         turned = (ends[:, 0] > ends[:, 1]) | ((ends[:, 0] == ends[:, 1]) & (sign < 0))
         ends = np.where(turned[:, None], ends[:, ::-1], ends)
         offsets = np.where(turned[:, None], -offsets, offsets)
-        order = np.lexsort((*offsets.T[::-1], ends[:, 1], ends[:, 0]))
-        ends, offsets = ends[order], offsets[order]
-        is_new = np.append(True, (ends[1:] != ends[:-1]).any(axis=1) | (offsets[1:] != offsets[:-1]).any(axis=1))
-        place = np.empty(len(order), dtype=np.int64)
-        place[order] = np.cumsum(is_new) - 1
-        return (ends[is_new], offsets[is_new]), place
+        first, place = _numbered(np.concatenate([ends, offsets], axis=1))
+        return (ends[first], offsets[first]), place
 
 
 class PeriodicRegular3(Periodic3, Regular3):  # type: ignore[misc]
