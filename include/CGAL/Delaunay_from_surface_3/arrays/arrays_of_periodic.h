@@ -45,6 +45,7 @@ public:
   Cells_of_box(Built_in_box& in_box, std::size_t n)
     : m_number_of_points(n)
     , m_corners(in_box.copies)
+    , m_number_of_copies(in_box.number_of_copies)
     , m_home(in_box.home)
     , m_built(*in_box.built)
     , m_cells(m_built.cells)
@@ -63,9 +64,8 @@ public:
     std::vector<Id>().swap(m_numbers);
     m_built.release_cells(m_number, m_end);
     auto offsets = offsets_of_cells();
-    const bool is_simplicial =
-        m_has_short_edges || has_no_double_edges(offsets, points, box);
-    const std::size_t copies = m_corners.size() - m_number_of_points;
+    const bool is_simplicial = m_has_short_edges || has_no_double_edges(offsets, points, box);
+    const std::size_t copies = m_number_of_copies - m_number_of_points;
     std::size_t capacity = 0;
     Compact_cell* const cells = m_built.take_cells(capacity);
     Delaunay_3_arrays<Index> arrays(
@@ -82,8 +82,9 @@ private:
 
   static bool is_before(const Corner& c, const Corner& d)
   {
-    return c.point != d.point ? c.point < d.point
-                              : std::lexicographical_compare(c.shift, c.shift + 3, d.shift, d.shift + 3);
+    return c.point != d.point
+               ? c.point < d.point
+               : std::lexicographical_compare(c.shift, c.shift + 3, d.shift, d.shift + 3);
   }
   static bool are_at_home(const Corners& c)
   {
@@ -107,8 +108,8 @@ private:
     for (std::size_t i = 0; i < n; ++i)
       if (vertex[i] != 0)
         m_names[i] = of_vertex[vertex[i]];
-    for (Corner& c : m_corners)
-      c.point = Id(m_names[c.point]);
+    for (std::size_t i = 0; i < m_number_of_copies; ++i)
+      m_corners[i].point = Id(m_names[m_corners[i].point]);
   }
 
   const Corner& corner(Id v) const { return m_corners[Numbers::point_of_vertex(v)]; }
@@ -220,15 +221,16 @@ private:
     Offsets offsets(m_number);
     for (std::size_t c = 0; c < m_number; ++c) {
       const Corners of = corners(m_cells[c]);
-      if (!m_home.empty() || !are_at_home(of)) {
+      if (m_home != nullptr || !are_at_home(of)) {
         const auto from = offset(first_of(of));
         for (std::size_t k = 0; k < 4; ++k) {
           const auto to = offset(of[k]);
           for (std::size_t a = 0; a < 3; ++a) {
             if (std::abs(to[a] - from[a]) > (std::numeric_limits<std::int16_t>::max)())
-              throw Surface_input_error("points " + std::to_string(first_of(of).point) + " and " +
-                                        std::to_string(of[k].point) +
-                                        " are too many periods apart: wrap them into the box first");
+              throw Surface_input_error(
+                  "points " + std::to_string(first_of(of).point) + " and " +
+                  std::to_string(of[k].point) +
+                  " are too many periods apart: wrap them into the box first");
             offsets[c][k][a] = std::int16_t(to[a] - from[a]);
           }
         }
@@ -242,7 +244,7 @@ private:
   std::array<std::int32_t, 3> offset(const Corner& c) const
   {
     std::array<std::int32_t, 3> t = {c.shift[0], c.shift[1], c.shift[2]};
-    for (std::size_t a = 0; a < 3 && !m_home.empty(); ++a)
+    for (std::size_t a = 0; a < 3 && m_home != nullptr; ++a)
       t[a] += m_home[c.point][a];
     return t;
   }
@@ -287,14 +289,15 @@ private:
   }
 
   const std::size_t m_number_of_points;
-  std::vector<Corner>& m_corners; // by vertex; copies, until points are named
-  const std::vector<std::array<std::int32_t, 3>>& m_home;
+  Corner* const m_corners; // by vertex; copies, until points are named
+  const std::size_t m_number_of_copies;
+  const std::array<std::int32_t, 3>* const m_home; // null if nothing is moved
   Built& m_built;
   Compact_cell* m_cells;
   const std::size_t m_end;
-  std::vector<Index> m_names; // the smallest index of a point equal to each
-  std::vector<Id> m_numbers;  // by cell
-  std::size_t m_number = 0;   // of cells that are kept
+  std::vector<Index> m_names;                    // the smallest index of a point equal to each
+  std::vector<Id> m_numbers;                     // by cell
+  std::size_t m_number = 0;                      // of cells that are kept
   std::vector<std::pair<std::size_t, Id>> m_far; // neighbours that are copies, by place
   const bool m_has_short_edges;
 };

@@ -27,7 +27,6 @@
 #include <cstdint>
 #include <memory>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Delaunay_from_surface_3 {
@@ -158,20 +157,29 @@ public:
   std::size_t vertices_end = 0; // counts 0 and unused ones, too
 };
 
-// Holds what build_in_box() makes: the triangulation of points in a box, their *home*, and of copies around, as many as determine the
-// stars of the points at home.
+// Holds what build_in_box() makes: the triangulation of points in a box, their *home*, and of copies
+// around, as many as determine the stars of the points at home.
 struct Built_in_box
 {
+  class Memory
+  {
+  public:
+    virtual ~Memory() = default;
+  };
+
   std::unique_ptr<Built> built; // the points come first, in their order, and then the copies
 
   // By vertex, less 1: the shifts are from home.
-  std::vector<Periodic_copy> copies;
+  Periodic_copy* copies = nullptr;
+  std::size_t number_of_copies = 0;
 
-  // By point: how many periods home is away from the user's point; empty if none is.
-  std::vector<std::array<std::int32_t, 3>> home;
+  // By point: how many periods home is away from the user's point; null if none is.
+  const std::array<std::int32_t, 3>* home = nullptr;
 
   // All edges are shorter than half the shortest period.
   bool has_short_edges = false;
+
+  std::unique_ptr<Memory> memory; // of both arrays
 };
 
 // Says what a caller asks of build().

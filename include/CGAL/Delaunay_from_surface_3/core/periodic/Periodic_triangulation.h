@@ -74,17 +74,28 @@ public:
     if (m_built->has_started() && m_built->outcome == Insertion_outcome::COMPLETE)
       complete();
     if (m_built->has_started() && m_built->outcome == Insertion_outcome::COMPLETE) {
-      result.copies = std::move(complex().all_own_coordinates().copies);
-      for (Periodic_copy& c : result.copies)
+      auto memory = std::make_unique<Memory>();
+      memory->copies = std::move(complex().all_own_coordinates().copies);
+      for (Periodic_copy& c : memory->copies)
         for (std::size_t a = 0; a < 3; ++a)
           c.shift[a] = std::int16_t(c.shift[a] - m_box.home(c.point)[a]);
-      result.home = m_box.home_from_user();
+      memory->home = m_box.home_from_user();
+      result.copies = memory->copies.data();
+      result.number_of_copies = memory->copies.size();
+      result.home = memory->home.empty() ? nullptr : memory->home.data();
+      result.memory = std::move(memory);
       result.has_short_edges = 4 * m_largest_radius < m_box.shortest_period();
     }
     return result;
   }
 
 private:
+  struct Memory final : Built_in_box::Memory
+  {
+    std::vector<Periodic_copy> copies;
+    std::vector<std::array<std::int32_t, 3>> home;
+  };
+
   // Inserts the points and a layer of copies around.
   template <template <class> class Insert>
   std::unique_ptr<Built> begin(const Build_options& options)
@@ -126,7 +137,8 @@ private:
   {
     m_leaves.find_safe_depths();
     std::vector<Id> open;
-    bool is_certain = request_for(complex().cells_end(), [](std::size_t c) { return Id(c); }, open);
+    bool is_certain = request_for(
+        complex().cells_end(), [](std::size_t c) { return Id(c); }, open);
     Write_alone<Vertex>::forget_labels(complex()); // of another inserter
     Inserter<Alone_with_complex<Vertex>> inserter(complex());
     while (!is_certain) {
@@ -142,7 +154,8 @@ private:
       std::sort(open.begin(), open.end());
       open.erase(std::unique(open.begin(), open.end()), open.end());
       const std::vector<Id> cells = std::exchange(open, {});
-      is_certain = request_for(cells.size(), [&](std::size_t k) { return cells[k]; }, open);
+      is_certain = request_for(
+          cells.size(), [&](std::size_t k) { return cells[k]; }, open);
     }
     if constexpr (Vertex::has_weight)
       leave_out_hidden_vertices(*m_built, false);
@@ -150,8 +163,8 @@ private:
   }
 
   // Inserts a copy of a point, and adds its star to `open`. Returns its vertex, or one near it.
-  Id insert(Inserter<Alone_with_complex<Vertex>>& inserter, std::size_t i, const Shift& shift, Id near,
-            std::vector<Id>& open)
+  Id insert(Inserter<Alone_with_complex<Vertex>>& inserter, std::size_t i, const Shift& shift,
+            Id near, std::vector<Id>& open)
   {
     const Periodic_copy copy = m_box.copy(i, shift);
     const auto p = m_box.position(copy);
