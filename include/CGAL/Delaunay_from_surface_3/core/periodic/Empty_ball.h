@@ -17,10 +17,12 @@
 // than 16 u m^(3/2) + 8 e m (Sphere_filter.h). A coordinate of N is a sum of 12 products of at most 11
 // roundings, with absolute values that sum up to less than 6 m²; it is off by less than
 // 80 u m² + 32 e m^(3/2), since a square is moved by 2 √3 e √m, and a cross product by as much. In sums
-// of two doubles u is 2^-95, and nothing is off.
+// of two doubles u is 2^-95, and that covers the differences of copies, too: those that are no such
+// sums are off by less than 2^-104 of themselves. Cells that are flatter call for integers.
 
-#include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Big_integer.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Copy_vertex.h>
+#include <CGAL/Delaunay_from_surface_3/core/kernel/Double_double.h>
 #include <CGAL/Delaunay_from_surface_3/core/kernel/Sphere_filter.h>
 #include <CGAL/Delaunay_from_surface_3/core/periodic/Points_by_space.h>
 #include <CGAL/Delaunay_from_surface_3/support/Point_array.h>
@@ -56,13 +58,16 @@ public:
     if constexpr (has_weight)
       m_weight = places[0].weight();
     set(v, weights, Filter_bounds::unit, off);
-    if (is_uncertain())
+    if (is_uncertain() && exact[0].periods->are_scaled) {
       set_again(exact);
+      if (is_uncertain())
+        set_exactly(exact);
+    }
     for (std::size_t a = 0; a < 3; ++a)
       m_center[a] = m_n[a] / (2 * m_a);
     m_square = dot(m_center, m_center);
     m_off_center = 1.01 * (m_off_n + 2 * std::sqrt(m_square) * m_off_a) / (2 * m_a) + 4 * off;
-    m_is_known = !is_uncertain() && std::sqrt(m_square) + m_off_center < 0x1p200;
+    m_is_known = !is_uncertain() && std::sqrt(m_square) + m_off_center < 0x1p400;
   }
 
   // Returns false if the ball may be anything.
@@ -140,7 +145,7 @@ private:
     m_off_n = m * (80 * unit * m + 32 * off_by * root);
   }
 
-  // Does it in sums of two doubles, if the exact differences are such.
+  // Does it in sums of two doubles.
   template <bool has_weight>
   CGAL_DELAUNAY_FROM_SURFACE_3_APART void set_again(const Copy_place<has_weight>* exact)
   {
@@ -153,8 +158,37 @@ private:
     if constexpr (has_weight) // these are W less the others
       for (std::size_t k = 0; k < 3; ++k)
         weights[k] = {-differences.weight_high[k], -differences.weight_low[k]};
-    if (differences.are_exact)
-      set(v, weights, 0x1p-95, 0);
+    set(v, weights, 0x1p-95, 0);
+  }
+
+  // Does it in integers, up to a power of 2.
+  template <bool has_weight>
+  CGAL_DELAUNAY_FROM_SURFACE_3_APART void set_exactly(const Copy_place<has_weight>* exact)
+  {
+    using Vector = std::array<Big_integer, 3>;
+    const Big_differences<3, Copy_place<has_weight>> differences(exact + 1, exact[0]);
+    const Row<Big_integer>* const r = differences.rows;
+    const Vector v[3] = {
+        {r[0].x, r[0].y, r[0].z}, {r[1].x, r[1].y, r[1].z}, {r[2].x, r[2].y, r[2].z}};
+    const Vector areas[3] = {cross(v[1], v[2]), cross(v[2], v[0]), cross(v[0], v[1])};
+    double n[3], m = 0;
+    int exponent = 0, exponents[3];
+    const double a = dot(v[0], areas[0]).scaled_double(exponent);
+    int most = exponent + 59; // A d is as large as that
+    for (std::size_t k = 0; k < 3; ++k) {
+      n[k] = (r[0].w * areas[0][k] + r[1].w * areas[1][k] + r[2].w * areas[2][k])
+                 .scaled_double(exponents[k]);
+      exponents[k] += differences.unit;
+      if (n[k] != 0)
+        most = (std::max)(most, exponents[k]);
+    }
+    m_a = std::ldexp(a, exponent - most);
+    for (std::size_t k = 0; k < 3; ++k) {
+      m_n[k] = n[k] == 0 ? 0 : std::ldexp(n[k], exponents[k] - most);
+      m = (std::max)(m, std::abs(m_n[k]));
+    }
+    m_off_a = 0x1p-50 * m_a;
+    m_off_n = 0x1p-50 * m;
   }
 
   bool is_uncertain() const { return !(m_a > 0x1p10 * m_off_a); }
