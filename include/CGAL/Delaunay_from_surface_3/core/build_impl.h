@@ -135,7 +135,10 @@ void begin_to_build(Ordered_complex<Vertex>& built, Source& source, const Build_
   const Point_array points = source.points();
   Starting_simplex simplex = {};
   if (options.inserts) {
-    simplex = starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
+    if constexpr (is_rounded<typename Vertex::Place>) // the exact places will tell
+      simplex.dimension = points.size() < 4 ? -1 : 3;
+    else
+      simplex = starting_simplex(points.size(), [&](std::size_t i) { return points[i]; });
     built.dimension = simplex.dimension;
   }
   if (options.inserts && simplex.dimension < 2)

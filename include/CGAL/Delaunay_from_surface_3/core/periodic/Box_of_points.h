@@ -35,9 +35,9 @@ inline Shift sum(const Shift& s, const Shift& t)
   return {s[0] + t[0], s[1] + t[1], s[2] + t[2]};
 }
 
-// The points at home, in the box. Where they fit into one period as they are, home is where they are;
-// else they are wrapped: their coordinates become what is left of a division, which is exact, and home
-// is one period further for those that are negative.
+// The points at home, in the box. Where they fit into one period as they are, not far from the origin,
+// home is where they are; else they are wrapped: their coordinates become what is left of a division,
+// which is exact, and home is one period further for those that are negative.
 template <bool has_weight_>
 class Box_of_points
 {
@@ -72,7 +72,7 @@ public:
           refuse(a, "is less than 1/30000 of the diagonal of the box");
         m_reach[a] = int(std::ceil(diagonal / box[a])) + 1;
       }
-    scale(points, weights, diagonal);
+    scale(weights, diagonal);
   }
 
   std::size_t number_of_points() const { return m_number_of_points; }
@@ -152,6 +152,11 @@ private:
     throw Surface_input_error(std::string("box: the period along ") + "xyz"[axis] + " " + reason);
   }
 
+  [[noreturn]] static void refuse_small(std::size_t axis, std::size_t i)
+  {
+    refuse(axis, ("is so small that point " + std::to_string(i) + " is 2^29 of them away").c_str());
+  }
+
   void wrap(std::size_t axis)
   {
     const double period = m_periods.lengths[axis];
@@ -160,7 +165,8 @@ private:
       low = (std::min)(low, m_points[size * i + axis]);
       high = (std::max)(high, m_points[size * i + axis]);
     }
-    if (!(high - low >= period))
+    const double farthest = (std::max)(std::abs(low), std::abs(high));
+    if (!(high - low >= period) && !(farthest >= 0x1p20 * period))
       return;
     m_wraps.resize(m_number_of_points);
     m_is_moved.resize(m_number_of_points);
@@ -168,7 +174,7 @@ private:
       double& x = m_points[size * i + axis];
       const double inside = std::fmod(x, period), by = std::round((x - inside) / period);
       if (!(std::abs(by) < 0x1p29))
-        refuse(axis, ("is so small that point " + std::to_string(i) + " is 2^29 of them away").c_str());
+        refuse_small(axis, i);
       m_wraps[i][axis] = std::int32_t(by);
       x = inside;
       m_is_moved[i] = std::uint8_t(m_is_moved[i] | unsigned(x < 0) << axis);
@@ -177,19 +183,32 @@ private:
 
   // Scales all by a power of 2, so that copies within reach are at most 2^58 away; if that rounds any,
   // the points stay as they are.
-  void scale(const Point_array& points, const double* weights, double diagonal)
+  void scale(const double* weights, double diagonal)
   {
-    double longest = 0;
+    double longest = 0, farthest = 0;
+    double limits[3] = {0, (std::numeric_limits<double>::max)(),
+                        0}; // the largest and the least number
     for (std::size_t a = 0; a < 3; ++a)
-      longest = (std::max)(longest, m_periods.lengths[a]);
-    double farthest[3] = {diagonal + 4 * longest, 0, 0};
+      if (has_period(a)) {
+        longest = (std::max)(longest, m_periods.lengths[a]);
+        limits[1] = (std::min)(limits[1], m_periods.lengths[a]);
+      }
+    std::vector<double> places;
+    places.reserve(3 * m_number_of_points);
     for (std::size_t i = 0; i < m_number_of_points; ++i)
-      for (std::size_t a = 0; a < 3; ++a)
-        farthest[1] = (std::max)(farthest[1], std::abs(m_points[size * i + a]));
-    farthest[0] += farthest[1];
-    if (!is_finite_number(farthest[0]))
+      for (std::size_t a = 0; a < 3; ++a) {
+        const double x = std::abs(m_points[size * i + a]);
+        places.push_back(x);
+        farthest = (std::max)(farthest, x);
+        for (std::size_t b = 0; b < 3; ++b)
+          if (has_period(b) && !(x < 0x1p29 * m_periods.lengths[b]))
+            refuse_small(b, i);
+      }
+    limits[0] = farthest + diagonal + 4 * longest;
+    limits[1] = (std::min)(limits[0], limits[1]);
+    if (!is_finite_number(limits[0]))
       throw Surface_input_error("box: copies of the points would have infinite coordinates");
-    m_scaled = Power_of_scale(points, farthest, weights);
+    m_scaled = Power_of_scale(Point_array(places.data(), m_number_of_points), limits, weights);
     m_periods.are_scaled = m_scaled.is_exact();
     const auto scaled = m_scaled(m_periods.lengths);
     std::copy(scaled.begin(), scaled.end(), m_scaled_periods);

@@ -57,6 +57,7 @@ public:
     }
     if constexpr (has_weight)
       m_weight = places[0].weight();
+    m_most_more_weight = (std::max)({0., weights[0], weights[1], weights[2]});
     set(v, weights, Filter_bounds::unit, off);
     if (is_uncertain() && exact[0].periods->are_scaled) {
       set_again(exact);
@@ -73,10 +74,10 @@ public:
   // Returns false if the ball may be anything.
   bool is_known() const { return m_is_known; }
 
-  // Returns no less than the distance of the centre from the vertices; infinite if it is not known.
+  // Returns no less than the distance of the centre from any vertex; infinite if it is not known.
   double radius() const
   {
-    return m_is_known ? 1.01 * std::sqrt(m_square) + 4 * m_off_center
+    return m_is_known ? 1.01 * std::sqrt(m_square + m_most_more_weight) + 4 * m_off_center
                       : std::numeric_limits<double>::infinity();
   }
 
@@ -100,8 +101,7 @@ public:
   double least_power(const Bounds& box, const std::array<double, 3>& moved, double weight) const
   {
     const double dw = weight - m_weight;
-    double least = -m_a * dw,
-           off_by = (m_off_a + 8 * Filter_bounds::unit * m_a) * std::abs(dw);
+    double least = -m_a * dw, off_by = (m_off_a + 8 * Filter_bounds::unit * m_a) * std::abs(dw);
     for (std::size_t a = 0; a < 3; ++a) {
       const double low = box.low[a] + moved[a] - m_origin[a] - 4 * off,
                    high = box.high[a] + moved[a] - m_origin[a] + 4 * off;
@@ -141,8 +141,8 @@ private:
     for (std::size_t a = 0; a < 3; ++a)
       m_n[a] = high(squares[0] * areas[0][a] + squares[1] * areas[1][a] + squares[2] * areas[2][a]);
     const double root = std::sqrt(m);
-    m_off_a = m * (16 * unit * root + 8 * off_by);
-    m_off_n = m * (80 * unit * m + 32 * off_by * root);
+    m_off_a = m * (16 * unit * root + 8 * off_by) + Filter_bounds::tiny; // for underflows
+    m_off_n = m * (80 * unit * m + 32 * off_by * root) + Filter_bounds::tiny;
   }
 
   // Does it in sums of two doubles.
@@ -194,6 +194,7 @@ private:
   bool is_uncertain() const { return !(m_a > 0x1p10 * m_off_a); }
 
   double m_origin[3], m_weight = 0;
+  double m_most_more_weight = 0; // that another vertex has
   double m_n[3], m_a = 0, m_off_a = 0, m_off_n = 0;
   std::array<double, 3> m_center; // relative to the origin
   double m_square = 0, m_off_center = 0;
