@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A peer of compare_with_plain and measure_weights: Geogram's triangulations, PDEL for more than one
-// thread; for one thread BDEL, or BPOW if the points have weights.
+// A peer of compare_with_plain and measure_weights: Geogram's triangulations, by one thread BDEL,
+// or BPOW if the points have weights, and PDEL by more.
 
 #include <Delaunay_from_surface_3_comparison/points_file.h>
 
