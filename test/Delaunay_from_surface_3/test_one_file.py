@@ -51,6 +51,7 @@ class OneFile(unittest.TestCase):
         cls.library = cls.path / "libdelaunay_3.so"
         subprocess.run([*compiler, "-shared", "-fPIC", "delaunay_3.cpp", "-o", cls.library, "-pthread"], cwd=cls.path,
                        check=True)
+        ctypes.CDLL(None).mallopt(-8, 1)  # M_ARENA_MAX: memory that threads have had can be given back
         cls.c = ctypes.CDLL(str(cls.library))
         cls.c.delaunay_3_message.restype = ctypes.c_char_p
         cls.c.delaunay_3_offsets.restype = ctypes.POINTER(ctypes.c_int16)
