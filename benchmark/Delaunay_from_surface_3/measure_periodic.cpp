@@ -175,9 +175,8 @@ Json measure_set(const Set& set, std::size_t n, std::size_t repetitions)
     double plain = 0;
     if (!set.is_clustered) {
       Periodic expected(Traits::Iso_cuboid_3(0, 0, 0, set.period, set.period, set.period));
-      plain = comparison::time_of([&] {
-                expected.insert(of_cgal.begin(), of_cgal.end(), true);
-              }).cpu;
+      plain =
+          comparison::time_of([&] { expected.insert(of_cgal.begin(), of_cgal.end(), true); }).cpu;
       if (expected.number_of_cells() != arrays.number_of_simplices())
         throw std::runtime_error(set.name + ": not equal to CGAL");
     }

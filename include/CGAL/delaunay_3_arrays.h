@@ -76,9 +76,8 @@ Delaunay_3_arrays<Index> insert_into_arrays(Source& points, Insertion_order* kep
   return call_core(
       points.points().size(), options, irregularity, np,
       [&](const Build_options& chosen, auto& observer) {
-        const auto built = kept == nullptr
-                               ? build(points, chosen, observer, executor)
-                               : build_again(*kept, points, chosen, observer, executor);
+        const auto built = kept == nullptr ? build(points, chosen, observer, executor)
+                                           : build_again(*kept, points, chosen, observer, executor);
         if (built->outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
           observer.phase_begins(Phase::INSERTION, 1);
           if (points.points().size() > 0 && !observer.go_further(0)) {

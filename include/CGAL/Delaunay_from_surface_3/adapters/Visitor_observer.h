@@ -62,8 +62,9 @@ public:
 private:
   bool tell(std::size_t inserted)
   {
-    const double share =
-        m_number_of_points == 0 ? 1. : double(inserted) / double(m_number_of_points);
+    const double share = inserted >= m_number_of_points // copies in a periodic box may be more
+                             ? 1.
+                             : double(inserted) / double(m_number_of_points);
     if constexpr (std::is_void<std::invoke_result_t<Progress&, double>>::value) {
       m_progress(share);
       return true;

@@ -212,9 +212,9 @@ private:
         m_complex.is_rounded() ? wide_sign<Exact_sphere>(v, q) : exact_sign<Exact_sphere>(v, q);
     ++m_counts.sphere_tests_by_stage[exact.stage];
     m_counts.perturbed += exact.is_perturbed;
-    m_is_flat = exact.is_flat || (!is_rounded<Place> && exact.stage <= ONE_DIGIT &&
-                                  !exact.is_perturbed && (m_is_flat || ++m_integer_signs % 32 == 0) &&
-                                  is_flat(cell, p));
+    m_is_flat =
+        exact.is_flat || (!is_rounded<Place> && exact.stage <= ONE_DIGIT && !exact.is_perturbed &&
+                          (m_is_flat || ++m_integer_signs % 32 == 0) && is_flat(cell, p));
     return exact.sign > 0;
   }
 

@@ -184,7 +184,8 @@ struct Big_differences<N, Copy_place<has_weight>>
       look_at(vertices[k]);
     for (int k = 0; k < N; ++k) {
       const Place& v = vertices[k];
-      const Big_integer dx = difference(v, p, 0), dy = difference(v, p, 1), dz = difference(v, p, 2);
+      const Big_integer dx = difference(v, p, 0), dy = difference(v, p, 1),
+                        dz = difference(v, p, 2);
       if constexpr (has_weight)
         rows[k] = {dx, dy, dz,
                    Big_integer(p.weight(), 2 * unit) - Big_integer(v.weight(), 2 * unit)};
@@ -215,9 +216,8 @@ private:
   {
     const Big_integer d = Big_integer(v.point[axis], unit) - Big_integer(p.point[axis], unit);
     const int periods = v.shift[axis] - p.shift[axis];
-    return periods == 0
-               ? d
-               : d + Big_integer(periods, 0) * Big_integer(p.periods->lengths[axis], unit);
+    return periods == 0 ? d
+                        : d + Big_integer(periods, 0) * Big_integer(p.periods->lengths[axis], unit);
   }
 };
 

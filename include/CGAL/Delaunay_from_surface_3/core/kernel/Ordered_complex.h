@@ -93,10 +93,10 @@ Id start_complex(const Starting_simplex& simplex, Compact_complex<Vertex>& compl
   for (std::size_t k = 0; k < 4; ++k)
     v[k] = vertex_of[simplex.points[k]] =
         Compact_complex<Vertex>::vertex_of_point(simplex.points[k]);
-  CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(
-      orientation(position_of(complex.exact_place(v[0])), position_of(complex.exact_place(v[1])),
-                  position_of(complex.exact_place(v[2])), position_of(complex.exact_place(v[3]))) >
-      0);
+  CGAL_DELAUNAY_FROM_SURFACE_3_ASSERT(orientation(position_of(complex.exact_place(v[0])),
+                                                  position_of(complex.exact_place(v[1])),
+                                                  position_of(complex.exact_place(v[2])),
+                                                  position_of(complex.exact_place(v[3]))) > 0);
   complex.start(v);
   return v[0];
 }

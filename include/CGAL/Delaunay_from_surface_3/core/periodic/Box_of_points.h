@@ -94,8 +94,9 @@ public:
   // How far home is from the coordinates, and from the user's point.
   Shift home(std::size_t i) const
   {
-    return m_is_moved.empty() ? Shift{0, 0, 0}
-                              : Shift{m_is_moved[i] & 1, m_is_moved[i] >> 1 & 1, m_is_moved[i] >> 2};
+    return m_is_moved.empty()
+               ? Shift{0, 0, 0}
+               : Shift{m_is_moved[i] & 1, m_is_moved[i] >> 1 & 1, m_is_moved[i] >> 2};
   }
   std::vector<std::array<std::int32_t, 3>> home_from_user() const
   {
@@ -105,7 +106,8 @@ public:
     home.reserve(m_number_of_points);
     for (std::size_t i = 0; i < m_number_of_points; ++i) {
       const Shift moved = this->home(i);
-      home.push_back({moved[0] - m_wraps[i][0], moved[1] - m_wraps[i][1], moved[2] - m_wraps[i][2]});
+      home.push_back(
+          {moved[0] - m_wraps[i][0], moved[1] - m_wraps[i][1], moved[2] - m_wraps[i][2]});
     }
     return home;
   }
@@ -230,7 +232,7 @@ private:
   Power_of_scale m_scaled{0, 1};
   int m_reach[3] = {};
   std::vector<std::array<std::int32_t, 3>> m_wraps; // by how many periods; empty if by none
-  std::vector<std::uint8_t> m_is_moved;             // a bit for each axis along which home is 1 further
+  std::vector<std::uint8_t> m_is_moved; // a bit for each axis along which home is 1 further
 };
 
 // Copies of the points as a source of points: those to begin with.

@@ -94,7 +94,8 @@ public:
                    double square = 0;
                    for (std::size_t a = 0; a < 3; ++a)
                      if (t[a] != 0)
-                       square += std::pow((std::max)(gap(m_points.bounds_of(leaf), a, t[a]), 0.), 2);
+                       square +=
+                           std::pow((std::max)(gap(m_points.bounds_of(leaf), a, t[a]), 0.), 2);
                    if (square <= width * width)
                      request({leaf, t, 0});
                  });
@@ -211,7 +212,8 @@ private:
   {
     const std::size_t s = (axis + 1) % 3, t = (axis + 2) % 3;
     const auto patch = [&](std::size_t a, double x) {
-      const double at = (x - home().low[a]) * double(m_patches) / (home().high[a] - home().low[a] + 1);
+      const double at =
+          (x - home().low[a]) * double(m_patches) / (home().high[a] - home().low[a] + 1);
       return std::size_t((std::max)(0., (std::min)(at, double(m_patches - 1))));
     };
     for (std::size_t i = patch(s, b.low[s]), i_end = patch(s, b.high[s]); i <= i_end; ++i)
@@ -264,8 +266,8 @@ private:
   {
     double square = 0;
     for (std::size_t a = 0; a < 3; ++a)
-      square += std::pow(
-          (std::max)({0., b.low[a] + moved[a] - v[a], v[a] - (b.high[a] + moved[a])}), 2);
+      square +=
+          std::pow((std::max)({0., b.low[a] + moved[a] - v[a], v[a] - (b.high[a] + moved[a])}), 2);
     return square;
   }
 
@@ -274,7 +276,7 @@ private:
   std::vector<std::uint32_t> m_next_to_home; // for each leaf, a bit for each of 27 shifts
   std::set<std::pair<std::size_t, Shift>> m_far;
   std::vector<Copy> m_requested;
-  const std::size_t m_patches; // along an edge of home
+  const std::size_t m_patches;        // along an edge of home
   std::vector<double> m_depths[3][2]; // by axis, side and patch
   double m_largest_weight = 0;
 };

@@ -76,7 +76,10 @@ public:
       }
   }
 
-  std::size_t number_of_leaves() const { return (m_points.size() + size_of_leaf - 1) / size_of_leaf; }
+  std::size_t number_of_leaves() const
+  {
+    return (m_points.size() + size_of_leaf - 1) / size_of_leaf;
+  }
   std::uint32_t leaf_of(std::size_t point) const { return m_leaf_of_point[point]; }
   const std::size_t* begin(std::size_t leaf) const { return m_points.data() + size_of_leaf * leaf; }
   const std::size_t* end(std::size_t leaf) const
