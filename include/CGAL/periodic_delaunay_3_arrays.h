@@ -62,7 +62,7 @@ unique: of cospherical points the perturbation is that of `Delaunay_triangulatio
 with shifts.
 
 <b>Complexity</b>: that of `delaunay_3_arrays()` for the points and their copies; these are about
-6 n<sup>2/3</sup> for n random points.
+23 n<sup>2/3</sup> for n random points.
 
 \tparam Index `std::int32_t`
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for
@@ -73,7 +73,7 @@ with shifts.
 \param points the points
 \param box the period along each axis, infinite along an axis that has none
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
-`delaunay_3_arrays()`
+`delaunay_3_arrays()`. A visitor counts copies as points.
 
 \return the triangulation; after a stop, one without points and tetrahedra
 
