@@ -335,6 +335,7 @@ namespace {
 struct Vertex_of_short_labels
 {
   using Place = const double*;
+  using Exact_place = Place;
   static constexpr bool has_weight = false;
   static constexpr std::size_t size = 3;
   double coordinates[3];
