@@ -104,8 +104,8 @@ delaunay_3_status delaunay_3_find(const delaunay_3* d, const double* points, siz
                                   int32_t* found, size_t* where);
 
 /* Returns 1 if it is the Delaunay or regular triangulation, else 0; or, with a minus sign, the status that
- * prevented the check (without memory it may still be valid; a box is a bad argument). Level 0 checks that neighbours agree,
- * 1 also spheres of cells around vertices, 2 orientations, and 3 all, by Delaunay's lemma. */
+ * prevented the check (without memory it may still be valid; a box is a bad argument). Level 0 checks
+ * that neighbours agree, 1 also spheres of cells around vertices, 2 orientations, and 3 all, by Delaunay's lemma. */
 int delaunay_3_is_valid(const delaunay_3* d, int level);
 
 #ifdef __cplusplus

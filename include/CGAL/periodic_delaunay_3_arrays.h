@@ -61,8 +61,8 @@ copies around as are needed; each is certified by the circumscribed balls of the
 unique: of cospherical points the perturbation is that of `Delaunay_triangulation_3`, which commutes
 with shifts.
 
-<b>Complexity</b>: that of `delaunay_3_arrays()` for the points and their copies; these are about
-23 n<sup>2/3</sup> for n random points.
+<b>Complexity</b>: that of `delaunay_3_arrays()` for the points and their copies, whose number is of
+the order of n<sup>2/3</sup> for n random points.
 
 \tparam Index `std::int32_t`
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`, as for

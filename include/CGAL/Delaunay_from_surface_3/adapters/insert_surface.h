@@ -79,10 +79,11 @@ std::ptrdiff_t refuse_triangulation()
   static_assert(!is_regular<Triangulation>,
                 "points with weights are inserted by insert_points_3() of "
                 "CGAL/insert_weighted_points_3.h, without faces, graph or mesh");
-  static_assert(is_regular<Triangulation> ||
-                    decltype(is_delaunay_triangulation(std::declval<Triangulation*>()))::value,
-                "the triangulation is a CGAL::Delaunay_triangulation_3: periodic points are not "
-                "served");
+  static_assert(
+      is_regular<Triangulation> ||
+          decltype(is_delaunay_triangulation(std::declval<Triangulation*>()))::value,
+      "the triangulation is a CGAL::Delaunay_triangulation_3; points in a periodic box are "
+      "for periodic_delaunay_3_arrays()");
   return 0;
 }
 

@@ -60,13 +60,11 @@ inline Number_of_periods wrap(const Periods& periods, double* p, const std::stri
   Number_of_periods back = {0, 0, 0};
   for (std::size_t a = 0; a < 3; ++a)
     if (periods.lengths[a] > 0) {
-      const double inside = std::fmod(p[a], periods.lengths[a]),
-                   by = std::round((p[a] - inside) / periods.lengths[a]);
-      if (!(std::abs(by) < 0x1p29))
+      const double by = wrap(p[a], periods.lengths[a]);
+      if (!(std::abs(by) < too_many_periods))
         throw std::invalid_argument(name + " is 2^29 or more periods away from the box along " +
                                     "xyz"[a]);
       back[a] = std::int32_t(by);
-      p[a] = inside;
     }
   return back;
 }

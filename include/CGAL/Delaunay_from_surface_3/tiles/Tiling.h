@@ -312,8 +312,8 @@ inline Tiling tiling_of(const std::vector<Range_summary>& ranges, std::uint64_t 
   std::copy_if(tree.begin(), tree.end(), std::back_inserter(common), [&](const Tile_point& p) {
     return Sampling::hash(p.id) < sampling.common || sampling.common == std::uint64_t(-1);
   });
-  const auto place_of = [&](std::size_t i) -> const double* { return bases[i].coordinates; };
-  const Starting_simplex simplex = starting_simplex(bases.size(), place_of);
+  const Starting_simplex simplex =
+      starting_simplex(bases.size(), [&](std::size_t i) { return bases[i].coordinates; });
   if (simplex.dimension < 3)
     throw Surface_input_error("the points lie in one plane: tiles are for points in space, "
                               "arrays for all points");

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -36,6 +37,16 @@ struct Periods
   double lengths[3];
   bool are_scaled; // or else only integers of any width are exact
 };
+
+// Moves x by whole periods until it is less than one away from 0, exactly, and returns by how many; with
+// 2^29 or more the copies of it cannot be numbered.
+inline double wrap(double& x, double period)
+{
+  const double inside = std::fmod(x, period), by = std::round((x - inside) / period);
+  x = inside;
+  return by;
+}
+constexpr double too_many_periods = 0x1p29;
 
 // A copy as the exact stages see it.
 template <bool has_weight>
@@ -132,21 +143,6 @@ private:
     low = second + third;
     is_exact = is_exact && error_of_sum(rest_low, lows_low, third) == 0 &&
                error_of_sum(second, third, low) == 0 && high + low == high;
-  }
-};
-
-template <int N, bool has_weight>
-struct Weight_differences<N, Copy_place<has_weight>>
-{
-  double weight_high[N], weight_low[N];
-
-  Weight_differences(const Copy_place<has_weight>* vertices, Copy_place<has_weight> p)
-  {
-    if constexpr (has_weight)
-      for (int k = 0; k < N; ++k) {
-        weight_high[k] = p.weight() - vertices[k].weight();
-        weight_low[k] = error_of_difference(p.weight(), vertices[k].weight(), weight_high[k]);
-      }
   }
 };
 

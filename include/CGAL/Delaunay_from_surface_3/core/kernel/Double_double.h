@@ -83,17 +83,17 @@ CGAL_DELAUNAY_FROM_SURFACE_3_ALWAYS_INLINE double error_of_difference(double a, 
 }
 
 // The weight of p less those of N vertices, each exactly high + low; nothing without weights.
-template <int N, class Place>
+template <int N, class Place, bool has_weight = is_weighted<Place>>
 struct Weight_differences
 {
   Weight_differences(const Place*, Place) {}
 };
-template <int N>
-struct Weight_differences<N, Weighted_place>
+template <int N, class Place>
+struct Weight_differences<N, Place, true>
 {
   double weight_high[N], weight_low[N];
 
-  Weight_differences(const Weighted_place* vertices, Weighted_place p)
+  Weight_differences(const Place* vertices, Place p)
   {
     for (int k = 0; k < N; ++k) {
       weight_high[k] = p.weight() - vertices[k].weight();

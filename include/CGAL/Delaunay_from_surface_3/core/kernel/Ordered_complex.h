@@ -206,13 +206,16 @@ public:
     choose();
   }
 
-  // Chooses the power for coordinates whose absolute values are 0 or from `least` to `largest`.
-  Power_of_scale(double largest, double least)
+  // Chooses the power for coordinates whose absolute values are 0 or from `least` to `largest`, and n
+  // weights.
+  Power_of_scale(double largest, double least, const double* weights = nullptr, std::size_t n = 0)
     : m_largest(largest)
     , m_least(least)
   {
-    if (obstacle_of_compiler() == nullptr)
-      choose();
+    if (obstacle_of_compiler() != nullptr)
+      return;
+    look_at_weights(weights, n);
+    choose();
   }
 
   // Returns true if no coordinate is rounded, as only coordinates that become smaller can be.

@@ -282,8 +282,12 @@ inline const double* coordinates_of(const double* v)
 {
   return v;
 }
-template <class Place>
-const double* coordinates_of(Place v)
+inline const double* coordinates_of(Weighted_place v)
+{
+  return v.coordinates;
+}
+template <bool has_weight>
+const double* coordinates_of(Rounded_place<has_weight> v)
 {
   return v.coordinates;
 }
@@ -378,12 +382,13 @@ struct Bound_factors<Power_row>
   static constexpr double off = 0;
 };
 
-// Where coordinates are off by d, and m bounds all w, a determinant of four rows is off by less than
-// 72 d m^2, or exceeds this bound in no case: a row (x, y, z, w / √m) is at most √(2 m) long, and is
-// moved by at most √15 d, and a bit, since w is by 2 √3 d √m; by Hadamard's inequality for each row
-// that is moved, that is 4 √m (2 m)^(3/2) √15 d < 44 d m^2 in all, times 1.41 for what is left out if
-// √m > 12 d, and otherwise the determinant is less than 4 m^(5/2) itself. In the same way one of three
-// rows is off by less than 3 √3 m d, and a bit: less than 8 d m.
+// Let coordinates be off by at most d, and let m bound all w. Then a determinant of four rows is off by
+// less than 72 d m^2, unless it is smaller than that itself. For a row (x, y, z, w / √m) has a length of
+// at most √(2 m), and is moved by at most √15 d and a bit, as w is by 2 √3 d √m. By Hadamard's
+// inequality the four rows together move the determinant by 4 √m (2 m)^(3/2) √15 d < 44 d m^2, to first
+// order; the other terms add less than a half of that if √m > 12 d, and else the determinant is at most
+// 4 m^(5/2) < 48 d m^2. In the same way a determinant of three rows is off by less than 8 d m: by
+// 3 √3 d m and a bit.
 template <class R>
 struct Bound_factors<Rounded_row<R>> : Bound_factors<R>
 {

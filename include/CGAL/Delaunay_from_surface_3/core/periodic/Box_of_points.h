@@ -174,11 +174,10 @@ private:
     m_is_moved.resize(m_number_of_points);
     for (std::size_t i = 0; i < m_number_of_points; ++i) {
       double& x = m_points[size * i + axis];
-      const double inside = std::fmod(x, period), by = std::round((x - inside) / period);
-      if (!(std::abs(by) < 0x1p29))
+      const double by = core::wrap(x, period);
+      if (!(std::abs(by) < too_many_periods))
         refuse_small(axis, i);
       m_wraps[i][axis] = std::int32_t(by);
-      x = inside;
       m_is_moved[i] = std::uint8_t(m_is_moved[i] | unsigned(x < 0) << axis);
     }
   }
@@ -187,30 +186,25 @@ private:
   // the points stay as they are.
   void scale(const double* weights, double diagonal)
   {
-    double longest = 0, farthest = 0;
-    double limits[3] = {0, (std::numeric_limits<double>::max)(),
-                        0}; // the largest and the least number
-    for (std::size_t a = 0; a < 3; ++a)
-      if (has_period(a)) {
-        longest = (std::max)(longest, m_periods.lengths[a]);
-        limits[1] = (std::min)(limits[1], m_periods.lengths[a]);
-      }
-    std::vector<double> places;
-    places.reserve(3 * m_number_of_points);
+    double longest = 0, farthest = 0, least = (std::numeric_limits<double>::max)();
+    const auto look_at = [&least](double x) { least = x > 0 ? (std::min)(least, x) : least; };
+    for (std::size_t a = 0; a < 3; ++a) {
+      longest = (std::max)(longest, m_periods.lengths[a]);
+      look_at(m_periods.lengths[a]);
+    }
     for (std::size_t i = 0; i < m_number_of_points; ++i)
       for (std::size_t a = 0; a < 3; ++a) {
         const double x = std::abs(m_points[size * i + a]);
-        places.push_back(x);
         farthest = (std::max)(farthest, x);
+        look_at(x);
         for (std::size_t b = 0; b < 3; ++b)
-          if (has_period(b) && !(x < 0x1p29 * m_periods.lengths[b]))
+          if (has_period(b) && !(x < too_many_periods * m_periods.lengths[b]))
             refuse_small(b, i);
       }
-    limits[0] = farthest + diagonal + 4 * longest;
-    limits[1] = (std::min)(limits[0], limits[1]);
-    if (!is_finite_number(limits[0]))
+    const double largest = farthest + diagonal + 4 * longest;
+    if (!is_finite_number(largest))
       throw Surface_input_error("box: copies of the points would have infinite coordinates");
-    m_scaled = Power_of_scale(Point_array(places.data(), m_number_of_points), limits, weights);
+    m_scaled = Power_of_scale(largest, least, weights, has_weight ? m_number_of_points : 0);
     m_periods.are_scaled = m_scaled.is_exact();
     const auto scaled = m_scaled(m_periods.lengths);
     std::copy(scaled.begin(), scaled.end(), m_scaled_periods);
