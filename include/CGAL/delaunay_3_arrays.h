@@ -27,6 +27,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,32 +35,42 @@ namespace Delaunay_from_surface_3 {
 namespace internal {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Prepares for a call of the core for n points, and returns make(options, observer).
-template <class NamedParameters, class Make>
-auto call_core(std::size_t n, Build_options options, const std::optional<std::string>& irregularity,
-               const NamedParameters& np, const Make& make)
+// What arrays ask of the core for n points: options, and an observer that tells the caller's visitor.
+template <class NamedParameters>
+class Call_of_core
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  check_named_parameters<internal_np::point_t, internal_np::random_seed_t, internal_np::visitor_t>(
-      np);
-  auto&& visitor = visitor_of_caller(choose_parameter<Default_surface_insertion_visitor_3>(
-                                         get_parameter(np, internal_np::visitor)),
-                                     n);
-  using Visitor = std::remove_reference_t<decltype(visitor)>;
-  const Rounding_to_nearest rounding;
-  if (const char* const obstacle = obstacle_of_core())
-    throw std::runtime_error(std::string("arrays would be slow to make, or not exact: ") +
-                             obstacle);
-  Visitor_observer<Visitor> observer(visitor, rounding);
-  if (irregularity)
-    observer.notice(Surface_insertion_notice::SURFACE_IS_IRREGULAR, *irregularity);
-  options.seed =
-      static_cast<unsigned int>(choose_parameter(get_parameter(np, internal_np::random_seed), 0));
-  auto arrays = make(options, observer);
-  observer.phase_begins(Surface_insertion_phase::DONE);
-  return arrays;
-}
+  static decltype(auto) visitor_in(const NamedParameters& np, std::size_t n)
+  {
+    check_named_parameters<internal_np::point_t, internal_np::random_seed_t,
+                           internal_np::visitor_t>(np);
+    return visitor_of_caller(parameters::choose_parameter<Default_surface_insertion_visitor_3>(
+                                 parameters::get_parameter(np, internal_np::visitor)),
+                             n);
+  }
+
+  using Kept_visitor = decltype(visitor_in(std::declval<const NamedParameters&>(), 0));
+  Kept_visitor m_visitor;
+  const Rounding_to_nearest m_rounding;
+
+public:
+  Call_of_core(std::size_t n, const Build_options& chosen,
+               const std::optional<std::string>& irregularity, const NamedParameters& np)
+    : m_visitor(visitor_in(np, n))
+    , options(chosen)
+    , observer(m_visitor, m_rounding)
+  {
+    if (const char* const obstacle = obstacle_of_core())
+      throw std::runtime_error(std::string("arrays would be slow to make, or not exact: ") +
+                               obstacle);
+    if (irregularity)
+      observer.notice(Surface_insertion_notice::SURFACE_IS_IRREGULAR, *irregularity);
+    options.seed = static_cast<unsigned int>(
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0));
+  }
+
+  Build_options options;
+  Visitor_observer<std::remove_reference_t<Kept_visitor>> observer;
+};
 
 // Makes arrays of the points, by the core: in the order `kept`, if one is given, and else in its own.
 // A source with weights calls for build_regular.h.
@@ -73,22 +84,22 @@ Delaunay_3_arrays<Index> insert_into_arrays(Source& points, Insertion_order* kep
   static_assert(std::is_same<Index, std::int32_t>::value,
                 "indices are std::int32_t: for more points use delaunay_3_tiles()");
   options.adds_apex = true;
-  return call_core(
-      points.points().size(), options, irregularity, np,
-      [&](const Build_options& chosen, auto& observer) {
-        const auto built = kept == nullptr ? build(points, chosen, observer, executor)
-                                           : build_again(*kept, points, chosen, observer, executor);
-        if (built->outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
-          observer.phase_begins(Phase::INSERTION, 1);
-          if (points.points().size() > 0 && !observer.go_further(0)) {
-            built->outcome = Insertion_outcome::STOPPED;
-          } else {
-            observer.insertion_ends(static_cast<const Insertion_counts&>(built->counts));
-            observer.phase_begins(Phase::FINISH);
-          }
-        }
-        return arrays_of_built<Index>(*built, points, executor);
-      });
+  Call_of_core<NamedParameters> call(points.points().size(), options, irregularity, np);
+  auto& observer = call.observer;
+  const auto built = kept == nullptr ? build(points, call.options, observer, executor)
+                                     : build_again(*kept, points, call.options, observer, executor);
+  if (built->outcome == Insertion_outcome::FLAT) { // on one line: they are sorted at once
+    observer.phase_begins(Phase::INSERTION, 1);
+    if (points.points().size() > 0 && !observer.go_further(0)) {
+      built->outcome = Insertion_outcome::STOPPED;
+    } else {
+      observer.insertion_ends(static_cast<const Insertion_counts&>(built->counts));
+      observer.phase_begins(Phase::FINISH);
+    }
+  }
+  auto arrays = arrays_of_built<Index>(*built, points, executor);
+  observer.phase_begins(Phase::DONE);
+  return arrays;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -32,12 +32,12 @@ Periodic_3_arrays<Index> insert_into_box(Source& points, const std::array<double
                                          const Executor& executor, const NamedParameters& np)
 {
   static_assert(std::is_same<Index, std::int32_t>::value, "indices are std::int32_t");
-  return call_core(points.points().size(), Build_options(), std::nullopt, np,
-                   [&](const Build_options& options, auto& observer) {
-                     Built_in_box built = build_in_box(points.points(), weights_of(points),
-                                                       box.data(), options, observer, executor);
-                     return arrays_of_box<Index>(built, points.points(), box);
-                   });
+  Call_of_core<NamedParameters> call(points.points().size(), Build_options(), std::nullopt, np);
+  Built_in_box built = build_in_box(points.points(), weights_of(points), box.data(), call.options,
+                                    call.observer, executor);
+  auto arrays = arrays_of_box<Index>(built, points.points(), box);
+  call.observer.phase_begins(Surface_insertion_phase::DONE);
+  return arrays;
 }
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM
