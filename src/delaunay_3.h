@@ -40,7 +40,7 @@ typedef enum delaunay_3_status {
   DELAUNAY_3_NOT_EXACT, /* the library is compiled with -ffast-math, -Ofast or parts of them, or
                            denormal numbers become zero in a mode that cannot be left; checked at
                            each call */
-  DELAUNAY_3_BAD_BOX /* a period is not positive, less than 1/30000 of the diagonal of the box, or so
+  DELAUNAY_3_BAD_BOX /* a period is not positive, less than 1/10000 of the diagonal of the box, or so
                         small that points are 2^29 of them away or corners of a cell more than 32767
                         of them apart; or the points lie in a plane or on a line parallel to all axes
                         with periods */

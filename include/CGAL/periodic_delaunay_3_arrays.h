@@ -78,7 +78,7 @@ the order of n<sup>2/3</sup> for n random points.
 \return the triangulation; after a stop, one without points and tetrahedra
 
 \throws Surface_input_error if a coordinate is not a finite number; if a period is not positive, is less
-than 1/30000 of the box's diagonal, or so small that points are more than 2<sup>29</sup> periods away; if
+than 1/10000 of the box's diagonal, or so small that points are more than 2<sup>29</sup> periods away; if
 corners of a tetrahedron are more than 32767 periods apart, as the points are given; or if the points lie
 in a plane or on a line parallel to the axes that have periods
 \throws std::length_error if there are more than \f$2^{30}\f$ cells, copies included

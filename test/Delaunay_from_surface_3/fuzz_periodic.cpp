@@ -283,7 +283,7 @@ Arrays arrays_of(const Set& set, const core::Executor& executor, std::string& mi
   if (built.built->has_started() && set.points.size() < 100) {
     auto unmoved = complex.all_own_coordinates().copies; // they were moved to the result
     auto& own = const_cast<std::vector<core::Periodic_copy>&>(complex.all_own_coordinates().copies);
-    own = built.copies;
+    own.assign(built.copies, built.copies + built.number_of_copies);
     if (!complex.is_valid())
       mistake = "not valid";
     own = unmoved;

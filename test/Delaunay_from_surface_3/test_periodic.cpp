@@ -452,6 +452,33 @@ BOOST_AUTO_TEST_CASE(few_copies)
   BOOST_TEST(are_neighbors_right(arrays));
 }
 
+// Balls that are much larger than the box is thick touch thousands of copies of its bounds.
+BOOST_AUTO_TEST_CASE(few_copies_in_thin_boxes)
+{
+  for (const double height : {300., 3000.})
+    for (const std::size_t n : {1, 2, 10, 300}) {
+      Points points = random_points(n);
+      for (auto& p : points)
+        p[2] *= height;
+      const Box box = {1, 1, height};
+      const Arrays arrays = periodic_delaunay_3_arrays(points, box);
+      BOOST_TEST(arrays.number_of_copies() < 30 * n + 100);
+      BOOST_TEST(std::abs(share_of_volume(arrays, points, box) - 1) < 1e-9);
+      BOOST_TEST(are_neighbors_right(arrays));
+    }
+}
+
+// The others are not taken for as heavy, nor do they need more copies.
+BOOST_AUTO_TEST_CASE(few_copies_beside_a_heavy_point)
+{
+  const Points points = random_points(10000);
+  Weights weights(points.size(), 0);
+  weights[5] = .1;
+  const Arrays arrays = periodic_regular_3_arrays(points, weights, Box{1, 1, 1});
+  BOOST_TEST(arrays.number_of_copies() < 15000u);
+  BOOST_TEST(std::abs(share_of_volume(arrays, points, {1, 1, 1}) - 1) < 1e-9);
+}
+
 BOOST_AUTO_TEST_CASE(many_threads)
 {
   const auto cells_of = [](const Arrays& arrays) {
@@ -516,7 +543,7 @@ BOOST_AUTO_TEST_CASE(refused)
     Box box = {1, 1, 1};
     box[a] = 1e-5;
     BOOST_TEST(message_of(points, box) ==
-               along[a] + "less than 1/30000 of the diagonal of the box");
+               along[a] + "less than 1/10000 of the diagonal of the box");
     Points far = points;
     far[3][a] = 1e10;
     BOOST_TEST(message_of(far, {1, 1, 1}) ==

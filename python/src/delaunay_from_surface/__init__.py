@@ -133,7 +133,7 @@ def delaunay3(points: Points, faces: Optional[Faces] = None, *, weights: Optiona
         seed or the number of threads is out of range. If `inside` is asked of a surface that has none: less volume is
         surely inside, with a number near a whole one other than 0, than in doubt, and its openings have more than 3/10
         of its area, or there are several wide ones. So it is with patches, sheets and short tubes. It has none, either,
-        if a part of it is not orientable, or its faces cancel each other. If a period is not positive, is less than 1/30000
+        if a part of it is not orientable, or its faces cancel each other. If a period is not positive, is less than 1/10000
         of the box's diagonal, or so small that points are 2**29 of them away or corners of a tetrahedron more than 32767
         of them apart, or if there are points, but all in a plane or on a line parallel to the axes that have periods.
     TypeError

@@ -176,13 +176,13 @@ void leave_out_hidden_vertices(Ordered_complex<Vertex>& built, bool locates)
   Inserter<Alone_with_complex<Vertex>> inserter(complex);
   Id near = complex.vertex(Compact_numbers::infinite).cell;
   for (std::size_t k = 0; k < built.vertices.size(); ++k) {
-    if (complex.is_in_cell(built.vertices[k]))
+    if (complex.is_in_cell(built.vertices[k])) {
+      near = complex.vertex(built.vertices[k]).cell;
       continue;
+    }
     built.vertices[k] = 0;
     const Id v = Compact_numbers::vertex_of_point(k);
-    Id& cell = complex.vertex(v).cell;
-    if (cell != 0 && !Compact_numbers::is_dead(complex.cell(cell)))
-      near = cell;
+    Id& cell = complex.vertex(v).cell; // which may be dead, or elsewhere by now
     if (locates)
       near = inserter.walk(v, near, Read_alone()).cell;
     cell = locates ? near : 0;

@@ -68,8 +68,8 @@ public:
     for (std::size_t a = 0; a < 3; ++a)
       if (has_period(a)) {
         wrap(a);
-        if (!(diagonal / box[a] < 30000))
-          refuse(a, "is less than 1/30000 of the diagonal of the box");
+        if (!(diagonal / box[a] < 10000))
+          refuse(a, "is less than 1/10000 of the diagonal of the box");
         m_reach[a] = int(std::ceil(diagonal / box[a])) + 1;
       }
     scale(weights, diagonal);

@@ -120,15 +120,15 @@ public:
     return b;
   }
 
-  // Returns the least power of points in a box that is moved, with weights of at most this: it is less
-  // than 0 in the ball, and infinite if the points surely do not touch it.
-  double least_power(const Bounds& box, const std::array<double, 3>& moved, double weight) const
+  // Returns the least power of points in a box with weights of at most this: it is less than 0 in the ball,
+  // and infinite if the points surely do not touch it.
+  double least_power(const Bounds& box, double weight) const
   {
     const double dw = weight - m_weight;
     double least = -m_a * dw, off_by = (m_off_a + 8 * Filter_bounds::unit * m_a) * std::abs(dw);
     for (std::size_t a = 0; a < 3; ++a) {
-      const double low = box.low[a] + moved[a] - m_origin[a] - 4 * off,
-                   high = box.high[a] + moved[a] - m_origin[a] + 4 * off;
+      const double low = box.low[a] - m_origin[a] - 4 * off,
+                   high = box.high[a] - m_origin[a] + 4 * off;
       const double d = (std::max)(low, (std::min)(high, m_center[a]));
       const double longest = (std::max)(std::abs(low), std::abs(high));
       least += (m_a * d - m_n[a]) * d;

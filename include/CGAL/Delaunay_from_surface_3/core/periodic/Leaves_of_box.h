@@ -32,14 +32,32 @@ namespace Delaunay_from_surface_3 {
 namespace core {
 inline namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM {
 
-// Points in leaves of a few each, under a binary tree of bounding boxes.
+// What bounds some points, and their weights.
+struct Bounds_of_points : Bounds
+{
+  double weight = -std::numeric_limits<double>::infinity();
+
+  void add(const double* p, double w)
+  {
+    Bounds::add(p);
+    weight = (std::max)(weight, w);
+  }
+  void add(const Bounds_of_points& b)
+  {
+    Bounds::add(b.low);
+    add(b.high, b.weight);
+  }
+};
+
+// Points in leaves of a few each, under a binary tree of their bounds.
 class Points_by_space
 {
 public:
   static constexpr std::size_t size_of_leaf = 8;
 
-  // O(n log n)
-  Points_by_space(const Point_array& points, const Executor& executor)
+  // `weight(i)` is the weight of point i, or 0. O(n log n)
+  template <class Weight>
+  Points_by_space(const Point_array& points, const Weight& weight, const Executor& executor)
     : m_points(points.size())
     , m_leaf_of_point(points.size())
   {
@@ -47,16 +65,14 @@ public:
     Sort_by_halves()(points, m_points.data(), m_points.data() + m_points.size(), executor);
     while (m_first_leaf < number_of_leaves())
       m_first_leaf *= 2;
-    m_bounds.resize(m_first_leaf + (std::max)(number_of_leaves(), std::size_t(1)));
+    m_bounds.resize(2 * m_first_leaf);
     for (std::size_t k = 0; k < m_points.size(); ++k) {
       m_leaf_of_point[m_points[k]] = std::uint32_t(k / size_of_leaf);
-      m_bounds[m_first_leaf + k / size_of_leaf].add(points[m_points[k]]);
+      m_bounds[m_first_leaf + k / size_of_leaf].add(points[m_points[k]], weight(m_points[k]));
     }
     for (std::size_t node = m_bounds.size() - 1; node > 1; --node)
-      if (!m_bounds[node].is_empty()) {
-        m_bounds[node / 2].add(m_bounds[node].low);
-        m_bounds[node / 2].add(m_bounds[node].high);
-      }
+      if (!m_bounds[node].is_empty())
+        m_bounds[node / 2].add(m_bounds[node]);
   }
 
   std::size_t number_of_leaves() const
@@ -70,27 +86,18 @@ public:
     return m_points.data() + (std::min)(size_of_leaf * (leaf + 1), m_points.size());
   }
   const Bounds& bounds_of(std::size_t leaf) const { return m_bounds[m_first_leaf + leaf]; }
-  const Bounds& bounds() const { return m_bounds[1]; }
 
-  // Calls visit(leaf) for the leaves under nodes for whose bounds enters() holds.
-  template <class Enters, class Visit>
-  void visit_leaves(const Enters& enters, const Visit& visit, std::size_t node = 1) const
-  {
-    if (node >= m_bounds.size() || m_bounds[node].is_empty() || !enters(m_bounds[node]))
-      return;
-    if (node >= m_first_leaf) {
-      visit(node - m_first_leaf);
-      return;
-    }
-    visit_leaves(enters, visit, 2 * node);
-    visit_leaves(enters, visit, 2 * node + 1);
-  }
+  // The nodes 2 k and 2 k + 1 are the halves of node k; the root is 1, and the leaves come last. Some are
+  // empty.
+  bool is_leaf(std::size_t node) const { return node >= m_first_leaf; }
+  std::size_t leaf(std::size_t node) const { return node - m_first_leaf; }
+  const Bounds_of_points& bounds(std::size_t node = 1) const { return m_bounds[node]; }
 
 private:
   std::vector<std::size_t> m_points; // by leaf
   std::vector<std::uint32_t> m_leaf_of_point;
-  std::size_t m_first_leaf = 1; // the nodes 2 k and 2 k + 1 are the halves of node k; the root is 1
-  std::vector<Bounds> m_bounds;
+  std::size_t m_first_leaf = 1; // a node
+  std::vector<Bounds_of_points> m_bounds;
 };
 
 template <class Box>
@@ -108,13 +115,11 @@ public:
   // `positions` are those of the points at home. Keeps a reference to the box.
   Leaves_of_box(const Box& box, const Point_array& positions, const Executor& executor)
     : m_box(box)
-    , m_points(positions, executor)
+    , m_points(
+          positions, [this](std::size_t i) { return weight(i); }, executor)
     , m_next_to_home(m_points.number_of_leaves())
     , m_patches(std::size_t((std::min)(std::cbrt(double(m_points.number_of_leaves())), 64.)) + 1)
   {
-    if (Box::has_weight)
-      for (std::size_t i = 0; i < box.number_of_points(); ++i)
-        m_largest_weight = i == 0 ? box.weight(i) : (std::max)(m_largest_weight, box.weight(i));
   }
 
   const std::size_t* begin(const Copy& copy) const { return m_points.begin(copy.leaf); }
@@ -182,7 +187,7 @@ public:
   // Returns true if nothing that is left touches the ball, which must be known.
   bool is_safe(const Empty_ball& ball) const
   {
-    const Bounds b = ball.bounds(m_largest_weight);
+    const Bounds b = ball.bounds(m_points.bounds().weight);
     bool is_safe = true;
     for (std::size_t a = 0; a < 3; ++a)
       for (const bool up : {false, true}) {
@@ -195,12 +200,12 @@ public:
     return is_safe;
   }
 
-  // Finds the copy deepest in a ball, of those that are left; if the ball is not known, the one nearest
-  // to the place v. Returns false if none touches it.
+  // Finds the copy of a leaf with the point that is deepest in a ball, of those that are left; if the ball
+  // is not known, with the one nearest to the place v. Returns false if none touches it.
   bool find_deepest(const Empty_ball& ball, const double* v, Copy& copy) const
   {
     Shift first = {0, 0, 0}, last = {0, 0, 0};
-    const Bounds b = ball.bounds(m_largest_weight);
+    const Bounds b = ball.bounds(m_points.bounds().weight);
     for (std::size_t a = 0; a < 3; ++a) {
       const double period = m_box.period(a), reach = m_box.reach(a);
       if (!m_box.has_period(a))
@@ -209,14 +214,13 @@ public:
                    high = ball.is_known() ? (b.high[a] - home().low[a]) / period : reach;
       first[a] = int((std::max)(std::floor(low), -reach));
       last[a] = int((std::min)(std::ceil(high), reach));
+      if (last[a] < first[a])
+        return false;
     }
-    double least = std::numeric_limits<double>::infinity();
-    for (int x = first[0]; x <= last[0]; ++x)
-      for (int y = first[1]; y <= last[1]; ++y)
-        for (int z = first[2]; z <= last[2]; ++z)
-          if (x != 0 || y != 0 || z != 0)
-            find_deepest(ball, v, {x, y, z}, least, copy);
-    return least < std::numeric_limits<double>::infinity();
+    Search search{*this, ball, v};
+    search({first, last, 1, m_points.bounds()});
+    copy = search.copy;
+    return search.least < std::numeric_limits<double>::infinity();
   }
 
 private:
@@ -303,35 +307,109 @@ private:
     });
   }
 
-  void find_deepest(const Empty_ball& ball, const double* v, const Shift& t, double& least,
-                    Copy& copy) const
+  // Finds a copy of a point that is not inserted with the least power of a ball, or if that is not known
+  // the least squared distance from a place. Copies are looked at by halves of shifts or of points,
+  // whichever are much longer, those first that may have less.
+  struct Search
   {
-    const auto moved = m_box.moved_by(t);
-    double power = 0; // of the bounds entered last
-    m_points.visit_leaves(
-        [&](const Bounds& b) {
-          power = ball.is_known() ? ball.least_power(b, moved, m_largest_weight)
-                                  : squared_distance_to(b, moved, v);
-          return power < least;
-        },
-        [&](std::size_t leaf) {
-          if (has(leaf, t))
-            return;
-          least = power;
-          copy.leaf = leaf;
-          copy.shift = t;
-        });
-  }
+    // Copies of the points of a node, or if this is 0 of one of them, by shifts from `first` to `last`.
+    struct Part
+    {
+      Shift first, last;
+      std::size_t node;
+      Bounds_of_points bounds;
+      std::size_t leaf = 0; // of the point
+    };
 
-  static double squared_distance_to(const Bounds& b, const std::array<double, 3>& moved,
-                                    const double* v)
-  {
-    double square = 0;
-    for (std::size_t a = 0; a < 3; ++a)
-      square +=
-          std::pow((std::max)({0., b.low[a] + moved[a] - v[a], v[a] - (b.high[a] + moved[a])}), 2);
-    return square;
-  }
+    const Leaves_of_box& leaves;
+    const Empty_ball& ball;
+    const double* place;
+    double least = std::numeric_limits<double>::infinity();
+    Copy copy = {};
+
+    void operator()(const Part& part)
+    {
+      const Points_by_space& points = leaves.m_points;
+      const std::size_t axis = longest_axis(part);
+      const double shifts = length(part, axis);
+      const bool is_leaf = part.node != 0 && points.is_leaf(part.node);
+      const std::size_t leaf = is_leaf ? points.leaf(part.node) : part.leaf;
+      if (shifts == 0 && (part.first == Shift{0, 0, 0} ||
+                          ((is_leaf || part.node == 0) && leaves.has(leaf, part.first))))
+        return;
+      if (part.node == 0 && shifts == 0) {
+        least = value(part);
+        copy.leaf = leaf;
+        copy.shift = part.first;
+      } else if (part.node == 0 || part.bounds.size() < 2 * shifts) {
+        Part lower = part, upper = part;
+        lower.last[axis] = part.first[axis] + (part.last[axis] - part.first[axis]) / 2;
+        upper.first[axis] = lower.last[axis] + 1;
+        descend(lower, upper);
+      } else if (is_leaf) {
+        for (const std::size_t* i = points.begin(leaf); i != points.end(leaf); ++i) {
+          Part point = {part.first, part.last, 0, {}, leaf};
+          const Box& box = leaves.m_box;
+          point.bounds.add(box.position(*i, box.home(*i)).data(), leaves.weight(*i));
+          if (value(point) < least)
+            (*this)(point);
+        }
+      } else {
+        Part lower = part, upper = part;
+        lower.node = 2 * part.node;
+        upper.node = lower.node + 1;
+        lower.bounds = points.bounds(lower.node);
+        upper.bounds = points.bounds(upper.node);
+        descend(lower, upper);
+      }
+    }
+
+    double length(const Part& part, std::size_t axis) const
+    {
+      return (part.last[axis] - part.first[axis]) * leaves.m_box.period(axis);
+    }
+
+    std::size_t longest_axis(const Part& part) const
+    {
+      std::size_t axis = 0;
+      for (std::size_t a = 1; a < 3; ++a)
+        if (length(part, a) > length(part, axis))
+          axis = a;
+      return axis;
+    }
+
+    // No more than that of any copy.
+    double value(const Part& part) const
+    {
+      if (part.bounds.is_empty())
+        return std::numeric_limits<double>::infinity();
+      const auto from = leaves.m_box.moved_by(part.first), to = leaves.m_box.moved_by(part.last);
+      Bounds_of_points b = part.bounds;
+      for (std::size_t a = 0; a < 3; ++a) {
+        b.low[a] += from[a];
+        b.high[a] += to[a];
+      }
+      if (ball.is_known())
+        return ball.least_power(b, b.weight);
+      double square = 0;
+      for (std::size_t a = 0; a < 3; ++a)
+        square += std::pow((std::max)({0., b.low[a] - place[a], place[a] - b.high[a]}), 2);
+      return square;
+    }
+
+    void descend(const Part& a, const Part& b)
+    {
+      const double of_a = value(a), of_b = value(b);
+      if (of_b < of_a && of_b < least)
+        (*this)(b);
+      if (of_a < least)
+        (*this)(a);
+      if (!(of_b < of_a) && of_b < least)
+        (*this)(b);
+    }
+  };
+
+  double weight(std::size_t i) const { return Box::has_weight ? m_box.weight(i) : 0; }
 
   const Box& m_box;
   const Points_by_space m_points;
@@ -340,7 +418,6 @@ private:
   std::vector<Copy> m_requested;
   const std::size_t m_patches;        // along an edge of home
   std::vector<double> m_depths[3][2]; // by axis, side and patch
-  double m_largest_weight = 0;
 };
 
 } // namespace CGAL_DELAUNAY_FROM_SURFACE_3_FORM

@@ -9,7 +9,7 @@
 // the stars of the points at home. The box may lack periods, as in slabs and wires.
 //
 // Copies are added until each cell with a vertex at home is certain. A finite cell is, if no copy of a
-// leaf of points that is not inserted touches its ball. An infinite cell is, if the copies of each of
+// point that is not inserted touches its ball. An infinite cell is, if the copies of each of
 // its vertices at home by one period to either side, along each axis, are inserted: its plane supports
 // these, too, so it is parallel to the periods, and all copies of all points lie on its inner side. When
 // all are certain, the star of each point at home is that in the triangulation of all copies.
