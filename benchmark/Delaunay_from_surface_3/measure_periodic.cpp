@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures points in a periodic box: arrays of them beside CGAL's Periodic_3_Delaunay_triangulation_3,
-// by CPU time and in turn; how many copies of points they take; their memory beside that of arrays
-// without periods; and two threads beside one, by the clock. Writes JSON.
+// Measures points in a periodic box: arrays of them beside CGAL's Periodic_3_Delaunay_triangulation_3 and
+// other programs, by CPU time and in turn; how many copies of points they take; their memory beside that
+// of arrays without periods; and two threads beside one, by the clock. Writes JSON.
 
 #include <Delaunay_from_surface_3_comparison/measure.h>
 #include <Delaunay_from_surface_3_comparison/peers.h>
@@ -117,18 +117,18 @@ struct Set
 {
   std::string name;
   double period;
-  bool is_clustered; // too much so for CGAL: it takes 27 sheets, and minutes for 10,000 points
+  std::size_t most_plain; // points that CGAL takes in less than a minute
   std::function<Points(std::size_t)> make;
 };
 
 const std::vector<Set> sets = {
-    {"random, period 1", 1, false, [](std::size_t n) { return cube(n, 1); }},
-    {"random, period 10", 10, false, [](std::size_t n) { return cube(n, 10); }},
-    {"lattice", 1, false, [](std::size_t n) { return lattice(n, 1, 0); }},
-    {"lattice, three in ten left out, period 10", 10, false,
+    {"random, period 1", 1, 10000000, [](std::size_t n) { return cube(n, 1); }},
+    {"random, period 10", 10, 10000000, [](std::size_t n) { return cube(n, 10); }},
+    {"lattice", 1, 200000, [](std::size_t n) { return lattice(n, 1, 0); }},
+    {"lattice, three in ten left out, period 10", 10, 200000,
      [](std::size_t n) { return lattice(n, 10, .3); }},
-    {"Plummer sphere in a corner", 1, true, plummer},
-    {"filaments", 1, true, filaments},
+    {"Plummer sphere in a corner", 1, 2000, plummer},
+    {"filaments", 1, 2000, filaments},
 };
 
 CGAL::Periodic_3_arrays<> arrays_of(const Points& points, double period)
@@ -159,12 +159,45 @@ double peak_of(const std::string& name, const Make& make)
   return double(memory.peak) - double(memory.input);
 }
 
-Json measure_set(const Set& set, std::size_t n, std::size_t repetitions)
+double plain_cpu(const Set& set, const std::vector<Point>& points, std::size_t tetrahedra)
 {
-  const Points points = set.make(n);
-  std::vector<Point> of_cgal;
+  Periodic expected(Traits::Iso_cuboid_3(0, 0, 0, set.period, set.period, set.period));
+  const double time =
+      comparison::time_of([&] { expected.insert(points.begin(), points.end(), true); }).cpu;
+  if (expected.number_of_cells() != tetrahedra)
+    throw std::runtime_error(set.name + ": not equal to CGAL");
+  return time;
+}
+
+std::vector<Point> scaled(const Points& points, double by)
+{
+  std::vector<Point> result;
   for (const auto& p : points)
-    of_cgal.emplace_back(p[0], p[1], p[2]);
+    result.emplace_back(p[0] * by, p[1] * by, p[2] * by);
+  return result;
+}
+
+// Other programs of one thread, by CPU time.
+Json beside_arrays(const comparison::Peer_record& peer, double ours, std::size_t tetrahedra)
+{
+  Json line = peer.as_json(0, tetrahedra);
+  line.erase("ratio_plain_to_method");
+  if (line.contains("median_cpu"))
+    line["ratio_method_to_arrays"] = rounded(double(line["median_cpu"]) / ours, 1e3);
+  return line;
+}
+
+Json measure_set(const Set& set, std::size_t n, std::size_t repetitions,
+                 const std::vector<std::string>& commands, comparison::Launcher& launcher)
+{
+  const bool has_plain = n <= set.most_plain;
+  const Points points = set.make(n);
+  const std::vector<Point> of_cgal = scaled(points, 1);
+  const comparison::Points_file file(
+      scaled(points, 1 / set.period)); // for the others, in a box of 1
+  std::vector<comparison::Peer_record> peers;
+  for (const std::string& text : commands)
+    peers.emplace_back(comparison::parse_peer(text));
   Json line = {{"set", set.name}, {"points", points.size()}};
   const double peak = peak_of(set.name, [&] { return arrays_of(points, set.period); });
   const double peak_in_space = peak_of(set.name, [&] { return CGAL::delaunay_3_arrays(points); });
@@ -172,14 +205,7 @@ Json measure_set(const Set& set, std::size_t n, std::size_t repetitions)
   for (std::size_t r = 0; r < repetitions + 1; ++r) {
     CGAL::Periodic_3_arrays<> arrays;
     const double ours = comparison::time_of([&] { arrays = arrays_of(points, set.period); }).cpu;
-    double plain = 0;
-    if (!set.is_clustered) {
-      Periodic expected(Traits::Iso_cuboid_3(0, 0, 0, set.period, set.period, set.period));
-      plain =
-          comparison::time_of([&] { expected.insert(of_cgal.begin(), of_cgal.end(), true); }).cpu;
-      if (expected.number_of_cells() != arrays.number_of_simplices())
-        throw std::runtime_error(set.name + ": not equal to CGAL");
-    }
+    const double plain = has_plain ? plain_cpu(set, of_cgal, arrays.number_of_simplices()) : 0;
     if (r == 0) { // touches the memory, and is not counted
       line["tetrahedra"] = arrays.number_of_simplices();
       line["copies_per_point"] = comparison::per_point(arrays.number_of_copies(), points.size());
@@ -188,12 +214,15 @@ Json measure_set(const Set& set, std::size_t n, std::size_t repetitions)
     turns.plain.push_back(plain);
     turns.ours.push_back(ours);
     turns.ratios.push_back(plain / ours);
+    for (auto& peer : peers)
+      peer.run(launcher, file.name());
   }
-  if (!set.is_clustered) {
+  const double ours = rounded(comparison::median(turns.ours));
+  if (has_plain) {
     line["median_plain_cpu"] = rounded(comparison::median(turns.plain));
     line["median_ratio"] = rounded(comparison::median(turns.ratios), 1e3);
   }
-  line["median_arrays_cpu"] = rounded(comparison::median(turns.ours));
+  line["median_arrays_cpu"] = ours;
   line["peak_bytes_per_point"] = rounded(peak / double(points.size()), 10);
   line["peak_to_that_in_space"] = rounded(peak / peak_in_space, 1e3);
   std::vector<double> gains;
@@ -202,6 +231,8 @@ Json measure_set(const Set& set, std::size_t n, std::size_t repetitions)
     gains.push_back(one / arrays_wall(points, set.period, 2));
   }
   line["gain_of_two_threads"] = rounded(comparison::median(gains), 1e3);
+  for (const auto& peer : peers)
+    line["peers"].push_back(beside_arrays(peer, ours, line["tetrahedra"]));
   return line;
 }
 
@@ -211,17 +242,20 @@ int main(int argc, char** argv)
 {
   std::vector<std::size_t> sizes = {100000, 1000000};
   std::size_t repetitions = 3;
+  std::vector<std::string> peers;
+  comparison::Launcher launcher;
   comparison::Program program(
       "measure_periodic",
       "Measures points in a periodic box, beside CGAL's Periodic_3_Delaunay_triangulation_3.");
   program.option("sizes", sizes, "N...", "numbers of points");
   program.option("repetitions,r", repetitions, "N", "of each, in turn");
+  program.option("peer", peers, "NAME=COMMAND", "another program, as README.md says");
   return program.run(argc, argv, [&](Json& report) {
     report["repetitions"] = repetitions;
     report["results"] = Json::array();
     for (const std::size_t n : sizes)
       for (const Set& set : sets) {
-        report["results"].push_back(measure_set(set, n, repetitions));
+        report["results"].push_back(measure_set(set, n, repetitions, peers, launcher));
         std::cerr << report["results"].back().dump() << "\n";
       }
   });

@@ -251,6 +251,21 @@ def weights(report):
                         f"Geometric means: {'; '.join(found)}.", other_tetrahedra(results)])
 
 
+def periodic(report):
+    """Time of CGAL's periodic triangulation, and of another program, / of arrays. Where CGAL is too slow for any size of a set,
+    its largest."""
+    def beside(row):
+        return next((peer["ratio_method_to_arrays"] for peer in peers_of(row)), None)
+
+    beside_plain = {row["set"] for row in report["results"] if "median_ratio" in row}
+    last = {row["set"]: row for row in report["results"]}
+    rows = [[f'{row["set"]}, {thousands(row["points"])}', two(row["median_arrays_cpu"]), two(row.get("median_ratio")), two(beside(row)),
+             two(row["gain_of_two_threads"]), two(row["copies_per_point"]), two(row["peak_to_that_in_space"])]
+            for row in report["results"] if "median_ratio" in row or row["set"] not in beside_plain and row is last[row["set"]]]
+    return f"{measured(report)}\n\n" + table(
+        ["points", "arrays, s", "plain %CGAL", "Geogram", "2 threads", "copies per point", "memory"], rows)
+
+
 def other_tetrahedra(results):
     found = []
     for row in results:
